@@ -94,9 +94,7 @@ std::vector<KeyRow> key_table(const InputPreset& preset, std::span<const KeyBind
   std::vector<KeyRow> keys;
   for (const OpInfo& op : all_ops()) {
     if (op.key == '\0') continue;
-    // An operator without a target runs immediately.
-    const std::string id(op.id);
-    keys.push_back({std::string(1, op.key), is_tool(op) ? "tool " + id : id, op.name_en, op.name_ja});
+    keys.push_back({std::string(1, op.key), line_of_key(op), op.name_en, op.name_ja});
   }
   keys.insert(keys.end(), std::begin(first_keys), std::end(first_keys));
   for (const Selector& row : selectors())
@@ -136,6 +134,8 @@ std::vector<KeyRow> rows_without_key(const InputPreset& preset, std::span<const 
     }
   return lost;
 }
+
+std::string line_of_key(const OpInfo& op) { return (is_tool(op) ? "tool " : "") + std::string(op.id); }
 
 Text help_of_key(const KeyRow& row) {
   if (!row.help_en.empty()) return {std::string(row.help_en), std::string(row.help_ja)};

@@ -12,6 +12,8 @@
 
 namespace ryosen {
 
+struct OpInfo;
+
 struct KeyRow {
   std::string chord;    // "Ctrl+Z", "C", "Home", "Left", "Numpad1"
   std::string command;  // the command line it sends
@@ -35,6 +37,8 @@ std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset
                                std::span<const KeyBinding> own = {});
 // What had a key in the preset and has none any more because of these bindings: rows without a chord.
 std::vector<KeyRow> rows_without_key(const InputPreset& preset, std::span<const KeyBinding> own);
+// What the key of an operator sends: its tool, or itself where it has no target.
+std::string line_of_key(const OpInfo& op);
 // What a key does in words: those of its row, else the help of its command.
 Text help_of_key(const KeyRow& row);
 

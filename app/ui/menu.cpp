@@ -71,10 +71,8 @@ void draw_edit_menu(PanelContext& context) {
   item(context, UiText::redo, "redo", document.position() < document.history().size());
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {
-    const std::string id(op.id);
     if (op.key == '\0') continue;  // operators without a key are only in the tools panel
-    item(context, context.text(op.name_en, op.name_ja), is_tool(op) ? "tool " + id : id, true,
-         context.session.tool == id);
+    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.tool == op.id);
   }
   ImGui::Separator();
   item(context, context.text("Duplicate", "複製"), "duplicate elements=selected", !context.session.selection.empty());

@@ -134,6 +134,7 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
       ImGui::PopID();
     }
   }
+  ImGui::Dummy({0, 0});  // to the whole pitch of the last row, so that it can be scrolled to
   if (scrolls_to) ImGui::SetScrollY(*scrolls_to);
   end_rows(pitch);
 }
@@ -204,10 +205,14 @@ void give_keyboard_to_next() {
   GImGui->NavDisableHighlight = false;
 }
 
-std::string chord_of(const Session& session, std::string_view command) {
-  for (const KeyRow& key : key_table(input_presets()[session.input_preset], session.bindings))
+std::string chord_of(std::span<const KeyRow> keys, std::string_view command) {
+  for (const KeyRow& key : keys)
     if (key.command == command) return key.chord;
   return {};
+}
+
+std::string chord_of(const Session& session, std::string_view command) {
+  return chord_of(key_table(input_presets()[session.input_preset], session.bindings), command);
 }
 
 std::string grouped(std::int64_t n) {

@@ -58,6 +58,7 @@ void give_keyboard_to_next();
 
 // The chord of the key that sends a command, or nothing.
 std::string chord_of(const Session& session, std::string_view command);
+std::string chord_of(std::span<const KeyRow> keys, std::string_view command);
 // 34834 as 34,834.
 std::string grouped(std::int64_t n);
 // Six significant digits.

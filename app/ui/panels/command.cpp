@@ -42,10 +42,13 @@ class CommandPanel : public Panel {
   bool goes_to_end_ = false;
 };
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 // What a help says beyond its beginning, which is the name.
 std::string beyond_name(const std::string& help, const std::string& name) {
   if (name.empty() || help.size() < name.size() || help.substr(1, name.size() - 1) != name.substr(1)) return help;
   std::string_view rest = std::string_view(help).substr(name.size());
+  if (!rest.empty() && is_letter(rest[0])) return help;  // of its first word the name is a part only
   for (const std::string_view mark : {";", ":", "：", "。"})
     if (rest.starts_with(mark)) rest.remove_prefix(mark.size());
   return std::string(without_blanks(rest));

@@ -74,9 +74,9 @@ bool marked_row(PanelContext& context, const char* name, const char* key, bool i
   return is_pressed;
 }
 
-void draw_operator(PanelContext& context, const OpInfo& op) {
+void draw_operator(PanelContext& context, const OpInfo& op, std::span<const KeyRow> keys) {
   ImGui::PushID(op.id.data());
-  const std::string key(op.key == '\0' ? 0 : 1, op.key);
+  const std::string key = chord_of(keys, line_of_key(op));
   const PressRow& kind = presses[static_cast<std::size_t>(press_of(context.session, op))];
   if (marked_row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.tool == op.id, kind))
     press(context, op);
@@ -86,7 +86,7 @@ void draw_operator(PanelContext& context, const OpInfo& op) {
 }
 
 // The operators of a group that have a key, and the tool; the others when it is unfolded.
-void draw_group(PanelContext& context, const OpGroupRow& group) {
+void draw_group(PanelContext& context, const OpGroupRow& group, std::span<const KeyRow> keys) {
   const auto is_always_there = [&](const OpInfo& op) { return op.key != '\0' || context.session.tool == op.id; };
   std::size_t others = 0;
   for (const OpInfo& op : all_ops()) others += op.group == group.group && !is_always_there(op);
@@ -108,7 +108,7 @@ void draw_group(PanelContext& context, const OpGroupRow& group) {
   const float indent = 6 * context.scale;
   ImGui::Indent(indent);
   for (const OpInfo& op : all_ops())
-    if (op.group == group.group && (is_open || is_always_there(op))) draw_operator(context, op);
+    if (op.group == group.group && (is_open || is_always_there(op))) draw_operator(context, op, keys);
   ImGui::Unindent(indent);
 }
 
@@ -160,7 +160,8 @@ void draw_tools(PanelContext& context) {
   ImGui::BeginDisabled(!context.session.tool.empty());
   draw_modes(context);
   ImGui::EndDisabled();
-  for (const OpGroupRow& group : op_groups) draw_group(context, group);
+  const std::vector<KeyRow> keys = key_table(input_presets()[context.session.input_preset], context.session.bindings);
+  for (const OpGroupRow& group : op_groups) draw_group(context, group, keys);
   ImGui::PopStyleVar();
 }
 

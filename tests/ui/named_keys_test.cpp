@@ -1,0 +1,51 @@
+// What panels say of keys and commands is what is in force, and all of it.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>  // its windows
+
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+using test::DrawnText;
+using test::Laid;
+
+TEST(tools_panel, shows_the_keys_that_are_in_force) {
+  Laid laid("cube.obj");
+  EXPECT_EQ(DrawnText(laid.gui).count("SSwapedge"), 1u);
+  ASSERT_TRUE(laid.session.run("preset blender").done());
+  laid.frames(3);
+  EXPECT_EQ(DrawnText(laid.gui).count("Shift+SSwapedge"), 1u);
+  ASSERT_TRUE(laid.session.run("preset ryosen").done());
+  laid.session.bindings = {{"Ctrl+7", "tool swap"}, {"S", ""}};
+  laid.frames(3);
+  EXPECT_EQ(DrawnText(laid.gui).count("Ctrl+7Swapedge"), 1u);
+}
+
+TEST(command_panel, leaves_no_name_out_of_the_middle_of_a_word) {
+  Laid laid("cube.obj");
+  ASSERT_TRUE(laid.session.run("panel command").done());
+  laid.frames(3);
+  laid.gui.text("scale");
+  laid.frames(4);
+  EXPECT_GT(DrawnText(laid.gui).count("scalesvertices,everywhere"), 0u);
+}
+
+TEST(history_panel, scrolls_to_the_entry_that_is_the_mesh) {
+  Laid laid("cube.obj");
+  for (int i = 1; i < 12; ++i) {
+    ASSERT_TRUE(laid.session.run("move_vertex v0 0,0," + std::to_string(i)).done());
+    laid.frames(4);
+    const ImGuiWindow* entries = nullptr;
+    for (const ImGuiWindow* const one : GImGui->Windows)
+      if (one->Active && std::string_view(one->Name).find("/entries") != std::string_view::npos) entries = one;
+    ASSERT_TRUE(entries);
+    EXPECT_NEAR(entries->Scroll.y, static_cast<float>(std::max(i - 6, 0)) * ImGui::GetTextLineHeightWithSpacing(), 0.5f)
+        << i;
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -205,6 +205,10 @@ void give_keyboard_to_next() {
   GImGui->NavDisableHighlight = false;
 }
 
+bool is_left_alone(const char* field) {
+  return !ImGui::IsAnyItemActive() && (GImGui->NavDisableHighlight || GImGui->NavId == ImGui::GetID(field));
+}
+
 std::string chord_of(std::span<const KeyRow> keys, std::string_view command) {
   for (const KeyRow& key : keys)
     if (key.command == command) return key.chord;

@@ -55,6 +55,8 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
 void end_over();
 // Gives the keyboard to what is drawn next, marked, without pressing it.
 void give_keyboard_to_next();
+// Nothing is written into and no other item is marked, as after a click beside this one.
+bool is_left_alone(const char* field);
 
 // The chord of the key that sends a command, or nothing.
 std::string chord_of(const Session& session, std::string_view command);

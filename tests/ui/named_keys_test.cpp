@@ -33,6 +33,22 @@ TEST(command_panel, leaves_no_name_out_of_the_middle_of_a_word) {
   EXPECT_GT(DrawnText(laid.gui).count("scalesvertices,everywhere"), 0u);
 }
 
+TEST(command_panel, has_the_keyboard_after_a_click_beside_it) {
+  Laid laid("cube.obj");
+  ASSERT_TRUE(laid.session.run("panel command").done());
+  laid.frames(3);
+  laid.gui.text("gr");
+  laid.frames(2);
+  for (const glm::dvec2 beside : {glm::dvec2(60, 600), glm::dvec2(640, 206)}) {
+    laid.click(beside);
+    laid.frames(3);
+    laid.gui.text("ow");
+    laid.frames(3);
+    EXPECT_TRUE(laid.gui.owns_keys()) << beside.x;
+  }
+  EXPECT_EQ(DrawnText(laid.gui).count("growow"), 1u);
+}
+
 TEST(history_panel, scrolls_to_the_entry_that_is_the_mesh) {
   Laid laid("cube.obj");
   for (int i = 1; i < 12; ++i) {

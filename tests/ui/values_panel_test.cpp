@@ -157,6 +157,19 @@ TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
   EXPECT_EQ(session.document().position(), 0u);
 }
 
+// Enter leaves the caret where something is missing.
+TEST_F(ValuesPanel, takes_what_is_typed_behind_an_enter_that_came_too_early) {
+  ASSERT_TRUE(session.run("values weld_close").done());
+  frames(3);
+  press(ImGuiKey_Enter);
+  frames(2);
+  type("0.5");
+  press(ImGuiKey_Enter);
+  frames(2);
+  EXPECT_EQ(session.open_panel, "");
+  EXPECT_TRUE(gui.said().en.starts_with("weld_close distance=0.5")) << gui.said().en;
+}
+
 TEST_F(ValuesPanel, gives_way_to_another_and_begins_anew) {
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);

@@ -151,7 +151,7 @@ void CommandPanel::draw(PanelContext& context) {
     line_ = lines_.size();
   }
   if (!context.state.begun_command.empty()) type(std::exchange(context.state.begun_command, {}));
-  if (std::exchange(takes_keys_, false)) {
+  if (std::exchange(takes_keys_, false) || is_left_alone("##command")) {
     ImGui::SetKeyboardFocusHere();
     goes_to_end_ = true;
   }

@@ -164,7 +164,7 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
 
 // True where the name was entered.
 bool FileBrowser::draw_name(PanelContext& context) {
-  if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
+  if (std::exchange(takes_keys_, false) || is_left_alone("##name")) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint(
       "##name",

@@ -1,6 +1,8 @@
 // The values of an algorithm: one field per parameter, as its row describes it.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "app/editor/algorithm_preview.h"
@@ -25,6 +27,13 @@ std::string hint_of(const PanelContext& context, const ParameterRow& row) {
   return expected_value(row).in(context.language()) + (may_lack ? context.text("; may be left out", "、省略可") : "");
 }
 
+// The first field that must be filled in and is empty.
+std::optional<std::size_t> lacking(std::span<const ParameterRow> rows, std::span<const std::string> texts) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (texts[i].empty() && must_be_given(rows, rows[i])) return i;
+  return std::nullopt;
+}
+
 // One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
 class ValuesPanel : public Panel {
  public:
@@ -34,18 +43,18 @@ class ValuesPanel : public Panel {
   ImVec2 size() const override;
 
  private:
-  // True when Enter was pressed in a field. `below` is what stands behind them.
-  bool draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below);
+  // The number of the field in which Enter was pressed. `below` is what stands behind them.
+  std::optional<std::size_t> draw_fields(PanelContext& context, const AlgorithmRow& row, float below);
   void fit_height(PanelContext& context, float height_px);
   void draw_algorithms(PanelContext& context);
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
 
   std::string algorithm_;  // its id
   WholeRows rows_;
-  float height_ = 0;                // that all of its fields take, at scale 1; 0 as long as it is not known
-  bool has_run_ = false;            // with these values; where that failed, the reason stands beside them
-  bool takes_keys_ = false;         // the first field is to have the keyboard, where this is asked again
-  std::vector<std::string> texts_;  // what stands in the fields of its parameters
+  float height_ = 0;                    // that all of its fields take, at scale 1; 0 as long as it is not known
+  bool has_run_ = false;                // with these values; where that failed, the reason stands beside them
+  std::optional<std::size_t> to_keys_;  // the field that is to have the keyboard next
+  std::vector<std::string> texts_;      // what stands in the fields of its parameters
   AlgorithmPreview preview_;
   bool has_preview_ = true;  // wanted, where it is quick
 };
@@ -65,8 +74,8 @@ void ValuesPanel::fit_height(PanelContext& context, float height_px) {
 }
 
 // Between what the algorithm does and what runs it, which stay in sight.
-bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bool begins, float below) {
-  bool entered = false;
+std::optional<std::size_t> ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, float below) {
+  std::optional<std::size_t> entered;
   const float top = ImGui::GetCursorPosY();
   rows_.begin("fields", std::max(1.f, ImGui::GetContentRegionAvail().y - below));
   if (ImGui::BeginTable("parameters", 2)) {
@@ -81,8 +90,11 @@ bool ValuesPanel::draw_fields(PanelContext& context, const AlgorithmRow& row, bo
       wrapped_text(context.text(parameter.name_en, parameter.name_ja));
       tip(context.text(parameter.help_en, parameter.help_ja));
       ImGui::TableNextColumn();
-      if (i == 0 && begins) ImGui::SetKeyboardFocusHere();
-      entered = draw_parameter_field(context, parameter, texts_[i], EnterAt::runs) || entered;
+      if (to_keys_ == i) {
+        ImGui::SetKeyboardFocusHere();
+        to_keys_.reset();
+      }
+      if (draw_parameter_field(context, parameter, texts_[i], EnterAt::runs)) entered = i;
       tip(context.text(parameter.help_en, parameter.help_ja));
       if (const std::string hint = hint_of(context, parameter); !hint.empty()) dim_text(context, hint.c_str());
     }
@@ -145,7 +157,8 @@ void ValuesPanel::draw(PanelContext& context) {
   const std::string& told = fault.empty() ? preview_.told().in(context.language()) : fault;
   const float lines = wrapped_size(told, ImGui::GetContentRegionAvail().x).y + style.ItemSpacing.y;
   const float below = ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y + (told.empty() ? 0 : lines);
-  const bool entered = draw_fields(context, *row, begins || std::exchange(takes_keys_, false), below);
+  if (begins) to_keys_ = 0;
+  const std::optional<std::size_t> entered = draw_fields(context, *row, below);
   read = read_fields(row->parameters, texts_);  // with what was just written
   ImGui::Separator();
   if (!told.empty()) coloured_text(fault.empty() ? context.colours().dim : context.colours().warning, told.c_str());
@@ -153,8 +166,10 @@ void ValuesPanel::draw(PanelContext& context) {
   const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});
   ImGui::EndDisabled();
   draw_preview(context, *row, read);
+  if (!read.values && entered) to_keys_ = lacking(row->parameters, texts_).value_or(*entered);
   if (!read.values || !(pressed || entered)) return;
-  has_run_ = takes_keys_ = true;
+  has_run_ = true;
+  to_keys_ = 0;
   context.run_from(line_of(*row, *read.values), context.session.open_panel);
 }
 

@@ -51,9 +51,8 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
   if (!takes_elements) return entered;
   ImGui::SameLine();
   if (ImGui::Button((of_selection + ("##selection_" + id)).c_str())) {
-    text.clear();
     context.session.end_trial();  // what is shown before it is run has no selection
-    for (const std::string& name : context.session.selected_names()) text += (text.empty() ? "" : ",") + name;
+    text = context.session.selection.empty() ? "" : selection_word;
   }
   return entered;
 }

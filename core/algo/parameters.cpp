@@ -254,6 +254,12 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
   return read;
 }
 
+void ParameterValues::set_names(std::string_view id, std::vector<std::string> names) {
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
+  assert(row != rows_.end() && row->kind == ParameterKind::elements);
+  values_[static_cast<std::size_t>(row - rows_.begin())].emplace().names = std::move(names);
+}
+
 bool ParameterValues::has(std::string_view id) const {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (rows_[i].id == id) return values_[i].has_value();

@@ -42,6 +42,7 @@ struct ParameterRow {
   std::vector<Choice> choices = {};
   // Ids separated by ", ", the same for all of them and this one's among them: at least one of these must be given.
   std::string_view one_of = "";
+  bool is_worked_on = false;  // elements that it is done to, in place of all: in the window first what is selected
 };
 
 // LENGTH, COUNT, on|off, the ids of a choice: what stands in the place of a value in a syntax.
@@ -72,6 +73,8 @@ class ParameterValues {
 
   // Takes a value as it is written. A sentence where it is none of this parameter; `called` is what the sentence calls it.
   std::optional<Text> set(std::string_view id, std::string_view text, std::string_view called);
+  // Of a parameter that takes elements, whatever names these are.
+  void set_names(std::string_view id, std::vector<std::string> names);
   // The sentence about what must be given and was not, which calls the parameters so; none where nothing is missing.
   std::optional<Text> fault_of_missing(const std::function<std::string(const ParameterRow&)>& called) const;
   // Lengths in units of the mesh and elements looked up: what an algorithm gets.

@@ -116,6 +116,29 @@ TEST_F(ValuesPanel, takes_the_selection_for_elements) {
   EXPECT_EQ(session.mesh().position(Vertex(3)), glm::dvec3(9, 9, 9));
 }
 
+// By a word, which can be cleared.
+TEST_F(ValuesPanel, begins_with_what_is_selected_where_that_is_worked_on) {
+  for (const bool clears : {false, true}) {
+    ASSERT_TRUE(session.run("select f0 f1").done());
+    ASSERT_TRUE(session.run("values smooth").done());
+    frames(6);
+    EXPECT_TRUE(session.document().is_on_trial()) << "with a preview";
+    const auto& rows = find_algorithm("smooth")->parameters;
+    for (std::size_t i = 0; rows[i].kind != ParameterKind::elements; ++i) press(ImGuiKey_Tab);
+    EXPECT_EQ(test::DrawnText(gui).count("selectedSelection"), 1u);
+    if (clears) press(ImGuiKey_Backspace);
+    press(ImGuiKey_Enter);
+    frames(3);
+    EXPECT_EQ(session.open_panel, "") << gui.said().en;
+    EXPECT_EQ(gui.said().en.find("select=f0,f1") == std::string::npos, clears) << gui.said().en;
+    ASSERT_TRUE(session.run("undo").done());
+  }
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(session.run("values subdivide").done());
+  frames(4);
+  EXPECT_EQ(test::DrawnText(gui).count("selectedSelection"), 0u) << "what stays sharp is not what is worked on";
+}
+
 TEST_F(ValuesPanel, tells_the_copies_of_a_point_apart) {
   open("fin.obj");
   AlgorithmRow lift = test::scatter_row();

@@ -45,6 +45,8 @@ class ValuesPanel : public Panel {
  private:
   // The number of the field in which Enter was pressed. `below` is what stands behind them.
   std::optional<std::size_t> draw_fields(PanelContext& context, const AlgorithmRow& row, float below);
+  void begin(PanelContext& context, const AlgorithmRow& row);
+  ReadValues read(const AlgorithmRow& row) const;
   void fit_height(PanelContext& context, float height_px);
   void draw_algorithms(PanelContext& context);
   void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read);
@@ -55,9 +57,21 @@ class ValuesPanel : public Panel {
   bool has_run_ = false;                // with these values; where that failed, the reason stands beside them
   std::optional<std::size_t> to_keys_;  // the field that is to have the keyboard next
   std::vector<std::string> texts_;      // what stands in the fields of its parameters
+  std::vector<std::string> selected_;   // the names of what was selected when it was opened
   AlgorithmPreview preview_;
   bool has_preview_ = true;  // wanted, where it is quick
 };
+
+bool means_selection(const ParameterRow& row, std::string_view text) {
+  return row.kind == ParameterKind::elements && text == selection_word;
+}
+
+// With these names in place of the word for the selection.
+ParameterValues with_names(ParameterValues values, const std::vector<std::string>& names) {
+  for (const ParameterRow& row : values.rows())
+    if (means_selection(row, values.text(row.id))) values.set_names(row.id, names);
+  return values;
+}
 
 ImVec2 ValuesPanel::size() const {
   const AlgorithmRow* const row = find_algorithm(algorithm_);
@@ -66,6 +80,34 @@ ImVec2 ValuesPanel::size() const {
   float height = 190;
   for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32.f : 60.f;
   return {410, height};
+}
+
+// What is selected is what it is first asked for, where its row works on elements.
+void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
+  has_run_ = false;
+  if (algorithm_ != row.id) height_ = 0;
+  algorithm_ = row.id;
+  const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
+  selected_.clear();
+  if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements)) {
+    context.session.end_trial();  // what another one shows has no selection
+    selected_ = context.session.selected_names();
+  }
+  texts_.clear();
+  for (const ParameterRow& parameter : row.parameters)
+    texts_.emplace_back(parameter.is_worked_on && !selected_.empty() ? selection_word : parameter.initial);
+}
+
+// What the fields say; the word for the selection stays a word, however much is selected.
+ReadValues ValuesPanel::read(const AlgorithmRow& row) const {
+  std::vector<std::string> texts = texts_;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (means_selection(row.parameters[i], texts[i])) texts[i] = "v0";  // any name does
+  ReadValues read = read_fields(row.parameters, texts);
+  for (std::size_t i = 0; read.values && i < texts.size(); ++i)
+    if (means_selection(row.parameters[i], texts_[i]))
+      read.values->set_names(row.parameters[i].id, {std::string(selection_word)});
+  return read;
 }
 
 void ValuesPanel::fit_height(PanelContext& context, float height_px) {
@@ -122,7 +164,7 @@ void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, c
                    "実行結果をビューに示します（20,000 面までの、すぐ終わるものだけ）。"),
       ImGuiHoveredFlags_AllowWhenDisabled);
   if (has_preview_ && read.values && is_offered)
-    preview_.show(context.session, row, *read.values);
+    preview_.show(context.session, row, with_names(*read.values, selected_));
   else
     preview_.end(context.session);
 }
@@ -137,19 +179,13 @@ void ValuesPanel::draw(PanelContext& context) {
   if (!row) return draw_algorithms(context);
   const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last_kind != Outcome::Kind::done;
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
-  if (begins && !has_failed) {
-    has_run_ = false;
-    if (algorithm_ != row->id) height_ = 0;
-    algorithm_ = row->id;
-    texts_.clear();
-    for (const ParameterRow& parameter : row->parameters) texts_.emplace_back(parameter.initial);
-  }
+  if (begins && !has_failed) begin(context, *row);
   ImGui::PushFont(context.fonts.bold);
   ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
   ImGui::PopFont();
   dim_text(context, context.text(row->help_en, row->help_ja));
   ImGui::Separator();
-  ReadValues read = read_fields(row->parameters, texts_);
+  ReadValues read = this->read(*row);
   const std::string fault = !read.values ? read.sentence.in(context.language())
                             : has_failed ? context.state.last_outcome.in(context.language())
                                          : "";
@@ -159,7 +195,7 @@ void ValuesPanel::draw(PanelContext& context) {
   const float below = ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y + (told.empty() ? 0 : lines);
   if (begins) to_keys_ = 0;
   const std::optional<std::size_t> entered = draw_fields(context, *row, below);
-  read = read_fields(row->parameters, texts_);  // with what was just written
+  read = this->read(*row);  // with what was just written
   ImGui::Separator();
   if (!told.empty()) coloured_text(fault.empty() ? context.colours().dim : context.colours().warning, told.c_str());
   ImGui::BeginDisabled(!read.values);
@@ -170,6 +206,7 @@ void ValuesPanel::draw(PanelContext& context) {
   if (!read.values || !(pressed || entered)) return;
   has_run_ = true;
   to_keys_ = 0;
+  preview_.end(context.session);
   context.run_from(line_of(*row, *read.values), context.session.open_panel);
 }
 

@@ -141,7 +141,8 @@ ParameterRow elements() {
           .name_en = "Elements",
           .name_ja = "対象",
           .help_en = "faces, also by all of their vertices, edges and vertices; else all",
-          .help_ja = "面（全頂点の指定でも可）、稜線、頂点（省くとすべて）"};
+          .help_ja = "面（全頂点の指定でも可）、稜線、頂点（省くとすべて）",
+          .is_worked_on = true};
 }
 
 }  // namespace

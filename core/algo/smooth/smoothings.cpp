@@ -166,7 +166,8 @@ std::vector<ParameterRow> smoothing_parameters() {
        .name_en = "Select",
        .name_ja = "対象",
        .help_en = "the vertices, or those of these edges and faces; else all",
-       .help_ja = "滑らかにする頂点、または稜線や面（省くとすべて）"},
+       .help_ja = "滑らかにする頂点、または稜線や面（省くとすべて）",
+       .is_worked_on = true},
   };
 }
 

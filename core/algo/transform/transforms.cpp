@@ -105,7 +105,8 @@ std::vector<ParameterRow> with_common(std::vector<ParameterRow> rows) {
                   .name_en = "Elements",
                   .name_ja = "対象",
                   .help_en = "the vertices, or those of these edges and faces; else all",
-                  .help_ja = "動かす頂点、または稜線や面（省くとすべて）"});
+                  .help_ja = "動かす頂点、または稜線や面（省くとすべて）",
+                  .is_worked_on = true});
   return rows;
 }
 

@@ -5,6 +5,7 @@
 #include "app/editor/command_syntax.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/script.h"
+#include "app/editor/words.h"
 #include "core/base/count_text.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/lines/syntax.h"
@@ -29,6 +30,21 @@ struct Selecting {
 
 // Before the id of a problem, which a selector may have too.
 constexpr std::string_view of_problem = "problem";
+
+// The name that the words are: one of them, or several in quotes. None where they are neither.
+std::optional<std::string> kept_name(Words words) {
+  if (words.empty()) return std::nullopt;
+  const char* const begin = words.front().data();  // the words are parts of one line
+  const std::string_view whole(begin, static_cast<std::size_t>(words.back().data() + words.back().size() - begin));
+  const bool is_quoted = whole.size() > 2 && whole.front() == '"' && whole.back() == '"';
+  return words.size() == 1 || is_quoted ? std::optional(file_name(whole)) : std::nullopt;
+}
+
+Text fault_of_kept_name(std::string_view command, Words words) {
+  const Text form = wrong_arguments(command).sentence;
+  if (words.size() < 2) return form;
+  return form + Text{"; a name of several words stands in quotes", "。空白を含む名前は引用符で囲みます"};
+}
 
 Selecting read_selecting(Words arguments) {
   Selecting asked{.names = arguments};
@@ -68,7 +84,8 @@ Text meant_by(std::string_view word) {
 std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.is_wrong) return wrong_arguments("select").sentence;
   if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
-  if (asked.is_kept) return asked.names.size() == 1 ? std::nullopt : std::optional(wrong_arguments("select").sentence);
+  if (asked.is_kept)
+    return kept_name(asked.names) ? std::nullopt : std::optional(fault_of_kept_name("select", asked.names));
   if (asked.selector) {
     if (parse_values(*asked.selector, asked.names)) return std::nullopt;
     const std::string syntax = syntax_of(*asked.selector);
@@ -207,7 +224,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
     return select(session, std::move(found));
   }
-  if (asked.is_kept) return select_kept(session, asked.names[0]);
+  if (asked.is_kept) return select_kept(session, *kept_name(asked.names));
   if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));
   Elements found;
   if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
@@ -217,22 +234,24 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
 }
 
 std::optional<Text> fault_of_keep(Words arguments, const std::string& line) {
-  if (arguments.size() == 1) return std::nullopt;
-  return wrong_arguments(line.substr(0, line.find(' '))).sentence;
+  if (kept_name(arguments)) return std::nullopt;
+  return fault_of_kept_name(line.substr(0, line.find(' ')), arguments);
 }
 
 Outcome run_keep(Session& session, Words arguments, std::string_view) {
-  if (arguments.size() != 1) return wrong_arguments("keep");
+  const std::optional<std::string> name = kept_name(arguments);
+  if (!name) return usage_error(fault_of_kept_name("keep", arguments));
   if (session.selection.empty())
     return failed(ExitCode::refused, {"nothing is selected that could be kept", "取っておく選択がありません"});
-  session.selections.kept.insert_or_assign(std::string(arguments[0]), session.selection);
+  session.selections.kept.insert_or_assign(*name, session.selection);
   return {};
 }
 
 Outcome run_forget(Session& session, Words arguments, std::string_view) {
-  if (arguments.size() != 1) return wrong_arguments("forget");
-  const auto kept = session.selections.kept.find(arguments[0]);
-  if (kept == session.selections.kept.end()) return nothing_kept(session, arguments[0]);
+  const std::optional<std::string> name = kept_name(arguments);
+  if (!name) return usage_error(fault_of_kept_name("forget", arguments));
+  const auto kept = session.selections.kept.find(*name);
+  if (kept == session.selections.kept.end()) return nothing_kept(session, *name);
   session.selections.kept.erase(kept);
   return {};
 }

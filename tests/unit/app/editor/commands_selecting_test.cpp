@@ -115,6 +115,21 @@ TEST(selecting, says_what_is_wrong_or_missing) {
   }
 }
 
+TEST(selecting, keeps_a_selection_under_any_name_in_quotes) {
+  const auto session = a_torus();
+  session->run("select f1 f2");
+  for (const char* line : {"keep one", "keep \"second set\""}) ASSERT_TRUE(session->run(line).done()) << line;
+  session->run("select none");
+  ASSERT_TRUE(session->run("select kept \"second set\"").done());
+  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f1", "f2"}));
+  ASSERT_TRUE(session->run("select kept one").done());
+  const Outcome refused = session->run("keep second set");
+  EXPECT_EQ(refused.exit_code, ExitCode::usage);
+  EXPECT_NE(refused.sentence.en.find("quotes"), std::string::npos) << refused.sentence.en;
+  ASSERT_TRUE(session->run("forget \"second set\"").done());
+  EXPECT_FALSE(session->run("select kept \"second set\"").done());
+}
+
 TEST(selecting, says_what_a_word_may_stand_for) {
   const auto session = a_torus();
   const auto said = [&](const char* line) { return session->run(line).sentence; };

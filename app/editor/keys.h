@@ -14,6 +14,9 @@ namespace ryosen {
 
 struct OpInfo;
 
+// The menu that has an entry for what a key does too.
+enum class KeyMenu { none, edit, select };
+
 struct KeyRow {
   std::string chord;    // "Ctrl+Z", "C", "Home", "Left", "Numpad1"
   std::string command;  // the command line it sends
@@ -21,6 +24,8 @@ struct KeyRow {
   // Also while a panel lies over the view, or text is typed.
   bool acts_always = false;
   bool repeats = false;  // while it is held down
+  KeyMenu menu = KeyMenu::none;
+  std::string_view menu_en = "", menu_ja = "";
 };
 
 // What the user has bound a key to otherwise than its preset; an empty command takes the key away.

@@ -6,6 +6,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/exercises.h"
+#include "app/editor/keys.h"
 #include "app/editor/menu_bar.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
@@ -65,6 +66,14 @@ void algorithm_item(PanelContext& context, const AlgorithmRow& row) {
     item(context, (name + "...").c_str(), "values " + std::string(row.id));
 }
 
+// What keys do with the selection, and by hand, whatever they are bound to now.
+void key_items(PanelContext& context, KeyMenu menu) {
+  for (const KeyRow& row : key_table())
+    if (row.menu == menu)
+      item(context, context.text(row.menu_en, row.menu_ja), row.command,
+           menu != KeyMenu::edit || !context.session.selection.empty());
+}
+
 void draw_edit_menu(PanelContext& context) {
   const Document& document = context.session.document();
   item(context, UiText::undo, "undo", document.position() > 0);
@@ -75,6 +84,7 @@ void draw_edit_menu(PanelContext& context) {
     item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.tool == op.id);
   }
   ImGui::Separator();
+  key_items(context, KeyMenu::edit);
   item(context, context.text("Duplicate", "複製"), "duplicate elements=selected", !context.session.selection.empty());
   item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
@@ -105,6 +115,8 @@ void draw_select_menu(PanelContext& context) {
   }
   draw_select_problems(context);
   ImGui::Separator();
+  key_items(context, KeyMenu::select);
+  ImGui::Separator();
   item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
   item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
   item(context, UiText::unhide, "unhide", !context.session.hidden().empty());
@@ -112,7 +124,8 @@ void draw_select_menu(PanelContext& context) {
   if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
     context.begin_command("keep ");
   for (const auto& [name, elements] : context.session.selections.kept)
-    if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str())) context.run("select kept " + name);
+    if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str()))
+      context.run("select kept " + file_argument(name));
 }
 
 // Of two values that a key goes between the second one, ticked where it is on; else one entry for each.

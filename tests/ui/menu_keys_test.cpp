@@ -1,6 +1,7 @@
 // The menus, the files and the palette by the keyboard alone.
 #include <gtest/gtest.h>
 
+#include "app/editor/keys.h"
 #include "app/editor/menu_bar.h"
 #include "app/editor/words.h"
 #include "app/ui/window_input.h"
@@ -28,6 +29,11 @@ class MenuKeys : public testing::Test, protected test::Laid {
     gui.text(text);
     frames(3);
   }
+  static std::string without_spaces(std::string_view text) {
+    std::string letters(text);
+    std::erase(letters, ' ');
+    return letters;
+  }
   bool shows(std::string_view text) { return DrawnText(gui).count(text) > 0; }
 
   WindowInput input_{gui, session, {}, [this] { frames(4); }};
@@ -47,6 +53,32 @@ TEST_F(MenuKeys, f10_opens_them_and_arrows_walk_through_all) {
   EXPECT_TRUE(shows("Keys and mouse"));
   press("F10");
   EXPECT_FALSE(gui.has_menu(session));
+}
+
+// What keys do with the selection is found without knowing them, and the menus teach the keys that are in force.
+TEST_F(MenuKeys, entries_do_what_keys_do_by_hand) {
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(session.run("preset blender").done());
+  std::size_t n = 0;
+  for (const KeyRow& row : key_table()) {
+    if (row.menu == KeyMenu::none) continue;
+    ++n;
+    EXPECT_FALSE(row.menu_en.empty() || row.menu_ja.empty()) << row.command;
+    ASSERT_TRUE(session.run(row.menu == KeyMenu::edit ? "menu edit" : "menu select").done());
+    frames(3);
+    EXPECT_TRUE(shows(without_spaces(row.menu_en))) << row.menu_en;
+    gui.close_menus();
+    frames(3);
+  }
+  EXPECT_EQ(n, 13u);
+  ASSERT_TRUE(session.run("menu edit").done());
+  frames(3);
+  click(DrawnText(gui).last_place("Delete"));
+  EXPECT_EQ(session.mesh().live().faces, 5u) << gui.said().en;
+  ASSERT_TRUE(session.run("menu select").done());
+  frames(3);
+  click(DrawnText(gui).last_place("Selectbyalasso"));
+  EXPECT_EQ(session.armed_gesture, Gesture::lasso);
 }
 
 TEST_F(MenuKeys, entries_that_ask_for_more_end_in_dots) {

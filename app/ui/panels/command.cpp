@@ -181,7 +181,9 @@ std::optional<std::size_t> CommandPanel::meant() const {
   const bool is_bare = found_[0].line == line;
   const AlgorithmRow* const algorithm = find_algorithm(line);
   const bool asks = is_bare && (find_op(line) || (algorithm && !algorithm->parameters.empty()));
-  if (call_of(line) && !asks) return std::nullopt;
+  const auto call = call_of(line);
+  const bool is_said = call && !(call->row.is_of_hand && fault_of_command(line));
+  if (is_said && !asks) return std::nullopt;
   return 0;
 }
 

@@ -94,7 +94,7 @@ bool row(PanelContext& context, const char* label, const char* right, bool is_ac
     list.AddText({end, line}, ImGui::GetColorU32(context.colours().dim), shown.c_str());
     end -= gap;
   }
-  list.AddText({begin, line}, ImGui::GetColorU32(ImGuiCol_Text), fitted(label, end - begin).c_str());
+  list.AddText({begin, line}, ImGui::GetColorU32(ImGuiCol_Text), fitted_at_word(label, end - begin).c_str());
   return clicked;
 }
 
@@ -152,8 +152,19 @@ std::string fitted(std::string_view text, float width_px) {
   return cut(first_too_long == cuts.begin() ? 0 : *std::prev(first_too_long));
 }
 
+// Back to the end of the last word, unless that would leave out much of what fits.
+std::string fitted_at_word(std::string_view text, float width_px) {
+  std::string shown = fitted(text, width_px);
+  if (shown == text) return shown;
+  const std::string_view ellipsis = "\u2026";
+  const std::size_t cut = shown.size() - ellipsis.size(), blank = text.rfind(' ', cut);
+  const std::size_t end = blank == text.npos ? text.npos : text.find_last_not_of(" ,;:", blank);
+  if (end == text.npos || 2 * end < cut) return shown;
+  return std::string(text.substr(0, end + 1)) + std::string(ellipsis);
+}
+
 void fitted_text(const std::string& text, float width_px) {
-  const std::string shown = fitted(text, width_px);
+  const std::string shown = fitted_at_word(text, width_px);
   ImGui::TextUnformatted(shown.c_str());
   if (shown != text) tip(text);
 }

@@ -45,7 +45,8 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
                   std::optional<float> scrolls_to = {}, float pitch = 0);
 // A text, or as much of it as is no wider, with an ellipsis.
 std::string fitted(std::string_view text, float width_px);
-// A line of text that fits the panel, the whole beside it when it is hovered.
+std::string fitted_at_word(std::string_view text, float width_px);
+// A line of text that fits the panel, up to a word, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
 
 // A panel over everything else, while session.open_panel names it: in the middle, or at the right where it leaves the view

@@ -1,6 +1,4 @@
 // The rows of the table of commands, and how they are found.
-#include <utility>
-
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/exercises.h"
@@ -21,12 +19,6 @@ std::optional<Text> no_fault(Words, const std::string&) { return std::nullopt; }
 CommandRow of_view(CommandRow row) {
   row.keeps_trial = true;
   return row;
-}
-
-// What a hand does, said by scripts.
-CommandRow of_hand(CommandRow row) {
-  row.is_of_hand = true;
-  return of_view(std::move(row));
 }
 
 // Those before the switches of the view, and those behind them.
@@ -293,7 +285,7 @@ const std::vector<CommandRow>& last_rows() {
        .fault = fault_of_ask},
       of_view({"mode", "vertex|edge|face|halfedge", "chooses what the pointer picks", "ポインタで選ぶ要素を決める",
                Effect::none, run_mode}),
-      of_hand({"click", "X,Y [TOOL]", "clicks at a pixel", "画素をクリックする", Effect::none, run_click}),
+      of_view({"click", "X,Y [TOOL]", "clicks at a pixel", "画素をクリックする", Effect::none, run_click}),
       {.id = "remedy",
        .syntax = "[N]",
        .help_en = "carries out the first line of the remedy for the click that was refused, or the Nth",
@@ -301,11 +293,11 @@ const std::vector<CommandRow>& last_rows() {
        .effect = Effect::none,
        .run = run_remedy,
        .fault = fault_of_remedy},
-      of_hand(
+      of_view(
           {"drag", "X,Y X,Y", "orbits by a drag from pixel to pixel", "ドラッグで視点を回す", Effect::none, run_drag}),
-      of_hand({"press", "left|right|middle X,Y [Shift+Ctrl+Alt]", "presses a button of the mouse at a pixel",
+      of_view({"press", "left|right|middle X,Y [Shift+Ctrl+Alt]", "presses a button of the mouse at a pixel",
                "マウスのボタンを押す", Effect::none, run_press}),
-      of_hand({.id = "move",
+      of_view({.id = "move",
                .syntax = "[left|right|middle] X,Y [Shift+Ctrl+Alt]",
                .help_en = "moves the pointer to a pixel, whatever is pressed; with a vertex it is move_vertex",
                .help_ja = "ポインタを動かす（押しているボタンはそのまま）。頂点を付けると move_vertex",
@@ -313,20 +305,20 @@ const std::vector<CommandRow>& last_rows() {
                .run = run_move,
                .fault = fault_of_move,
                .sends = sent_by_move}),
-      of_hand({"release", "left|right|middle X,Y [Shift+Ctrl+Alt]",
+      of_view({"release", "left|right|middle X,Y [Shift+Ctrl+Alt]",
                "lets a button go: a click where it was pressed near by, which the script survives if it is refused",
                "マウスのボタンを離す（押した場所の近くならクリックになり、拒否されてもスクリプトは続く）", Effect::none,
                run_release}),
-      of_hand({"wheel", "STEPS X,Y [Shift+Ctrl+Alt]", "turns the wheel over a pixel", "画素の上でホイールを回す",
+      of_view({"wheel", "STEPS X,Y [Shift+Ctrl+Alt]", "turns the wheel over a pixel", "画素の上でホイールを回す",
                Effect::none, run_wheel}),
-      of_hand({.id = "type",
+      of_view({.id = "type",
                .syntax = "TEXT",
                .help_en = "types into the field that has the keyboard",
                .help_ja = "入力欄に文字を入れる",
                .effect = Effect::none,
                .run = run_type,
                .fault = no_fault}),
-      of_hand({.id = "key",
+      of_view({.id = "key",
                .syntax = "CHORD",
                .help_en = "presses a key",
                .help_ja = "キーを押す",

@@ -54,7 +54,6 @@ struct CommandRow {
   bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
   bool keeps_trial = false;     // needs no element of the document: what is on trial stays (Session::end_trial)
   bool prepares_edits = false;  // in the log it says what the next line works on
-  bool is_of_hand = false;      // what pointer and keys do, for scripts: nobody looks for it in the palette first
   bool reads_again = false;     // replaces the mesh by what is in its file now
   bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it
   FileAccess file = FileAccess::none;

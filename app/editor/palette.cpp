@@ -19,7 +19,16 @@ namespace {
 Text name_in(std::string_view en, std::string_view ja) { return {std::string(en), std::string(ja)}; }
 
 // How well a word of what was typed fits; the lower the better.
-enum Fit { name_itself, begins_line, begins_name, begins_word_of_name, begins_word_of_help, inside_name, inside_help };
+enum Fit {
+  name_itself,
+  line_itself,
+  begins_line,
+  begins_name,
+  begins_word_of_name,
+  begins_word_of_help,
+  inside_name,
+  inside_help
+};
 
 // None where a word is missing.
 std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
@@ -27,7 +36,8 @@ std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
   const std::string help = folded(entry.help.en + " " + entry.help.ja), asked = folded(without_blanks(typed));
   const auto any_name = [&](auto is) { return std::any_of(std::begin(names), std::end(names), is); };
   if (!has_words(names[0] + " " + names[1] + " " + names[2] + " " + help, asked)) return std::nullopt;
-  if (any_name([&](const std::string& name) { return name == asked; })) return name_itself;
+  if (names[1] == asked || names[2] == asked) return name_itself;  // before a word of scripts that may be the same
+  if (names[0] == asked) return line_itself;
   if (names[0].starts_with(asked)) return begins_line;
   if (any_name([&](const std::string& name) { return name.starts_with(asked); })) return begins_name;
   Fit worst = begins_name;
@@ -95,7 +105,7 @@ std::vector<PaletteEntry> palette_entries() {
   for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
   for (const CommandRow& row : command_table()) {
     for (const NamedCall& call : row.named) add({std::string(call.line), name_in(call.en, call.ja), {}, ""});
-    add({std::string(row.id), title_of(row), name_in(row.help_en, row.help_ja), row.syntax, row.is_of_hand});
+    add({std::string(row.id), title_of(row), name_in(row.help_en, row.help_ja), row.syntax});
   }
   return entries;
 }
@@ -108,8 +118,6 @@ std::vector<PaletteEntry> find_in_palette(std::string_view typed) {
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PaletteEntry> entries;
   for (auto& [fit, entry] : found) entries.push_back(std::move(entry));
-  // What scripts say in place of a hand last.
-  std::stable_partition(entries.begin(), entries.end(), [](const PaletteEntry& entry) { return !entry.is_of_hand; });
   return entries;
 }
 

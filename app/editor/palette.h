@@ -14,7 +14,6 @@ struct PaletteEntry {
   Text name;         // as menus have it; where they have none, what it does in a few words
   Text help;         // may be empty
   std::string syntax;
-  bool is_of_hand = false;  // a script's word for what pointer and keys do
 };
 
 // One for each line that the tables of commands and what they name, operators, algorithms, switches, views, selectors,

@@ -82,6 +82,18 @@ TEST(command_panel, has_the_keyboard_after_a_click_beside_it) {
   EXPECT_EQ(DrawnText(laid.gui).count("growow"), 1u);
 }
 
+TEST(command_panel, takes_a_name_where_the_word_alone_lacks_something) {
+  Laid laid("cube.obj");
+  ASSERT_TRUE(laid.session.run("panel command").done());
+  laid.frames(3);
+  laid.gui.text("move");
+  laid.frames(3);
+  laid.gui.key(ImGuiKey_Enter, true);
+  laid.frames(4);
+  EXPECT_EQ(laid.session.open_panel, "values") << laid.gui.said().en;
+  EXPECT_EQ(laid.session.asked_algorithm, "translate");
+}
+
 TEST(history_panel, scrolls_to_the_entry_that_is_the_mesh) {
   Laid laid("cube.obj");
   for (int i = 1; i < 12; ++i) {

@@ -181,9 +181,9 @@ std::optional<std::size_t> CommandPanel::meant() const {
   const bool is_bare = found_[0].line == line;
   const AlgorithmRow* const algorithm = find_algorithm(line);
   const bool asks = is_bare && (find_op(line) || (algorithm && !algorithm->parameters.empty()));
-  const auto call = call_of(line);
-  const bool is_said = call && !(call->row.is_of_hand && fault_of_command(line));
-  if (is_said && !asks) return std::nullopt;
+  // A word alone that lacks something gives way to what is called so.
+  const bool is_name = found_[0].line != line && line.find(' ') == line.npos && fault_of_command(line);
+  if (call_of(line) && !asks && !is_name) return std::nullopt;
   return 0;
 }
 

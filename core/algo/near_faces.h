@@ -1,13 +1,16 @@
 // Finds the faces of a changing mesh of triangles that may meet a triangle.
 //
-// By their boxes, but around a hub, where the boxes of all overlap, by the directions in which they lie from it: those that
-// lie in no direction in which the triangle lies do not meet it elsewhere than at the hub.
+// By their boxes, but around a hub and at an edge between two, where the boxes of all overlap, by the directions in which
+// they lie: those that lie in no direction in which the triangle lies do not meet it elsewhere than there.
 #pragma once
 
+#include <array>
+#include <glm/vec3.hpp>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
-#include "core/geometry/box.h"
+#include "core/algo/faces_at_hubs.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_corners.h"
@@ -35,38 +38,47 @@ class NearFaces {
   void forget(Face f);
 
  private:
-  static constexpr std::uint32_t no_hub = no_index;
+  static constexpr std::uint32_t none = no_index;
 
-  // A vertex of many faces, of which it holds those that are in no other hub.
   struct Hub {
-    Vertex vertex;
+    std::uint32_t point;  // its number
     glm::dvec3 place{0};
-    // By slot two, in which the corners of a face lie from the place. The largest coordinate of each is 1, of either sign.
-    std::vector<glm::dvec3> directions{};
-    Bvh tree{};  // a segment between them; the owner is the face
-    std::vector<std::uint32_t> free_slots{};
+    std::vector<std::uint32_t> groups{};
+  };
+  // Faces at one hub and no other, or at two.
+  struct Group {
+    std::array<std::uint32_t, 2> hubs;
+    FacesAtHubs faces;
+  };
+  // Where a face belongs: hubs in ascending order, and its corners, those at the hubs first.
+  struct Home {
+    std::array<std::uint32_t, 2> hubs{none, none};
+    TriangleCorners corners;
   };
   struct Spot {
-    std::uint32_t hub = no_hub, slot = 0;
+    std::uint32_t group = none, slot = 0;
   };
 
   void follow(Vertex v, bool has_only_moved);
-  std::uint32_t hub_of(Vertex v) const { return v.index < hub_of_.size() ? hub_of_[v.index] : no_hub; }
-  // The hub that a face belongs to, with the corner that lies there.
-  std::uint32_t hub_of(Face f, Halfedge& corner) const;
+  std::uint32_t hub_of(Vertex v) const;
   void make_hub(Vertex v);
   void move_hub(std::uint32_t hub, const glm::dvec3& place);
+  Home home_of(Face f) const;
+  std::vector<glm::dvec3> places_of(const std::array<std::uint32_t, 2>& hubs) const;
+  std::uint32_t group_of(const std::array<std::uint32_t, 2>& hubs);
   void put(Face f, bool has_only_moved = false);
-  void put(Face f, std::uint32_t hub, Halfedge corner);
-  void enlarge(std::uint32_t hub, const TriangleCorners& corners);
+  void put(Face f, std::uint32_t group, const TriangleCorners& corners);
+  void enlarge(std::uint32_t group);
 
   const Mesh& mesh_;
   Bvh tree_;  // of the faces of no hub, by face
   std::vector<Hub> hubs_;
-  std::vector<std::uint32_t> hub_of_;  // by vertex, as far as there are hubs
-  std::vector<Spot> spots_;            // by face
-  Bvh around_hubs_;                    // by hub a segment across the box of its faces
-  std::vector<glm::dvec3> ends_;       // of those segments, two each
+  std::vector<std::uint32_t> hub_of_;  // by point, as far as there are hubs
+  std::vector<Group> groups_;
+  std::unordered_map<std::uint64_t, std::uint32_t> group_at_;  // by hubs
+  std::vector<Spot> spots_;                                    // by face
+  Bvh around_groups_;                                          // by group a segment across the box of its faces
+  std::vector<glm::dvec3> ends_;                               // of those segments, two each
 };
 
 }  // namespace ryosen

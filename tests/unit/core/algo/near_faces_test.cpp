@@ -10,6 +10,7 @@
 #include "core/geometry/triangles_meet.h"
 #include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/edit.h"
 #include "core/ops/collapse_edge.h"
 #include "tests/support/core/random_meshes.h"
@@ -35,10 +36,29 @@ Mesh two_hubs(std::uint32_t n, double height) {
   return from_indexed(source);
 }
 
+// Pages that stand around a spine, each of so many squares along it, in two triangles each. They bend with the spine by so much.
+Mesh book(std::uint32_t pages, std::uint32_t squares, double bend) {
+  IndexedMesh source;
+  const auto at = [&](double radius, double angle, std::uint32_t k) {
+    source.positions.emplace_back(radius * std::cos(angle) + bend * (k % 2), radius * std::sin(angle), k);
+  };
+  for (std::uint32_t k = 0; k <= squares; ++k) at(0, 0, k);
+  for (std::uint32_t page = 0; page < pages; ++page) {
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    for (std::uint32_t k = 0; k <= squares; ++k) at(1, 6.283185307179586 * page / pages, k);
+    for (std::uint32_t k = 0; k < squares; ++k) {
+      for (const std::uint32_t corner : {k, k + 1, first + k, first + k, k + 1, first + k + 1})
+        source.corners.push_back(corner);
+      for (int f = 0; f < 2; ++f) source.face_offsets.push_back(source.face_offsets.back() + 3);
+    }
+  }
+  return from_indexed(source);
+}
+
 NumberedTriangle numbered(const Mesh& mesh, Face f) {
   NumberedTriangle t{corners_of(mesh, mesh.halfedge(f)), {}};
   std::size_t i = 0;
-  for (const Vertex v : vertices_around(mesh, f)) t.numbers[i++] = v.index;
+  for (const Vertex v : vertices_around(mesh, f)) t.numbers[i++] = point(mesh, v).index;
   return t;
 }
 
@@ -55,9 +75,9 @@ class Watched {
   void move_any() {
     const Vertex v = any_vertex();
     Edit edit(mesh_, nullptr);
-    edit.set_position(v, mesh_.position(v) + 0.05 * any_way());
+    move_point(edit, v, mesh_.position(v) + 0.05 * any_way());
     edit.commit();
-    near_.follow_move(v);
+    for_each_copy(mesh_, v, [&](Vertex copy) { near_.follow_move(copy); });
   }
   void collapse_any() {
     Halfedge h = mesh_.halfedge(any_vertex());
@@ -105,7 +125,7 @@ class Watched {
   glm::dvec3 any_way() { return glm::dvec3(dice_.unit(), dice_.unit(), dice_.unit()) - 0.5; }
   void put(NumberedTriangle& t, std::uint32_t corner, Vertex v) {
     t.places[corner] = mesh_.position(v);
-    t.numbers[corner] = dice_.one_in(8) ? mesh_.vertex_slots() + corner : v.index;
+    t.numbers[corner] = dice_.one_in(8) ? mesh_.vertex_slots() + corner : point(mesh_, v).index;
   }
   void move(NumberedTriangle& t, std::uint32_t corner, const glm::dvec3& place) {
     t.places[corner] = place;
@@ -131,6 +151,22 @@ TEST(near_faces, holds_all_that_meet_while_hubs_move_and_collapse) {
     constexpr int steps = 400;
     for (int step = 0; step < steps; ++step) {
       step % 3 == 0 ? watched.collapse_any() : watched.move_any();
+      std::vector<NumberedTriangle> triangles;
+      for (int i = 0; i <= step % 4; ++i) triangles.push_back(watched.any_triangle());
+      met += watched.check(triangles, found);
+    }
+    EXPECT_GT(met, 10u * steps);
+    EXPECT_LT(found, 12 * met);
+  }
+}
+
+TEST(near_faces, holds_all_that_meet_while_pages_on_a_spine_move) {
+  for (const double bend : {0.0, 0.01}) {
+    Watched watched(book(80, 3, bend), 11);
+    std::size_t met = 0, found = 0;
+    constexpr int steps = 400;
+    for (int step = 0; step < steps; ++step) {
+      if (step % 4 == 0) watched.move_any();
       std::vector<NumberedTriangle> triangles;
       for (int i = 0; i <= step % 4; ++i) triangles.push_back(watched.any_triangle());
       met += watched.check(triangles, found);

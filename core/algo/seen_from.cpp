@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <vector>
 
 namespace ryosen::seen_from {
@@ -83,11 +84,12 @@ glm::dvec3 across(const glm::dvec3& along, const glm::dvec3& way) {
   return way - glm::dot(way, along) / glm::dot(along, along) * along;
 }
 
-bool is_beyond(const Spine& spine, const glm::dvec3& place) {
+// The end that a place on the line is clearly beyond.
+std::optional<std::size_t> end_before(const Spine& spine, const glm::dvec3& place) {
   const glm::dvec3 from_a = place - spine.a, from_b = place - spine.b;
-  if (!(glm::dot(from_a, from_b) > 0)) return false;
   const double a = largest(from_a), b = largest(from_b);
-  return std::min(a, b) >= beyond * std::max(a, b);
+  if (!(glm::dot(from_a, from_b) > 0 && std::min(a, b) >= beyond * std::max(a, b))) return {};
+  return a < b ? 0 : 1;
 }
 
 // The directions between those of unit length; of all where they lie all around, or nearly so.
@@ -124,10 +126,15 @@ Frustum wedge_of(const NumberedTriangle& triangle, std::span<const std::uint32_t
   if (!is_somewhere(along)) return {};
   double slack = 1e-12, open = 1e-6;
   std::vector<glm::dvec3> seen, beside, on_the_line;
+  std::array<bool, 2> ends{};  // that it touches, or is beyond, on the line
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t number = triangle.numbers[i];
     const glm::dvec3& place = triangle.places[i];
-    if ((number == numbers[0] && place == spine.a) || (number == numbers[1] && place == spine.b)) continue;
+    const bool is_a = number == numbers[0] && place == spine.a, is_b = number == numbers[1] && place == spine.b;
+    if (is_a || is_b) {
+      ends[is_a ? 0 : 1] = true;
+      continue;
+    }
     const glm::dvec3 way = direction(spine.a, place);
     if (!is_somewhere(way)) return {};
     const glm::dvec3 off = across(along, way);
@@ -135,8 +142,9 @@ Frustum wedge_of(const NumberedTriangle& triangle, std::span<const std::uint32_t
       seen.push_back(glm::normalize(off));
       beside.push_back(place);
       slack = std::max(slack, rounding / size);
-    } else if (size <= on_line && is_beyond(spine, place)) {
+    } else if (const std::optional<std::size_t> end = end_before(spine, place); size <= on_line && end) {
       on_the_line.push_back(place);
+      ends[*end] = true;
     } else {
       return {};
     }
@@ -145,6 +153,7 @@ Frustum wedge_of(const NumberedTriangle& triangle, std::span<const std::uint32_t
     for (const glm::dvec3& to : beside)
       if (!(largest(across(along, direction(from, to))) >= steep_beyond)) return {};
   if (!on_the_line.empty()) {
+    if (ends[0] && ends[1]) return {};  // it lies along the spine
     slack = std::max(slack, beside_of_beyond);
     open = open_beyond;
   }

@@ -49,6 +49,8 @@ TEST(faces_at_hubs, find_what_a_triangle_crosses) {
   EXPECT_EQ(count_found(n, through), n) << "across the spine";
   const NumberedTriangle tip{{at(0.5), at(0.5, 1, 0.4), at(0.6, 1, 0.4)}, {other, another, third_one}};
   EXPECT_EQ(count_found(n, tip), n) << "touches the spine";
+  const NumberedTriangle along_it{{at(0), at(2), at(1, 1, 0.4)}, {lower, other, another}};
+  EXPECT_EQ(count_found(n, along_it), n) << "along all of the spine";
   const NumberedTriangle same_place{{at(1), at(0.5, 1, 0.4), at(0.6, 1, 0.4)}, {other, another, third_one}};
   EXPECT_EQ(count_found(n, same_place), n) << "another point at its end";
 }

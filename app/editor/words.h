@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/message.h"
+
 namespace ryosen {
 
 // Trims blanks (space, tab, carriage return) at both ends.

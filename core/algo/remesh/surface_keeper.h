@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/algo/crossing_guard.h"
+#include "core/algo/crossings/crossing_guard.h"
 #include "core/algo/remesh/covered_step.h"
 #include "core/algo/remesh/watched_places.h"
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/algo/crossing_guard.h"
+#include "core/algo/crossings/crossing_guard.h"
 #include "core/algo/simplify/collapse_surface.h"
 #include "core/algo/simplify/input_sides.h"
 #include "core/algo/simplify/level_queue.h"

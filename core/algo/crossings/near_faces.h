@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/algo/faces_at_hubs.h"
+#include "core/algo/crossings/faces_at_hubs.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/triangle_corners.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/algo/near_faces.h"
+#include "core/algo/crossings/near_faces.h"
 #include "core/geometry/triangles_meet.h"
 #include "core/mesh/mesh.h"
 

@@ -1,4 +1,4 @@
-#include "core/algo/near_faces.h"
+#include "core/algo/crossings/near_faces.h"
 
 #include <algorithm>
 #include <array>

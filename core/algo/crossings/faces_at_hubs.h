@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "core/algo/seen_from.h"
+#include "core/algo/crossings/seen_from.h"
 #include "core/base/handle.h"
 #include "core/geometry/box.h"
 #include "core/geometry/triangles_meet.h"

@@ -1,4 +1,4 @@
-#include "core/algo/seen_from.h"
+#include "core/algo/crossings/seen_from.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/algo/faces_at_hubs.h"
+#include "core/algo/crossings/faces_at_hubs.h"
 
 namespace ryosen {
 

@@ -1,5 +1,5 @@
 // Of many pages on a spine a triangle finds those it can meet.
-#include "core/algo/faces_at_hubs.h"
+#include "core/algo/crossings/faces_at_hubs.h"
 
 #include <gtest/gtest.h>
 

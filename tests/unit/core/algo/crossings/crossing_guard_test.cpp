@@ -1,5 +1,5 @@
 // What a guard of a surface tells of a step, against a comparison of all faces with each other.
-#include "core/algo/crossing_guard.h"
+#include "core/algo/crossings/crossing_guard.h"
 
 #include <gtest/gtest.h>
 

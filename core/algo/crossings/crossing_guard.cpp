@@ -1,4 +1,4 @@
-#include "core/algo/crossing_guard.h"
+#include "core/algo/crossings/crossing_guard.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // What is found near triangles while a mesh with hubs changes, against asking every face.
-#include "core/algo/near_faces.h"
+#include "core/algo/crossings/near_faces.h"
 
 #include <gtest/gtest.h>
 

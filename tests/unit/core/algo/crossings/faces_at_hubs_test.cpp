@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+
+#include "core/geometry/predicates.h"
+#include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {
 namespace {
@@ -53,6 +57,50 @@ TEST(faces_at_hubs, find_what_a_triangle_crosses) {
   EXPECT_EQ(count_found(n, along_it), n) << "along all of the spine";
   const NumberedTriangle same_place{{at(1), at(0.5, 1, 0.4), at(0.6, 1, 0.4)}, {other, another, third_one}};
   EXPECT_EQ(count_found(n, same_place), n) << "another point at its end";
+}
+
+// Corners at the ends and on the line through them but for rounding, at those of pages, in their planes and anywhere.
+TEST(faces_at_hubs, hold_each_page_that_a_triangle_meets) {
+  Dice dice(5);
+  const auto unit = [&] { return 2 * dice.unit() - 1; };
+  const auto tiny = [&] { return std::pow(10.0, -dice.below(18)) * unit(); };
+  const std::array<std::uint32_t, 2> numbers{lower, upper};
+  std::size_t met = 0;
+  for (int round = 0; round < 20'000; ++round) {
+    const double turn = unit();
+    std::vector<NumberedTriangle> pages;
+    FacesAtHubs faces(std::array{at(0), at(1)});
+    for (int i = 1 + dice.below(12); i > 0; --i) {
+      const glm::dvec3 third =
+          at(2 * unit(), dice.one_in(4) ? tiny() : unit(), dice.one_in(3) ? unit() : turn + tiny());
+      if (are_collinear(at(0), at(1), third)) continue;
+      pages.push_back({{at(0), at(1), third}, {lower, upper, third_one + i}});
+      faces.add(Face(static_cast<std::uint32_t>(pages.size() - 1)), pages.back().places);
+    }
+    if (pages.empty()) continue;
+    const auto corner = [&](NumberedTriangle& t, std::uint32_t i) {
+      const NumberedTriangle& page = pages[dice.below(static_cast<int>(pages.size()))];
+      const auto end = static_cast<std::uint32_t>(dice.below(2));
+      const int kind = dice.below(6);
+      t.numbers[i] = kind == 0 ? end : kind == 1 ? page.numbers[2] : 100 + i;
+      t.places[i] = kind <= 0   ? at(end)
+                    : kind == 1 ? page.places[2]
+                    : kind == 2 ? at(dice.one_in(2) ? 1 + std::abs(tiny()) : -std::abs(tiny()), tiny(), unit())
+                    : kind == 3 ? at(0) + 2 * unit() * (at(1) - at(0)) + 2 * unit() * (page.places[2] - at(0))
+                                : at(3 * unit(), 2 * unit(), kind == 4 ? turn + tiny() : unit());
+    };
+    NumberedTriangle t;
+    for (const std::uint32_t i : {0u, 1u, 2u}) corner(t, i);
+    if (are_collinear(t.places[0], t.places[1], t.places[2])) continue;
+    std::vector<Face> found;
+    faces.find(t, numbers, [&](Face f) { found.push_back(f); });
+    for (std::uint32_t i = 0; i < pages.size(); ++i) {
+      if (!meet_elsewhere(pages[i], t)) continue;
+      ++met;
+      EXPECT_NE(std::find(found.begin(), found.end(), Face(i)), found.end()) << "round " << round;
+    }
+  }
+  EXPECT_GT(met, 20'000u);
 }
 
 }  // namespace

@@ -175,7 +175,8 @@ class AlgorithmRun {
     if (auto failure = look_up_values(call)) return failure;
     faces_before_ = document_.mesh().live().faces + document_.tables().quarantine.size();
     const std::optional<Mesh> before = wants_distance_ ? std::optional(document_.mesh()) : std::nullopt;
-    call.result = document_.run(*call.row, call.values, line, report_on(console_, name), console_.json).value();
+    call.result =
+        document_.run(*call.row, call.values, line, report_on(console_, name), {.account = console_.json}).value();
     if (const std::optional<Text>& fault = call.result.fault)
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     if (const std::optional<Text>& refused = call.result.refused)

@@ -81,7 +81,28 @@ std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
   if (elements == row.parameters.end())
     return Text{"it takes no elements, so that 'selected' means nothing", "要素を取らないため、selected は使えません"};
   const std::string whole = std::string(elements->id) + "=selected";
-  return Text{"what is selected is given by its name, " + whole, "選択した要素は " + whole + " と名前をつけて指定します"};
+  return Text{"what is selected is given by its name, " + whole,
+              "選択した要素は " + whole + " と名前をつけて指定します"};
+}
+
+std::vector<std::string> names_of_kept(const Session& session) {
+  std::vector<std::string> names;
+  for (const auto& [name, elements] : session.selections.kept) names.push_back(name);
+  return names;
+}
+
+// Of those names the ones under which nothing is kept any more.
+Text gone_text(const Session& session, const std::vector<std::string>& names) {
+  std::string gone, gone_ja;
+  for (const std::string& name : names) {
+    if (session.selections.kept.contains(name)) continue;
+    gone += (gone.empty() ? "'" : ", '") + name + "'";
+    gone_ja += "「" + name + "」";
+  }
+  if (gone.empty()) return {};
+  return {
+      " What was kept as " + gone + " is gone: none of it is left that could be told; undo brings it back.",
+      "取っておいた選択" + gone_ja + "は、対応する要素がわからなくなったため破棄しました（元に戻すと復活します）。"};
 }
 
 // `call` is what stands before the values. A first value without its name stays so.
@@ -108,7 +129,10 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (make_account).
   const bool wants_account = row.accounts_for_edges && session.is_shown(panel_opened_by(PanelOpener::levelled));
-  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress, wants_account);
+  const std::vector<std::string> names_before = names_of_kept(session);
+  const bool wants_descent = !session.selection.empty() || !names_before.empty();
+  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress,
+                                       {wants_account, wants_descent});
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (result->refused)
@@ -123,7 +147,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
     const BesideRepairs beside = session.document().beside_repairs();
     session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   });
-  outcome.sentence = std::move(result->text);
+  outcome.sentence = std::move(result->text) + gone_text(session, names_before);
   return outcome;
 }
 

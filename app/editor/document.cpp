@@ -106,7 +106,7 @@ Outcome Document::apply(const AnyOp& op, bool strict) {
     make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command));
+  committed({std::move(command)});
   return outcome;
 }
 
@@ -123,34 +123,38 @@ std::optional<EachResult> Document::apply_to_each(const OpInfo& op, std::span<co
     make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command));
+  committed({std::move(command)});
   return result;
 }
 
-AlgorithmResult Document::run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, bool wants_account,
-                                 Progress& progress) const {
+AlgorithmResult Document::run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values,
+                                 AlgorithmWants wants, Progress& progress) const {
   const std::vector<Vertex> used = used_beside_the_mesh(file_, tables_.quarantine, mesh_.file_vertices());
   const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
   FindingCounts counts{};
   if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-  return run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants_account}, progress, counts);
+  return run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants}, progress, counts);
 }
 
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
-                                             std::string command, Progress::Report report, bool wants_account) {
+                                             std::string command, Progress::Report report, AlgorithmWants wants) {
   AlgorithmResult result;
   OtherQuarantine other;
+  HistoryEntry entry{std::move(command)};
   {
     Progress progress(std::move(report));
     Edit edit(writable(), &journal_);
-    result = run_in(edit, row, values, wants_account, progress);
+    result = run_in(edit, row, values, wants, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     if (result.drops_quarantined) other[journal_.position()];
+    entry.has_normals = result.has_normals;
+    entry.lineage = row.lineage;
+    if (result.descent) entry.descent = std::make_shared<const Descent>(*std::exchange(result.descent, std::nullopt));
     make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command), std::move(other), result.has_normals);
+  committed(std::move(entry), std::move(other));
   return result;
 }
 
@@ -163,7 +167,8 @@ std::optional<AlgorithmResult> Document::account_of(const AlgorithmRow& row, con
   const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
   Progress progress(std::move(report));
   Edit edit(mesh, nullptr);
-  AlgorithmResult result = row.run(edit, {*found.values, used, tables_.quarantine.size(), on_lines, true}, progress);
+  AlgorithmResult result =
+      row.run(edit, {*found.values, used, tables_.quarantine.size(), on_lines, {.account = true}}, progress);
   if (progress.is_cancelled()) return std::nullopt;
   return result;
 }
@@ -188,7 +193,7 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
     edit.commit();
   }
   result->mesh = Mesh();
-  committed(std::move(command), std::move(other));
+  committed({std::move(command)}, std::move(other));
   return result;
 }
 
@@ -205,7 +210,7 @@ Text Document::append(MeshFile file, std::string command) {
     make_room_in_history();
     edit.commit();
   }
-  committed(std::move(command));
+  committed({std::move(command)});
   Text left_out;
   const auto say = [&](bool is_so, const char* en, const char* ja) {
     if (!is_so) return;

@@ -25,6 +25,8 @@ namespace ryosen {
 struct HistoryEntry {
   std::string command;       // the equivalent script line
   bool has_normals = false;  // it gave the corners normals of the surface behind it
+  Lineage lineage = Lineage::numbers;
+  std::shared_ptr<const Descent> descent = {};  // where the lineage is told and was asked for
 };
 
 // What repairs look at beside the mesh; a copy, so that it can be read on another thread.
@@ -61,7 +63,7 @@ class Document {
   // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes nothing.
   // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
-                                     Progress::Report progress = {}, bool wants_account = false);
+                                     Progress::Report progress = {}, AlgorithmWants wants = {});
   // What that would say of its account where it began with the mesh that the last entry of the history began with, or of
   // the document's where another is on trial. Nothing changes. None where it is cancelled or the values do not fit.
   std::optional<AlgorithmResult> account_of(const AlgorithmRow& row, const ParameterValues& values,
@@ -158,14 +160,14 @@ class Document {
   }
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
   // An algorithm in an edit of this mesh, with what it has to know of the file.
-  AlgorithmResult run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, bool wants_account,
+  AlgorithmResult run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, AlgorithmWants wants,
                          Progress& progress) const;
   using OtherQuarantine = std::map<std::size_t, std::vector<QuarantinedFace>>;  // by transaction
 
   // So that committed() finds room for one entry more.
   void make_room_in_history();
   // Records that the open edit has become the last transaction, with the new quarantine if it changed. Allocates nothing.
-  void committed(std::string command, OtherQuarantine other = {}, bool has_normals = false);
+  void committed(HistoryEntry entry, OtherQuarantine other = {});
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);
   void notify(const Journal& journal, std::size_t transaction, Change change);

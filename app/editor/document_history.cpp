@@ -12,11 +12,11 @@ void Document::make_room_in_history() {
   if (history_.size() == history_.capacity()) history_.reserve(2 * history_.size() + 1);
 }
 
-void Document::committed(std::string command, OtherQuarantine other, bool has_normals) {
+void Document::committed(HistoryEntry entry, OtherQuarantine other) {
   const std::size_t transaction = journal_.position() - 1;
   history_.resize(transaction);
   other_quarantine_.erase(other_quarantine_.lower_bound(transaction), other_quarantine_.end());
-  history_.push_back({std::move(command), has_normals});
+  history_.push_back(std::move(entry));
   if (!other.empty()) {
     other_quarantine_.merge(other);
     exchange_quarantine(transaction);
@@ -65,7 +65,7 @@ std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const 
   {
     Progress progress(std::move(report));
     Edit edit(writable(), &trial_);
-    result = run_in(edit, row, values, false, progress);
+    result = run_in(edit, row, values, {}, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     edit.commit();

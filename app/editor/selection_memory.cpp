@@ -16,16 +16,30 @@ SelectionMemory::Shared SelectionMemory::shared(const Elements& selection) {
   return last_;
 }
 
-void SelectionMemory::made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered,
-                           const ColumnLengths& before) {
+namespace {
+
+void pass_on(Elements& elements, const Mesh& mesh, const SelectionMemory::Passage& passage) {
+  if (passage.descent)
+    elements = descended(mesh, *passage.descent, elements);
+  else if (passage.lineage == Lineage::numbers)
+    drop_lost(elements, mesh, true);
+  else
+    elements.clear();
+}
+
+}  // namespace
+
+void SelectionMemory::made(std::size_t entry, Elements& selection, const Mesh& mesh,
+                           const std::optional<Passage>& passage, const ColumnLengths& before) {
   around_.resize(entry);  // one that was not noted, for want of memory, remembers nothing
   Around& around = around_.emplace_back();
   around.before = shared(selection);
-  drop_lost(selection, mesh, is_renumbered);
   for (auto& [name, elements] : kept) std::erase_if(elements, [&](const Element& e) { return !has_slot(before, e); });
-  if (!is_renumbered) return;
+  if (!passage) return drop_lost(selection, mesh, false);
+  pass_on(selection, mesh, *passage);
   around.other_kept = kept;
-  for (auto& [name, elements] : kept) drop_lost(elements, mesh, true);
+  for (auto& [name, elements] : kept) pass_on(elements, mesh, *passage);
+  std::erase_if(kept, [](const auto& set) { return set.second.empty(); });
 }
 
 void SelectionMemory::undone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered) {

@@ -3,9 +3,11 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/algo/algorithms.h"
 #include "core/mesh/mesh.h"
 #include "core/selection/spread.h"
 
@@ -21,9 +23,17 @@ class SelectionMemory {
   // A selection by its name. Members may be deleted; undo may bring them back.
   std::map<std::string, Elements, std::less<>> kept;
 
+  // How elements go on behind an entry that has replaced all columns.
+  struct Passage {
+    Lineage lineage = Lineage::numbers;
+    const Descent* descent = nullptr;  // where the lineage is told; none where it was not asked for
+  };
+
   // An entry was made, on a mesh of these lengths; entries behind it are gone, and with them what they had made and was
-  // kept. What it deleted is no longer selected.
-  void made(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered, const ColumnLengths& before);
+  // kept. What it deleted is no longer selected; of what it has put in the place of other elements, that is selected and
+  // kept in their place. A name under which nothing is left goes. No passage: elements keep their numbers.
+  void made(std::size_t entry, Elements& selection, const Mesh& mesh, const std::optional<Passage>& passage,
+            const ColumnLengths& before);
   // What was selected when the entry was made is selected again; what is selected now, when it is redone.
   void undone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
   void redone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);

@@ -180,8 +180,12 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
                          follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
     if (!is_kept) euler_.reset();
   }
-  if (change == Document::Change::made)
-    selections.made(transaction, selection.changed(), m, touched.everything, journal.lengths_before(transaction));
+  if (change == Document::Change::made) {
+    const HistoryEntry& entry = document_->history()[transaction];
+    std::optional<SelectionMemory::Passage> passage;
+    if (touched.everything) passage = {entry.lineage, entry.descent.get()};
+    selections.made(transaction, selection.changed(), m, passage, journal.lengths_before(transaction));
+  }
   if (change == Document::Change::undone) selections.undone(transaction, selection.changed(), m, touched.everything);
   if (change == Document::Change::redone) selections.redone(transaction, selection.changed(), m, touched.everything);
   if (change == Document::Change::tried && touched.everything) {

@@ -20,9 +20,16 @@
 #include "core/base/element.h"
 #include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/mesh/descent.h"
 #include "core/mesh/edit.h"
 
 namespace ryosen {
+
+// What an algorithm is asked for beside its work, where it can tell it.
+struct AlgorithmWants {
+  bool account = false;  // the rule under which each edge stands, see Account
+  bool descent = false;  // of what its elements come, see Lineage
+};
 
 struct AlgorithmInput {
   ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
@@ -30,7 +37,7 @@ struct AlgorithmInput {
   std::span<const Vertex> used_elsewhere = {};
   std::size_t quarantined = 0;            // faces of the file that reading could not connect
   std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
-  bool wants_account = false;             // of one that accounts: the rule under which each edge stands, see Account
+  AlgorithmWants wants = {};
 };
 
 // What an algorithm left for one reason.
@@ -75,6 +82,14 @@ struct AlgorithmResult {
   // Why the mesh is none that it can be done on, as one without faces: a clause. Nothing was written then.
   std::optional<Text> refused = {};
   std::optional<Account> account = {};  // of one that accounts
+  std::optional<Descent> descent = {};  // of one that tells the lineage, where it was asked for
+};
+
+// How what is selected or kept under a name goes on behind an algorithm.
+enum class Lineage {
+  numbers,  // elements that stay keep their numbers
+  told,     // new elements come of old ones, as the result tells (descent)
+  lost,     // numbers mean nothing any more, and nobody knows of what the elements come
 };
 
 struct AlgorithmRow {
@@ -90,6 +105,7 @@ struct AlgorithmRow {
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
   // Adds a shape beside what is there, and so needs no mesh to begin with.
   bool is_primitive = false;
+  Lineage lineage = Lineage::numbers;
   bool selects_added = false;  // what it has added is selected afterwards
   bool adds_points = false;    // points by themselves are what is wanted, and no fault of the result
   // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.

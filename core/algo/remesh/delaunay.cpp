@@ -57,6 +57,7 @@ class DelaunaySwapper {
       if (!swap.is_legal(mesh_)) continue;
       swap.apply(edit_);
       ++result.swaps;
+      if (e.index < result.descent.edges.size()) result.descent.edges[e.index] = Edge();
       for (const Halfedge side : {h, twin(h)})
         for (const Halfedge around : {mesh_.next(side), mesh_.prev(side)}) add(edge(around));
     }
@@ -92,11 +93,18 @@ Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progr
   Swapped result;
   result.is_cancelled = !progress.go_on(0, 1);
   if (result.is_cancelled) return result;
-  Mesh work = mesh;
+  Mesh work = with_origins(mesh);
+  {
+    Edit edit(work, nullptr);
+    const std::vector<Face> polygons = polygons_of_mesh(work);
+    result.cut_faces = polygons.size();
+    if ((result.fault = cut_faces(edit, polygons))) return result;
+    edit.commit();
+  }
+  MeshColumns columns = work.columns();
+  result.descent = {take_origins(columns), own_edges(mesh.edge_slots())};
+  work = Mesh(std::move(columns));
   Edit edit(work, nullptr);
-  const std::vector<Face> polygons = polygons_of_mesh(work);
-  result.cut_faces = polygons.size();
-  if ((result.fault = cut_faces(edit, polygons))) return result;
   result.is_cancelled = !DelaunaySwapper(edit, unit_scale(mesh.positions()), most_turn_rad).run(progress, result);
   edit.commit();
   if (!result.is_cancelled) result.columns = work.columns();

@@ -8,6 +8,7 @@
 #include "core/algo/remesh/sizing.h"
 #include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/mesh/descent.h"
 
 namespace ryosen::remesh {
 
@@ -38,6 +39,7 @@ struct Swapped {
   MeshColumns columns;
   std::size_t cut_faces = 0, swaps = 0;
   std::size_t refused = 0;  // edges that are not Delaunay and may not be swapped
+  Descent descent = {};     // an edge that was swapped comes of none
   bool is_cancelled = false;
   std::optional<Text> fault = {};
 };

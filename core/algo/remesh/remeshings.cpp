@@ -58,6 +58,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
 AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   AlgorithmResult result;
   remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), input.values.angle_rad("most_turn"), progress);
+  if (input.wants.descent) result.descent = std::move(made.descent);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
   result.changed = made.swaps + made.cut_faces;
@@ -144,6 +145,7 @@ AlgorithmRow remesh_row() {
       .keeps_geometry = false,
       .solves = {},
       .run = remesh_mesh,
+      .lineage = Lineage::lost,
       .accounts = true};
 }
 
@@ -165,7 +167,8 @@ std::vector<AlgorithmRow> remeshing_rows() {
                            .initial = "10"}},
            .keeps_geometry = false,
            .solves = {},
-           .run = swap_to_delaunay},
+           .run = swap_to_delaunay,
+           .lineage = Lineage::told},
           {.id = "unite_planar",
            .name_en = "Unite planar regions",
            .name_ja = "平面領域の統合",

@@ -79,9 +79,10 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
 std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& progress) {
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
     if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
-      return Text{
-          name_of(mesh, f) + " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
-          name_of(mesh, f) + " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
+      return Text{name_of(mesh, f) +
+                      " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
+                  name_of(mesh, f) +
+                      " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
   const auto found = find_self_intersections(mesh, 0, 0, progress);
   const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
   if (pairs == 0) return std::nullopt;
@@ -104,16 +105,30 @@ struct Prepared {
   Mesh work;  // a copy, so that what is cancelled leaves no trace
   bool is_triangulated = false;
   std::optional<Text> refused = {};
+  Descent descent = {};
 };
+
+Mesh triangulated(Mesh mesh) {
+  Edit batch(mesh, nullptr);
+  Triangulate{}.apply(batch);
+  batch.commit();
+  return mesh;
+}
 
 Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
   if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
-  {
-    Edit batch(prepared.work, nullptr);
-    if (prepared.is_triangulated) Triangulate{}.apply(batch);
-    share_equal_values(batch);
+  prepared.descent.edges = own_edges(mesh.edge_slots());
+  if (prepared.is_triangulated) {
+    MeshColumns columns = triangulated(with_origins(mesh)).columns();
+    prepared.descent.faces = take_origins(columns);
+    prepared.work = Mesh(std::move(columns));
+  } else {
+    for (Face f(0); f.index < mesh.face_slots(); ++f.index) prepared.descent.faces.push_back(f);
   }
+  Edit batch(prepared.work, nullptr);
+  share_equal_values(batch);
+  batch.commit();
   if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
   return prepared;
 }
@@ -143,7 +158,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   }
   const std::size_t after = work.live().faces + input.quarantined;
   const bool has_number = values.has("faces") || values.has("ratio");
-  if (input.wants_account || !has_number || after > wanted) {
+  if (input.wants.account || !has_number || after > wanted) {
     account.rules = find_remaining(work, simplifier, progress);
     if (progress.is_cancelled()) {
       account = {Stop::cancelled, false};
@@ -158,6 +173,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   result.text = text_of(before, after, account);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
   if (result.changed > 0) edit.replace(work.columns());
+  if (input.wants.descent) result.descent = std::move(prepared.descent);
   return result;
 }
 

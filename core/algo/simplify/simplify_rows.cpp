@@ -126,6 +126,7 @@ std::vector<AlgorithmRow> simplify_rows() {
            .keeps_geometry = false,
            .solves = {},
            .run = simplify,
+           .lineage = Lineage::told,
            .accounts = true,
            .accounts_for_edges = true}};
 }

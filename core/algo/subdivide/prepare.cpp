@@ -104,7 +104,9 @@ std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
 }
 
 // The columns of a mesh with its dead edges left out, and the values per edge with them.
-void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness) {
+void drop_dead_edges(MeshColumns& c, Creases& creases) {
+  std::vector<float>& sharpness = creases.sharpness;
+  std::vector<Edge>& origins = creases.origins;
   std::vector<std::uint32_t> number(c.halfedges.size() / 2, no_index);
   std::uint32_t kept = 0;
   for (std::size_t e = 0; e < number.size(); ++e)
@@ -119,6 +121,7 @@ void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness) {
       c.halfedges[2 * std::size_t{number[e]} + side] = {l.from, renamed(l.next), renamed(l.prev), l.face};
     }
     if (!sharpness.empty()) sharpness[number[e]] = sharpness[e];
+    if (!origins.empty()) origins[number[e]] = origins[e];
     for (AttributeColumn& a : c.attributes) {
       if (a.element != ElementKind::corner || number[e] == e) continue;
       const std::uint32_t* const from = a.data.data() + 2 * e * a.words;
@@ -127,6 +130,7 @@ void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness) {
   }
   c.halfedges.resize(2 * std::size_t{kept});
   if (!sharpness.empty()) sharpness.resize(kept);
+  if (!origins.empty()) origins.resize(kept);
   for (AttributeColumn& a : c.attributes)
     if (a.element == ElementKind::corner) a.data.resize(2 * std::size_t{kept} * a.words);
   for (Halfedge& h : c.vertex_halfedge) h = renamed(h);
@@ -198,6 +202,8 @@ std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases) {
   MeshColumns columns = mesh.columns();
   for (const Edge e : shut) open_edge(columns, e);
   if (!creases.sharpness.empty()) creases.sharpness.resize(columns.halfedges.size() / 2, 0);
+  if (!creases.origins.empty())
+    for (const Edge e : shut) creases.origins.push_back(creases.origins[e.index]);
   return Mesh(std::move(columns));
 }
 
@@ -213,16 +219,18 @@ Prepared prepare(const Mesh& mesh, const Options& options) {
   const std::vector<Face> to_cut = faces_to_cut(mesh, options.scheme);
   prepared.creases = creases_of(mesh, options);
   Creases& creases = prepared.creases;
+  if (options.wants_descent) creases.origins = own_edges(mesh.edge_slots());
   prepared.cut_faces = to_cut.size();
   if (!to_cut.empty() || mesh.live().edges != mesh.edge_slots()) {
     prepared.changed = mesh;
     if ((prepared.fault = cut(*prepared.changed, to_cut))) return prepared;
     if (!creases.sharpness.empty()) creases.sharpness.resize(prepared.changed->edge_slots(), 0);
     if (!creases.corners.empty()) creases.corners.resize(prepared.changed->vertex_slots(), 0);
+    if (!creases.origins.empty()) creases.origins.resize(prepared.changed->edge_slots());
     MeshColumns columns = prepared.changed->columns();
     columns.first_ring.clear();
     columns.rings.clear();
-    drop_dead_edges(columns, creases.sharpness);
+    drop_dead_edges(columns, creases);
     prepared.changed = Mesh(std::move(columns));
   }
   if (options.scheme == Scheme::sqrt3)

@@ -112,7 +112,7 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
   }
 }
 
-// What is sharp on the next level: `parts(e)` calls a function with each edge that an edge becomes.
+// What is known of edges on the next level: `parts(e)` calls a function with each edge that is a part of an edge.
 template <class Parts>
 void pass_on(const Mesh& mesh, const MeshColumns& next, const Parts& parts, Creases& creases) {
   if (!creases.sharpness.empty()) {
@@ -122,6 +122,12 @@ void pass_on(const Mesh& mesh, const MeshColumns& next, const Parts& parts, Crea
       if (rest > 0) parts(Edge(e), [&](Edge part) { sharpness[part.index] = rest; });
     }
     creases.sharpness = std::move(sharpness);
+  }
+  if (!creases.origins.empty()) {
+    std::vector<Edge> origins(next.halfedges.size() / 2);
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
+      parts(Edge(e), [&](Edge part) { origins[part.index] = creases.origins[e]; });
+    creases.origins = std::move(origins);
   }
   if (creases.corners.empty()) return;
   creases.corners.resize(next.vertex_halfedge.size(), 0);
@@ -169,6 +175,7 @@ MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
       mesh, cuts_creases ? 2 : 0, [&](Halfedge h, unsigned i) { return numbers.third(h, i); }, next);
   const auto parts = [&](Edge e, const auto& visit) {
     const Halfedge h = halfedge(e);
+    if (!numbers.is_kept(h)) return;
     for (unsigned i = 0; i < (numbers.is_cut(h) ? 3u : 1u); ++i) visit(edge(numbers.part(h, i)));
   };
   pass_on(mesh, next, parts, creases);
@@ -195,8 +202,10 @@ bool all_finite(std::span<const glm::dvec3> places) {
 
 }  // namespace
 
-Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress) {
+Subdivided subdivided(const Mesh& given, const Options& options, Progress& progress) {
   Subdivided result;
+  const std::optional<Mesh> marked = options.wants_descent ? std::optional(with_origins(given)) : std::nullopt;
+  const Mesh& mesh = marked ? *marked : given;
   const auto is_cancelled = [&](std::size_t done) {
     return result.is_cancelled = !progress.go_on(done, options.steps + 1);
   };
@@ -236,6 +245,10 @@ Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progre
       result.columns.positions = limit_places(level, creases, options.scheme);
       put_normals(result.columns, limit_normals(level, creases, options.scheme));
     }
+  }
+  if (options.wants_descent) {
+    std::vector<Face> faces = take_origins(result.columns);
+    result.descent = Descent{std::move(faces), std::move(creases.origins)};
   }
   if (is_huge(mesh.positions()) && all_finite(mesh.positions()) && !all_finite(result.columns.positions))
     result.fault = Text{"coordinates would become infinite; scale the mesh down",

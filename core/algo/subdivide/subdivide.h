@@ -13,7 +13,7 @@
 #include "core/base/element.h"
 #include "core/base/message.h"
 #include "core/base/progress.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/descent.h"
 
 namespace ryosen::subdivide {
 
@@ -27,12 +27,14 @@ struct Options {
   std::optional<double> sharp_steps = {};       // for so many steps; for ever without it
   bool to_limit = false;                        // vertices are put where they would come to in the end, and corners get
                                                 // the normals there (limit_normals.h)
+  bool wants_descent = false;
 };
 
 struct Subdivided {
   MeshColumns columns;
-  std::size_t cut_faces = 0;  // were cut into triangles first
-  std::size_t seams = 0;      // edges kept as creases by sqrt3 because the texture is torn there
+  std::size_t cut_faces = 0;            // were cut into triangles first
+  std::size_t seams = 0;                // edges kept as creases by sqrt3 because the texture is torn there
+  std::optional<Descent> descent = {};  // where it was asked for; an edge that sqrt(3) swaps comes of none
   bool is_cancelled = false;
   std::optional<Text> fault = {};  // why there is no result: a clause
 };

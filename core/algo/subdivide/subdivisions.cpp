@@ -49,7 +49,8 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     result.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"};
     return result;
   }
-  const subdivide::Options options = options_of(input.values);
+  subdivide::Options options = options_of(input.values);
+  options.wants_descent = input.wants.descent;
   if ((result.fault = fault_of_sharp(edit.mesh(), options))) return result;
   subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
   if (made.is_cancelled) return result;
@@ -58,6 +59,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     return result;
   }
   result.account.emplace();
+  result.descent = std::move(made.descent);
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
   const std::string count = std::to_string(made.columns.live.faces);
   result.text = count_text(before, "One face became " + count, "# faces became " + count,
@@ -141,6 +143,7 @@ std::vector<AlgorithmRow> subdivision_rows() {
            .keeps_geometry = false,
            .solves = {},
            .run = subdivide_mesh,
+           .lineage = Lineage::told,
            .accounts = true}};
 }
 

@@ -21,7 +21,7 @@ inline AlgorithmResult run_wish(Edit& edit, const AlgorithmInput& input, Progres
   result.account->is_reached = wanted >= faces;
   result.account->stopped = wanted >= faces ? Stop::goal : Stop::blocked;
   if (values.flag("measured")) result.account->error_max = 0.25;
-  if (input.wants_account && wanted < faces) {
+  if (input.wants.account && wanted < faces) {
     result.account->remaining.assign(edge_rules.size(), 0);
     result.account->remaining[static_cast<std::size_t>(EdgeRule::structure)] = edit.mesh().live().edges;
   }

@@ -13,6 +13,9 @@
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/view/named_views.h"
+// clang-format off
+#include <imgui_stdlib.h>  // needs imgui.h before it
+// clang-format on
 
 namespace ryosen {
 
@@ -106,10 +109,34 @@ void draw_select_problems(PanelContext& context) {
   ImGui::EndMenu();
 }
 
-// What needs a value that has no usual one is only a command.
+// A menu with a field for its value, which has the keyboard at once.
+void draw_selector_field(PanelContext& context, const Selector& row) {
+  if (!ImGui::BeginMenu(context.text(row.name_en, row.name_ja))) return;
+  dim_text(context, context.text(row.value_en, row.value_ja));
+  std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(120 * context.scale);
+  const bool entered =
+      ImGui::InputText("##value", &value, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!parse_value(row, value));
+  const bool pressed = ImGui::Button(context.text("Select", "選択"));
+  ImGui::EndDisabled();
+  if ((entered || pressed) && parse_value(row, value)) {
+    context.run("select " + std::string(row.id) + " " + value);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndMenu();
+}
+
+// What needs a value that has no usual one and no field is only a command.
 void draw_select_menu(PanelContext& context) {
   for (const Selector& row : selectors()) {
-    if (row.value != Selector::Value::none && row.usual.empty()) continue;
+    if (!is_in_menu(row)) continue;
+    if (!row.value_en.empty()) {
+      draw_selector_field(context, row);
+      continue;
+    }
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
          missing_for(row, context.session.selection).en.empty());
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct GuiState {
   RecordBook records;           // of all forms, for the panels that show them
   bool wants_records = false;   // one of them is drawn in this frame
   std::string begun_command;    // what the command window takes into its field when it is open
+  std::map<std::string_view, std::string> selector_values;  // what stands in the fields of the menu, by id
 
   // A panel may need this many frames to open, to settle its size, or to close.
   void unsettle() { unsettled_frames = 3; }

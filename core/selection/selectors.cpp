@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/analysis/components.h"
 #include "core/analysis/measures.h"
 #include "core/highlights/creases.h"
 #include "core/highlights/map_values.h"
@@ -80,6 +81,18 @@ Elements of_valence(const Mesh& mesh, Selected, Element::Kind, ValueRange value)
 }
 Elements of_sides(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
   return those<Face>(mesh, [&](Face f) { return value.holds(corner_count(mesh, f)); });
+}
+
+// The faces of parts, which shared edges hold together, of fewer faces than that.
+Elements of_small_parts(const Mesh& mesh, Selected, Element::Kind, ValueRange value) {
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  const FaceComponents parts = find_face_components(around);
+  std::vector<std::size_t> faces(parts.count, 0);
+  for (const std::uint32_t part : parts.of_face)
+    if (part != no_index) ++faces[part];
+  const std::size_t largest = faces.empty() ? 0 : *std::max_element(faces.begin(), faces.end());
+  const double bound = value.is_share ? value.low * static_cast<double>(largest) : value.low;
+  return those<Face>(mesh, [&](Face f) { return static_cast<double>(faces[parts.of_face[f.index]]) < bound; });
 }
 
 // NaN is neither.
@@ -221,12 +234,24 @@ const Selector rows[] = {
      .name_en = "Select edges shorter than",
      .name_ja = "指定より短い稜線を選択",
      .find = shorter,
-     .value = Selector::Value::size},
+     .value = Selector::Value::size,
+     .value_en = "a length",
+     .value_ja = "長さ"},
     {.id = "longer",
      .name_en = "Select edges longer than",
      .name_ja = "指定より長い稜線を選択",
      .find = longer,
-     .value = Selector::Value::size},
+     .value = Selector::Value::size,
+     .value_en = "a length",
+     .value_ja = "長さ"},
+    {.id = "parts",
+     .name_en = "Select small parts",
+     .name_ja = "小さな部分を選択",
+     .find = of_small_parts,
+     .value = Selector::Value::part_size,
+     .usual = "1%",
+     .value_en = "of fewer faces: a number, or a share of the largest part",
+     .value_ja = "この面数未満の部分（最大の部分に対する割合でも指定可）"},
     {.id = "by",
      .name_en = "Select by a colour map",
      .name_ja = "カラーマップの値で選択",
@@ -247,7 +272,9 @@ std::string syntax_of(const Selector& row) {
   const std::string id(row.id);
   if (row.value == Selector::Value::none) return id;
   if (row.value == Selector::Value::map_range) return id + " MAP LOW HIGH";
-  const std::string value = row.value == Selector::Value::count ? "N..M" : "X";
+  const std::string value = row.value == Selector::Value::count       ? "N..M"
+                            : row.value == Selector::Value::part_size ? "N|N%"
+                                                                      : "X";
   return id + (row.usual.empty() ? " " + value : " [" + value + "]");
 }
 
@@ -257,6 +284,11 @@ std::optional<ValueRange> parse_value(const Selector& row, std::string_view text
     return n && *n >= 0 ? n : std::nullopt;
   };
   if (row.value == Selector::Value::none || row.value == Selector::Value::map_range) return std::nullopt;
+  if (row.value == Selector::Value::part_size && text.ends_with('%')) {
+    const auto percent = number(text.substr(0, text.size() - 1));
+    return percent && *percent <= 100 ? std::optional(ValueRange{.low = *percent / 100, .is_share = true})
+                                      : std::nullopt;
+  }
   const std::size_t dots = row.value == Selector::Value::count ? text.find("..") : std::string_view::npos;
   if (dots == std::string_view::npos) {
     const auto n = number(text);

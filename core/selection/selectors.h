@@ -18,14 +18,15 @@ namespace ryosen {
 struct ValueRange {
   double low = 0, high = 0;
   const ColourMap* map = nullptr;  // of which these are values
+  bool is_share = false;           // of the largest part
 
   bool holds(double value) const { return low <= value && value <= high; }
 };
 
 struct Selector {
-  // What it takes behind its id: nothing, a number of things (N, N..M, N.., ..N), a length or angle of 0 and more, or
-  // the id of a colour map and a range of its values.
-  enum class Value { none, count, size, map_range };
+  // What it takes behind its id: nothing, a number of things (N, N..M, N.., ..N), a length or angle of 0 and more, the
+  // id of a colour map and a range of its values, or a number of faces or a share (N%) of those of the largest part.
+  enum class Value { none, count, size, map_range, part_size };
 
   std::string_view id;
   std::string_view name_en, name_ja;  // in the menu, where it has the value `usual`
@@ -39,6 +40,8 @@ struct Selector {
   bool needs_any = false;  // of any kind
   // What is found is of this kind, which the pointer picks from then on.
   std::optional<Element::Kind> turns_into = std::nullopt;
+  // What its value is, where the menu has a field for it, in which `usual` stands at first.
+  std::string_view value_en = "", value_ja = "";
 };
 
 // `sort` is what elements `all` is about, and `invert` where nothing is selected, and no other row.
@@ -46,6 +49,10 @@ std::span<const Selector> selectors();
 const Selector* find_selector(std::string_view id);
 // "sides N|N..M|N..|..M"
 std::string syntax_of(const Selector& row);
+// Whether the menu can offer it: with its usual value, or with a field.
+inline bool is_in_menu(const Selector& row) {
+  return row.value == Selector::Value::none || !row.usual.empty() || !row.value_en.empty();
+}
 // A value as the row takes it.
 std::optional<ValueRange> parse_value(const Selector& row, std::string_view text);
 // The same from the words behind the id, where it may say none.

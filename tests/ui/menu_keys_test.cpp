@@ -81,6 +81,30 @@ TEST_F(MenuKeys, entries_do_what_keys_do_by_hand) {
   EXPECT_EQ(session.armed_gesture, Gesture::lasso);
 }
 
+TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_once) {
+  ASSERT_TRUE(session.run("new").done());
+  ASSERT_TRUE(session.run("torus").done());
+  ASSERT_TRUE(session.run("cube").done());
+  const auto open = [&] {
+    ASSERT_TRUE(session.run("menu select").done());
+    frames(3);
+    click(DrawnText(gui).last_place("Selectsmallparts"));
+    frames(3);
+  };
+  ASSERT_TRUE(session.run("select none").done());
+  open();
+  ASSERT_TRUE(shows("1%")) << "what stands there";
+  press("Enter");
+  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_TRUE(session.selection.empty()) << "six of more than five hundred are no less than 1%";
+  open();
+  write("7");
+  press("Enter");
+  EXPECT_EQ(session.selection.size(), 6u) << gui.said().en;
+  open();
+  ASSERT_TRUE(shows("7")) << "it stays what it was";
+}
+
 TEST_F(MenuKeys, entries_that_ask_for_more_end_in_dots) {
   const auto opens = [&](const char* menu) {
     ASSERT_TRUE(session.run(std::string("menu ") + menu).done());

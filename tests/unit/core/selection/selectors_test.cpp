@@ -188,6 +188,32 @@ TEST(selectors, shorter_and_longer_leave_out_what_is_as_long) {
   EXPECT_EQ(find("longer", mesh, {}, {}, "1.5").size(), 0u);
 }
 
+TEST(selectors, small_parts_are_those_of_fewer_faces_or_of_less_than_a_share_of_the_largest) {
+  Polygons faces = torus_grid(5, 10);
+  ASSERT_EQ(faces.size(), 100u);
+  for (std::vector<std::uint32_t> face : cube()) {
+    for (std::uint32_t& corner : face) corner += 50;
+    faces.push_back(face);
+  }
+  faces.push_back({58, 59, 60});
+  const Mesh mesh = make_mesh(faces, 61);
+  const auto count = [&](const char* value) {
+    const Elements found = find("parts", mesh, {}, Element::Kind::vertex, value);
+    for (const Element& e : found) EXPECT_GE(e.index, 100u) << "never of the largest";
+    return found.size();
+  };
+  EXPECT_EQ(count("1"), 0u);
+  EXPECT_EQ(count("6"), 1u) << "smaller than the cube";
+  EXPECT_EQ(count("7"), 7u);
+  EXPECT_EQ(count("1%"), 0u) << "one of a hundred is not less";
+  EXPECT_EQ(count("1.5%"), 1u);
+  EXPECT_EQ(count("100%"), 7u);
+  EXPECT_EQ(find("parts", Mesh(), {}, Element::Kind::face, "5").size(), 0u);
+  const Selector& parts = *find_selector("parts");
+  for (const char* wrong : {"", "%", "101%", "-1%", "x%", "1..2"}) EXPECT_FALSE(parse_value(parts, wrong)) << wrong;
+  EXPECT_EQ(syntax_of(parts), "parts [N|N%]");
+}
+
 TEST(selectors, values_are_numbers_from_zero_and_ranges_of_them) {
   const Selector &sides = *find_selector("sides"), &shorter = *find_selector("shorter"), &all = *find_selector("all");
   for (const char* wrong : {"", "x", "-1", "5..3", "..", "1..2..3", "nan", "3.. "})

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/analysis/mean_edge.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/view/packed_normal.h"
@@ -17,20 +18,6 @@ constexpr std::uint32_t block_slots = 512;
 
 std::uint32_t slots_of(const Mesh& mesh, Normals which) {
   return which == Normals::faces ? mesh.face_slots() : mesh.vertex_slots();
-}
-
-// Of those that are finite.
-double mean_edge_length(const Mesh& mesh) {
-  double sum = 0, count = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const Halfedge h = halfedge(Edge(i));
-    const double length = glm::length(mesh.position(mesh.to(h)) - mesh.position(mesh.from(h)));
-    if (!std::isfinite(length)) continue;
-    sum += length;
-    ++count;
-  }
-  return count > 0 ? sum / count : 0;
 }
 
 // What smooth shading has at the vertex, each once.

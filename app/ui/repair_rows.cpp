@@ -100,6 +100,8 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, boo
   }
   if (is_pressed && !read.values) {
     fields.are_open = fields.begin = true;
+    for (std::size_t i = 0; i < fields.texts.size(); ++i)
+      if (fields.texts[i].empty()) fields.texts[i] = first_text(row.parameters[i], context.session.mesh());
     is_pressed = false;
   }
   if (fields.are_open) is_pressed |= draw_fields(context, row, fields) && read.values && !is_mended;

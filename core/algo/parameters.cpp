@@ -130,6 +130,11 @@ Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_
 
 }  // namespace
 
+std::string first_text(const ParameterRow& row, const Mesh& mesh) {
+  const std::string proposed = row.proposed ? row.proposed(mesh) : std::string();
+  return proposed.empty() ? std::string(row.initial) : proposed;
+}
+
 std::string placeholder(const ParameterRow& row) {
   std::string text(kind_of(row).placeholder);
   for (const Choice& choice : row.choices) text.append(text.empty() ? "" : "|").append(choice.id);

@@ -43,7 +43,11 @@ struct ParameterRow {
   // Ids separated by ", ", the same for all of them and this one's among them: at least one of these must be given.
   std::string_view one_of = "";
   bool is_worked_on = false;  // elements that it is done to, in place of all: in the window first what is selected
+  std::string (*proposed)(const Mesh& mesh) = nullptr;  // what its field begins with, as this mesh has it
 };
+
+// What its field begins with: what is proposed for the mesh, else its initial value.
+std::string first_text(const ParameterRow& row, const Mesh& mesh);
 
 // LENGTH, COUNT, on|off, the ids of a choice: what stands in the place of a value in a syntax.
 std::string placeholder(const ParameterRow& row);

@@ -7,7 +7,9 @@
 #include <optional>
 #include <set>
 
+#include "core/analysis/measures.h"
 #include "core/mesh/copies.h"
+#include "core/ops/op.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/scatter_algorithm.h"
@@ -172,6 +174,7 @@ TEST_F(ValuesPanel, offers_all_algorithms_before_one_is_asked_for) {
 TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);
+  press(ImGuiKey_Backspace);
   press(ImGuiKey_Enter);
   EXPECT_EQ(session.open_panel, "values") << "the distance is missing";
   type("-1");
@@ -180,10 +183,35 @@ TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
   EXPECT_EQ(session.document().position(), 0u);
 }
 
+// Whoever opens it can run it: fields begin with what the mesh has.
+TEST_F(ValuesPanel, begins_with_lengths_and_a_scheme_as_the_mesh_has_them) {
+  const auto run = [&](const char* id) {
+    ASSERT_TRUE(session.run(std::string("values ") + id).done());
+    frames(4);
+    press_button("Run");
+    frames(3);
+    EXPECT_EQ(session.open_panel, "") << id << ": " << gui.said().en;
+  };
+  const double side = edge_length(session.mesh(), Edge(0));
+  run("remesh");
+  EXPECT_NE(gui.said().en.find("length=" + format_double(side)), std::string::npos) << gui.said().en;
+  ASSERT_TRUE(session.run("undo").done());
+  run("weld_close");
+  EXPECT_NE(gui.said().en.find("distance=" + format_double(side / 100)), std::string::npos) << gui.said().en;
+  run("subdivide");
+  EXPECT_NE(gui.said().en.find("scheme=catmull_clark"), std::string::npos) << "of quads: " << gui.said().en;
+  open("tetrahedron.off");
+  run("subdivide");
+  EXPECT_NE(gui.said().en.find("scheme=loop"), std::string::npos) << "of triangles: " << gui.said().en;
+  const ParameterRow& scheme = find_algorithm("subdivide")->parameters[0];
+  EXPECT_EQ(scheme.initial, "loop") << "what scripts and the command line have without it";
+}
+
 // Enter leaves the caret where something is missing.
 TEST_F(ValuesPanel, takes_what_is_typed_behind_an_enter_that_came_too_early) {
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);
+  press(ImGuiKey_Backspace);
   press(ImGuiKey_Enter);
   frames(2);
   type("0.5");
@@ -204,8 +232,7 @@ TEST_F(ValuesPanel, gives_way_to_another_and_begins_anew) {
   EXPECT_TRUE(gui.said().en.starts_with("fill_holes: ")) << gui.said().en;
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);
-  press(ImGuiKey_Enter);
-  EXPECT_EQ(session.open_panel, "values") << "its field is empty again";
+  EXPECT_EQ(test::DrawnText(gui).count("0.5"), 0u) << "its field begins anew";
   ASSERT_TRUE(session.run("cancel").done());
   frames(3);
   EXPECT_FALSE(gui.owns_pointer(session, {1280, 1000}, {640, 500}));

@@ -82,20 +82,21 @@ ImVec2 ValuesPanel::size() const {
   return {410, height};
 }
 
-// What is selected is what it is first asked for, where its row works on elements.
+// What is selected is what it is first asked for, where its row works on elements; what else fields begin with may depend
+// on the mesh.
 void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
   has_run_ = false;
   if (algorithm_ != row.id) height_ = 0;
   algorithm_ = row.id;
   const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
   selected_.clear();
-  if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements)) {
-    context.session.end_trial();  // what another one shows has no selection
+  context.session.end_trial();  // what another one shows has no selection, and is another mesh
+  if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
     selected_ = context.session.selected_names();
-  }
   texts_.clear();
   for (const ParameterRow& parameter : row.parameters)
-    texts_.emplace_back(parameter.is_worked_on && !selected_.empty() ? selection_word : parameter.initial);
+    texts_.push_back(parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)
+                                                                  : first_text(parameter, context.session.mesh()));
 }
 
 // What the fields say; the word for the selection stays a word, however much is selected.

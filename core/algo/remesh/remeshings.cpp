@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/algo/proposals.h"
 #include "core/algo/remesh/planar_regions.h"
 #include "core/algo/remesh/remesh.h"
 #include "core/base/count_text.h"
@@ -109,7 +110,8 @@ AlgorithmRow remesh_row() {
                       .help_ja = "稜線の長さ",
                       .is_required = true,
                       .smallest = 0,
-                      .excludes_smallest = true},
+                      .excludes_smallest = true,
+                      .proposed = mean_edge_length_text},
                      {.id = "adaptive",
                       .kind = ParameterKind::flag,
                       .name_en = "Adaptive",

@@ -1,5 +1,6 @@
 #include "core/algo/repair/repairs.h"
 
+#include "core/algo/proposals.h"
 #include "core/algo/repair/detach_nonmanifold.h"
 #include "core/algo/repair/fill_holes.h"
 #include "core/algo/repair/orient_faces.h"
@@ -71,7 +72,8 @@ std::vector<AlgorithmRow> repair_rows() {
          .name_ja = "距離",
          .help_en = "how far apart they may be",
          .help_ja = "点どうしの最大の距離",
-         .is_required = true}},
+         .is_required = true,
+         .proposed = hundredth_of_mean_edge_length_text}},
        false,
        {Kind::boundary_loop, Kind::degenerate_area},
        weld_close_points},

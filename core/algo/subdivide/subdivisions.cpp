@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/algo/cut_faces.h"
 #include "core/algo/subdivide/subdivide.h"
 #include "core/base/count_text.h"
 #include "core/mesh/names.h"
@@ -21,6 +22,12 @@ constexpr std::array schemes{
     SchemeRow{subdivide::Scheme::midpoint, {"midpoint", "Midpoint (shape stays)", "中点（形状は不変）"}},
     SchemeRow{subdivide::Scheme::sqrt3, {"sqrt3", "sqrt(3) (triangles)", "√3（三角形）"}},
 };
+
+// By which most of the faces stay of the kind that they are: loop cuts polygons first.
+std::string scheme_for(const Mesh& mesh) {
+  const std::size_t polygons = polygons_of_mesh(mesh).size();
+  return 2 * polygons > mesh.live().faces ? "catmull_clark" : "loop";
+}
 
 subdivide::Options options_of(const ParameterValues& values) {
   subdivide::Options options;
@@ -92,7 +99,8 @@ std::vector<AlgorithmRow> subdivision_rows() {
           "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
           "triangles first, all cut faces with rings",
       .help_ja = "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する",
-      .initial = "loop"};
+      .initial = "loop",
+      .proposed = scheme_for};
   for (const SchemeRow& row : schemes) scheme.choices.push_back(row.choice);
   const std::vector<ParameterRow> parameters{
       scheme,

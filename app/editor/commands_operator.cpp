@@ -113,6 +113,13 @@ Text told(const EachResult& result) {
     text.en += " " + count.en + ": " + std::string(rule.en);
     text.ja += count.ja + "：" + std::string(rule.ja);
   }
+  if (result.ends > 0) {
+    const Text ends = count_text(result.ends, "One vertex that was left with two edges went too.",
+                                 "# vertices that were left with two edges went too.",
+                                 "稜線が二本になった頂点 # 個も取り除きました。");
+    text.en += " " + ends.en;
+    text.ja += ends.ja;
+  }
   if (result.gone > 0) {
     const Text gone = count_text(result.gone, "One was deleted before its turn.", "# were deleted before their turn.",
                                  "# 件は順番の前に削除されました。");

@@ -50,7 +50,8 @@ struct Dissolve {
                                OnSelection::each,
                                &edges_of_faces_side_by_side,
                                "",
-                               dissolves_in_series};
+                               dissolves_in_series,
+                               true};
 
   static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Dissolve at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }

@@ -7,13 +7,16 @@
 #include <utility>
 
 #include "core/analysis/index_set.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
+#include "core/ops/euler/unite_series.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 #include "core/ops/op_series.h"
+#include "core/ops/rules/surgery.h"
 
 namespace ryosen {
 
@@ -314,12 +317,39 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
 
 }  // namespace
 
+namespace {
+
+// The ends of these edges that have not two edges as it is, ascending.
+std::vector<Vertex> ends_with_more_edges(const Mesh& mesh, std::span<const Element> elements) {
+  std::vector<Vertex> found;
+  for (const Element& e : elements) {
+    if (!is_alive(mesh, e) || (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge)) continue;
+    const auto [a, b] = ends(mesh, e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge()));
+    for (const Vertex v : {a, b})
+      if (!has_two_edges(mesh, v)) found.push_back(v);
+  }
+  sort_unique(found);
+  return found;
+}
+
+std::size_t take_along(Edit& edit, std::span<const Vertex> ends) {
+  UniteSeries series(edit);
+  std::size_t taken = 0;
+  for (const Vertex v : ends)
+    if (edit.mesh().is_alive(v) && has_two_edges(edit.mesh(), v) && series.unite(v)) ++taken;
+  return taken;
+}
+
+}  // namespace
+
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
                          Progress& progress) {
   Calls calls(edit, op, arguments, strict);
   CalledWith with = called_with(edit.mesh(), op, elements, arguments);
   std::vector<Element>& taken = with.taken;
   calls.result().others = std::move(with.others);
+  std::vector<Vertex> ends_left;
+  if (op.takes_ends_along && !with.is_in_place) ends_left = ends_with_more_edges(edit.mesh(), taken);
   Element last;
   const bool into_last = op.on_selection == OnSelection::into_last && !taken.empty();
   // In the middle of all of them, not of two at a time.
@@ -337,6 +367,7 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
   }
   call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
   calls.settle();
+  if (calls.result().done > 0) calls.result().ends = take_along(edit, ends_left);
   return std::move(calls.result());
 }
 

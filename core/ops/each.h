@@ -14,6 +14,7 @@ namespace ryosen {
 struct EachResult {
   std::size_t done = 0;
   std::size_t gone = 0;  // deleted before their turn
+  std::size_t ends = 0;  // vertices that were left with two edges and went too (OpInfo::takes_ends_along)
   struct Refused {
     Rule rule;  // the first that it breaks
     std::vector<Element> elements;
@@ -43,7 +44,8 @@ CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Eleme
 // OnSelection::into_last each element but the last is called together with the last, which comes first, or with what has
 // taken its place; vertices that edges join to it come first, along these, so that a patch of a surface is not pinched.
 // `mid` is then the middle of all these vertices. Those that stand in place of others are asked again as long as that does
-// anything, and count as done where they have gone with another one. `strict`: warnings refuse too. Cost: that of the calls.
+// anything, and count as done where they have gone with another one. Ends that are taken along go last, in ascending
+// order. `strict`: warnings refuse too. Cost: that of the calls.
 // Cancelled: the edit is not to be committed.
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements,
                          std::span<const std::string_view> arguments, bool strict, Progress& progress);

@@ -79,6 +79,8 @@ struct OpInfo {
   std::string_view along_edge = "";
   // Many calls one after another, where that costs less than each by itself (op_series.h).
   std::unique_ptr<OpSeries> (*in_series)(Edit&) = nullptr;
+  // Of a selection of edges: their ends go too that it has left with two edges, where unite_edge may take them out.
+  bool takes_ends_along = false;
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

@@ -24,8 +24,9 @@ bool LocalFacts::has_equal_face(const Mesh& mesh, Face f) {
   return known->second;
 }
 
-std::uint32_t LocalFacts::corner_count(const Mesh& mesh, Face f) {
+std::uint32_t LocalFacts::corner_count(const Mesh& mesh, Face f, bool* is_new_too) {
   const auto [known, is_new] = corner_count_.try_emplace(f);
+  if (is_new_too) *is_new_too = is_new;
   if (is_new) known->second = ryosen::corner_count(mesh, f);
   return known->second;
 }
@@ -34,6 +35,11 @@ void LocalFacts::forget(Face f) {
   one_simple_loop_.erase(f);
   equal_face_.erase(f);
   corner_count_.erase(f);
+}
+
+void LocalFacts::lost_corner(Face f) {
+  equal_face_[f] = false;
+  --corner_count_[f];
 }
 
 void LocalFacts::united(Face stays, Face goes, std::uint32_t corners) {

@@ -17,8 +17,11 @@ class LocalFacts {
   // See rules/face_lists.h.
   bool is_one_simple_loop(const Mesh& mesh, Face f);
   bool has_equal_face(const Mesh& mesh, Face f);
-  std::uint32_t corner_count(const Mesh& mesh, Face f);
+  // `is_new` tells whether they were counted for it.
+  std::uint32_t corner_count(const Mesh& mesh, Face f, bool* is_new = nullptr);
   void forget(Face f);
+  // A simple loop whose corners are known has one less, and no other face is on its points.
+  void lost_corner(Face f);
   // One of two faces has taken the other in, is a simple loop of so many corners, and no other face is on its points.
   void united(Face stays, Face goes, std::uint32_t corners);
 

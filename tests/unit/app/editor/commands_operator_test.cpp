@@ -8,6 +8,7 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
 #include "core/ops/each.h"
+#include "core/ops/rules/surgery.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/random_meshes.h"
 
@@ -98,8 +99,19 @@ std::set<Element> one_by_one(Session& session, const OpInfo& op, Elements elemen
   return refused;
 }
 
+std::set<Vertex> ends_of(const Mesh& mesh, const Elements& elements) {
+  std::set<Vertex> found;
+  for (const Element& e : elements) {
+    if (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge) continue;
+    const auto [a, b] = ends(mesh, e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge()));
+    for (const Vertex v : {a, b})
+      if (!has_two_edges(mesh, v)) found.insert(v);
+  }
+  return found;
+}
+
 TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
-  std::size_t entries = 0, refusals = 0;
+  std::size_t entries = 0, refusals = 0, taken_along = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
     for (const OpInfo& op : all_ops()) {
       if (op.on_selection != OnSelection::each) continue;
@@ -113,7 +125,11 @@ TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
       const Elements elements = some_elements(at_once->mesh(), dice);
       const std::uint64_t before = at_once->mesh().hash();
       std::size_t done = 0;
+      const std::set<Vertex> ends = op.takes_ends_along ? ends_of(apart->mesh(), elements) : std::set<Vertex>();
       const std::set<Element> refused = one_by_one(*apart, op, elements, done);
+      for (const Vertex v : ends)
+        if (done > 0 && apart->mesh().is_alive(v) && has_two_edges(apart->mesh(), v))
+          taken_along += apart->run("unite_edge " + own_name(apart->mesh(), v)).done();
       at_once->selection = elements;
       const Outcome outcome = at_once->run(std::string(op.id) + " selected");
       ASSERT_EQ(at_once->mesh().hash(), apart->mesh().hash()) << outcome.sentence.en;
@@ -136,6 +152,7 @@ TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
     }
   EXPECT_GT(entries, 200u);
   EXPECT_GT(refusals, 200u);
+  EXPECT_GT(taken_along, 5u);
 }
 
 TEST(on_selection, the_log_does_the_same_again) {
@@ -189,6 +206,34 @@ TEST(on_selection, welds_in_the_middle_of_all_as_one_entry) {
   EXPECT_EQ(session->mesh().position(Vertex(8)), glm::dvec3(1, 2, 3));
   ASSERT_TRUE(session->run("weld v10 v11 mid").done());
   EXPECT_EQ(session->mesh().position(Vertex(10)), glm::dvec3(3.5, 0.5, 4));
+}
+
+// A loop of edges goes with its vertices, as whoever knows other editors expects; what had two edges before stays.
+TEST(on_selection, dissolves_edges_with_the_ends_that_they_leave_with_two_edges) {
+  const auto session = session_opened("cube.obj"), again = session_opened("cube.obj");
+  ASSERT_TRUE(session->run("new").done());
+  ASSERT_TRUE(session->run("grid columns=4 rows=4").done());
+  ASSERT_TRUE(session->run("separate_edge 6-7").done());  // a vertex with two edges on the row below
+  const Vertex between(session->mesh().vertex_slots() - 1);
+  session->run("select 10-11");
+  session->run("select loop");
+  ASSERT_EQ(session->selection.size(), 4u);
+  session->run("select add 0-1 6-" + std::to_string(between.index));
+  const auto before = session->mesh().live();
+  const std::uint64_t hash = session->mesh().hash();
+  const Outcome outcome = session->run("dissolve selected");
+  ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.en.find("5 vertices that were left with two edges went too."), std::string::npos)
+      << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.ja.find("頂点 5 個も"), std::string::npos) << outcome.sentence.ja;
+  EXPECT_EQ(session->mesh().live().vertices, before.vertices - 6) << "one goes within the chain that is dissolved";
+  EXPECT_TRUE(session->mesh().is_alive(Vertex(0))) << "a corner of the sheet, which had two before";
+  EXPECT_EQ(session->document().history().size(), 3u);
+  ASSERT_TRUE(again->run("new").done());
+  for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), session->mesh().hash());
+  ASSERT_TRUE(session->run("undo").done());
+  EXPECT_EQ(session->mesh().hash(), hash);
 }
 
 // As whoever knows other editors expects of selected faces: the edges between them go, with the vertices that only they had.

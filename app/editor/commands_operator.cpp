@@ -103,10 +103,13 @@ Outcome does_not_fit(const OpInfo& op) {
                                     ja + "：選択された要素が合いません。必要なもの：" + wanted.ja});
 }
 
-// "12 done. 3 refused: RULE. 2 were deleted before their turn."
-Text told(const EachResult& result) {
+// "12 done. 3 refused: RULE. 2 were deleted before their turn.", or "One face was made."
+Text told(const OpInfo& op, const EachResult& result) {
   Text text{"Nothing was done.", "何も実行していません。"};
-  if (result.done > 0) text = count_text(result.done, "One done.", "# done.", "# 件を実行しました。");
+  if (result.done > 0 && !op.made.en_one.empty())
+    text = count_text(result.calls, op.made.en_one, op.made.en_many, op.made.ja);
+  else if (result.done > 0)
+    text = count_text(result.done, "One done.", "# done.", "# 件を実行しました。");
   for (const EachResult::Refused& refused : result.refused) {
     const RuleText& rule = text_of(refused.rule);
     const Text count = count_text(refused.elements.size(), "One refused", "# refused", "# 件は実行できません");
@@ -162,7 +165,7 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
   // A script that is not strict would do what was refused for a warning.
   if (session.strict && result->refusals() > 0) outcome.selecting = line_without_refused(selected, *result);
-  outcome.sentence = told(*result);
+  outcome.sentence = told(op, *result);
   for (const EachResult::Refused& refused : result->refused) {
     outcome.reasons.push_back({refused.rule, refused.elements});
     drop_lost(outcome.reasons.back().witnesses, session.mesh(), false);  // a later call may have deleted some

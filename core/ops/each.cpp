@@ -123,6 +123,7 @@ class Calls {
     series_->apply(*parsed.op);
     subjects_.done(same);
     ++result_.done;
+    ++result_.calls;
     return true;
   }
 
@@ -132,6 +133,7 @@ class Calls {
     if (!along || broken_rule(*along)) return false;
     series_->apply(*along);
     ++result_.done;
+    ++result_.calls;
     return true;
   }
 

@@ -13,8 +13,9 @@ namespace ryosen {
 
 struct EachResult {
   std::size_t done = 0;
-  std::size_t gone = 0;  // deleted before their turn
-  std::size_t ends = 0;  // vertices that were left with two edges and went too (OpInfo::takes_ends_along)
+  std::size_t calls = 0;  // that it took: fewer than done where several elements have one subject
+  std::size_t gone = 0;   // deleted before their turn
+  std::size_t ends = 0;   // vertices that were left with two edges and went too (OpInfo::takes_ends_along)
   struct Refused {
     Rule rule;  // the first that it breaks
     std::vector<Element> elements;

@@ -28,7 +28,13 @@ struct Fill : OnHalfedge<Fill> {
                                OpGroup::fill,
                                "",
                                Topology::may_change,
-                               Subject::cycle};
+                               Subject::cycle,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               nullptr,
+                               false,
+                               {"One face was made.", "# faces were made.", "面を # 個張りました。"}};
 
   // A boundary edge belongs to one hole, in whichever direction it is named.
   static Fill of_edge(const Mesh& mesh, Halfedge h);

@@ -81,6 +81,11 @@ struct OpInfo {
   std::unique_ptr<OpSeries> (*in_series)(Edit&) = nullptr;
   // Of a selection of edges: their ends go too that it has left with two edges, where unite_edge may take them out.
   bool takes_ends_along = false;
+  // Where a selection is not told by how many of its elements it was done to: what each call has made, as count_text() has
+  // it.
+  struct Made {
+    std::string_view en_one = "", en_many = "", ja = "";
+  } made = {};
 };
 
 // Whether an operator is a tool, which acts on the clicked element.

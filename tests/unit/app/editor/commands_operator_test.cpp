@@ -181,6 +181,8 @@ TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
   const Outcome filled = cubes->run("fill selected");
   ASSERT_TRUE(filled.done()) << filled.sentence.en;
   EXPECT_EQ(cubes->mesh().live().faces, 6u) << "one face, though four edges are selected";
+  EXPECT_EQ(filled.sentence.en, "One face was made.");
+  EXPECT_EQ(filled.sentence.ja, "面を 1 個張りました。");
   EXPECT_EQ(cubes->document().history().size(), 2u);
   const auto apart = session_opened("cube.obj");
   for (const char* place : {"5,0,0", "6,0,0", "7,0,0"}) apart->run(std::string("make_vertex ") + place);
@@ -317,7 +319,7 @@ TEST(on_each, both_sides_of_a_wire_are_cycles_of_their_own) {
   for (const int side : {0, 1}) session->run("select add h" + std::to_string(halfedge(wire, side).index));
   const Outcome outcome = session->run("fill selected");
   ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_TRUE(outcome.sentence.en.starts_with("One done. One refused: Two faces would have")) << outcome.sentence.en;
+  EXPECT_TRUE(outcome.sentence.en.starts_with("One face was made. One refused: Two faces would have")) << outcome.sentence.en;
   EXPECT_EQ(session->mesh().live().faces, 7u);
 }
 

@@ -17,6 +17,7 @@ constexpr LabelSource sources[] = {
     {"links", [](const Session& session) { return session.links.is_on(session); }, add_links},
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
+    {"snap", [](const Session& session) { return session.gesture() && session.gesture()->snapped_to(); }, add_snap},
     {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
 };
 

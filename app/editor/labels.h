@@ -33,7 +33,7 @@ struct Label {
 
 // What labels are about, from the least priority on.
 inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2, link_priority = 3,
-                     legend_priority = 4;
+                     legend_priority = 4, snap_priority = 5;
 
 struct LabelSource {
   std::string_view id;
@@ -70,6 +70,8 @@ void add_links(Session& session, std::vector<Label>& labels);
 void add_measures(Session& session, std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
 void add_step(Session& session, std::vector<Label>& labels);
+// Adds the name of what is snapped to, beside the place where that is.
+void add_snap(Session& session, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
 void add_map_legend(Session& session, std::vector<Label>& labels);
 

@@ -383,7 +383,6 @@ class Session {
   // Problems that depend on places, of the faces that a gesture changes: as they are drawn, or as they are.
   void judge_as_drawn();
   void judge_as_is();
-  std::optional<glm::dvec3> place_to_snap_to(glm::dvec2 pixel);
 
   std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another
 

@@ -5,6 +5,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/session.h"
+#include "app/editor/snapping.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -21,7 +22,9 @@ struct Session::Gesturing {
   TouchedElements touched;         // by what is moved
   std::vector<std::uint32_t> triangles;
   std::vector<Face> spoilt;
-  glm::dvec2 pixel{0};  // of the window, where the pointer was last
+  std::optional<PassedOver> own;       // made where something is to be snapped to
+  std::optional<RoundStep> step = {};  // of the ground, in the same way
+  glm::dvec2 pixel{0};                 // of the window, where the pointer was last
   Modifiers modifiers = {};
   struct Pull {
     std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
@@ -44,6 +47,13 @@ TouchedElements touched_by(const Mesh& mesh, const std::vector<MovedPoint>& move
   sort_unique(touched.moved);
   sort_unique(touched.faces);
   return touched;
+}
+
+PassedOver passed_over(const TouchedElements& touched) {
+  PassedOver own;
+  for (const Face f : touched.faces) own.faces.insert(f.index);
+  for (const Vertex v : touched.moved) own.vertices.insert(v.index);
+  return own;
 }
 
 // Those that would turn over or lose their area.
@@ -97,7 +107,8 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
 void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
   const glm::dvec3 middle = middle_of(mesh(), points_of(mesh(), elements));
   glm::dvec2 start = pointer - view_origin;
-  if (start.x < 0 || start.y < 0 || start.x >= view.width || start.y >= view.height) {
+  const bool is_in_view = start.x >= 0 && start.y >= 0 && start.x < view.width && start.y < view.height;
+  if (!is_in_view) {
     const auto seen = project(camera, view, middle);
     start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.width, view.height)) + glm::dvec2(60, 0);
   }
@@ -107,7 +118,12 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
                                  {},
                                  {},
                                  {},
+                                 {},
+                                 {},
                                  start + view_origin});
+  TransformGesture& transform = gesturing_->transform;
+  if (const Vertex held = is_in_view ? held_point(*this, transform.moved(), start) : Vertex())
+    transform.hold(mesh(), held);
   hover_.reset();
   pointed_handle_ = nullptr;
   pointed_axis_end_ = nullptr;
@@ -123,6 +139,7 @@ void Session::follow_what_moves() {
   const std::span<const glm::dvec3> places = mesh().positions();
   for (const Vertex v : g.touched.moved) g.places[v.index] = places[v.index];
   g.touched = touched_by(mesh(), g.transform.moved());
+  g.own.reset();
   g.triangles.clear();
   for (const Face f : g.touched.faces)
     for (const std::uint32_t slot : picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
@@ -173,23 +190,20 @@ void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {
   Gesturing& g = *gesturing_;
   g.pixel = pixel;
   g.modifiers = modifiers;
-  TransformGesture::Where where{camera, view, pixel - view_origin, modifiers.ctrl, {}};
-  if (modifiers.ctrl) where.under = place_to_snap_to(pixel);
+  TransformGesture::Where where{.camera = camera,
+                                .view = view,
+                                .pixel = pixel - view_origin,
+                                .snaps = modifiers.ctrl,
+                                .is_fine = modifiers.shift,
+                                .size_scale = size_scale()};
+  if (modifiers.ctrl && g.transform.is_movement()) {
+    if (!g.own) g.own = passed_over(g.touched);
+    where.under = snap_target(*this, where.pixel, *g.own);
+    if (!where.under && !g.step) g.step = step_of_ground(mesh());
+    where.step = g.step.value_or(where.step);
+  }
   g.transform.follow(mesh(), where);
   show_gesture();
-}
-
-// Of what is not moved itself: the nearest vertex, else edge, else face.
-std::optional<glm::dvec3> Session::place_to_snap_to(glm::dvec2 pixel) {
-  const std::vector<Vertex>& own = gesturing_->touched.moved;
-  const auto is_own = [&](Vertex v) { return std::binary_search(own.begin(), own.end(), v); };
-  for (const PickMode what : {PickMode::vertex, PickMode::edge, PickMode::face}) {
-    const auto picked = pick_drawn(pixel, what);
-    if (!picked) continue;
-    const std::vector<Vertex> points = points_of(mesh(), std::span(&picked->element, 1));
-    if (std::none_of(points.begin(), points.end(), is_own)) return picked->place;
-  }
-  return std::nullopt;
 }
 
 std::optional<Outcome> Session::gesture_key(const std::string& chord) {

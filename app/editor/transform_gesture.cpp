@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "core/analysis/neighbourhood.h"
@@ -10,9 +11,8 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
 #include "core/ops/lines/arguments.h"
-#include "core/ops/op.h"
-#include "core/selection/slot_ranges.h"
 
 namespace ryosen {
 
@@ -26,10 +26,34 @@ std::optional<double> nearest_on_axis(const glm::dvec3& p, const glm::dvec3& u, 
   return (b * glm::dot(d, w) - glm::dot(u, w)) / rest;
 }
 
-double to_step(double value, double step) { return std::round(value / step) * step; }
+// What added to a place gives the other, exactly where there is such a number: the difference is mostly off by no more
+// than its last digit.
+double way_from(double from, double to) {
+  double by = to - from;
+  for (int tries = 0; tries < 4 && from + by != to; ++tries)
+    by = std::nextafter(
+        by, from + by < to ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity());
+  return from + by == to ? by : to - from;
+}
+glm::dvec3 way_from(const glm::dvec3& from, const glm::dvec3& to) {
+  return {way_from(from.x, to.x), way_from(from.y, to.y), way_from(from.z, to.z)};
+}
 
-// A power of ten that is about a hundredth of a length.
-double grid_step(double length) { return std::pow(10.0, std::floor(std::log10(length / 30))); }
+// The steps of the ground, or tenths of them where they would be longer than the hand goes, or tenfold where they would be
+// too short to be felt; with a tenth asked for, that.
+RoundStep felt_step(const TransformGesture::Where& where, double units_per_pixel) {
+  constexpr double longest_px = 120, shortest_px = 6;
+  RoundStep step = where.step;
+  const auto length_px = [&] { return step.size() / (units_per_pixel * where.size_scale); };
+  while (length_px() > longest_px && step.power > -300) --step.power;
+  while (length_px() < shortest_px && step.power < 300) ++step.power;
+  return where.is_fine ? step.tenth() : step;
+}
+
+constexpr RoundStep turn_step{5, 0}, scale_step{1, -1};
+double stepped(double value, RoundStep step, const TransformGesture::Where& where) {
+  return where.snaps ? (where.is_fine ? step.tenth() : step).nearest_to(value) : value;
+}
 
 // Of the faces among the elements; where there are none, of those at the points.
 glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std::span<const Vertex> points) {
@@ -48,13 +72,6 @@ glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std:
         if (f) sum += around.normal(f);
     });
   return sum;
-}
-
-// " X", or the plane across it as " YZ".
-std::string axis_name(char letter, bool in_plane) {
-  if (letter == 0) return "";
-  if (!in_plane) return std::string(1, ' ') + letter;
-  return letter == 'X' ? " YZ" : letter == 'Y' ? " ZX" : letter == 'Z' ? " XY" : " ⊥N";
 }
 
 bool is_axis_key(std::string_view chord) {
@@ -91,6 +108,11 @@ void TransformGesture::follow(const Mesh&, const Where& where) {
   take_number();
 }
 
+void TransformGesture::hold(const Mesh& mesh, Vertex point) {
+  held_ = mesh.position(point);
+  held_name_ = name_to_select(mesh, point);
+}
+
 // Where the rays of both pixels meet the plane; along it by as much as the view moves where it is seen from the side.
 glm::dvec3 TransformGesture::moved_in_plane(const Where& where) const {
   const auto met = [&](glm::dvec2 pixel) -> std::optional<glm::dvec3> {
@@ -109,23 +131,29 @@ glm::dvec3 TransformGesture::moved_in_plane(const Where& where) const {
   return place_at(where.camera, where.view, where.pixel, depth) - place_at(where.camera, where.view, start_, depth);
 }
 
+// Onto it where nothing binds it, else level with it.
+glm::dvec3 TransformGesture::moved_onto(const glm::dvec3& target) const {
+  const glm::dvec3 from = held_.value_or(middle_), by = way_from(from, target);
+  if (!axis_) return by;
+  const glm::dvec3 own = glm::abs(*axis_);
+  const bool is_coordinate = std::max({own.x, own.y, own.z}) == 1;  // which stays exact
+  const glm::dvec3 along = is_coordinate ? by * own : glm::dot(by, *axis_) * *axis_;
+  return is_in_plane_ ? by - along : along;
+}
+
 // Along the axis or in the plane that was chosen, or across the view.
-glm::dvec3 TransformGesture::moved_by(const Where& where, double step) const {
+glm::dvec3 TransformGesture::moved_by(const Where& where, const std::optional<RoundStep>& step) const {
   const auto stepped = [&](glm::dvec3 by) {
-    for (int k = 0; k < 3 && where.snaps && !where.under; ++k) by[k] = to_step(by[k], step);
+    for (int k = 0; k < 3 && step; ++k) by[k] = step->nearest_to(by[k]);
     return by;
   };
   const auto in_plane = [&](const glm::dvec3& by) { return by - glm::dot(by, *axis_) * *axis_; };
-  if (where.under) {
-    const glm::dvec3 by = *where.under - middle_;
-    return !axis_ ? by : is_in_plane_ ? in_plane(by) : glm::dot(by, *axis_) * *axis_;
-  }
   if (is_in_plane_) return in_plane(stepped(in_plane(moved_in_plane(where))));
   if (axis_) {
     const auto from = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, start_));
     const auto to = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, where.pixel));
     const double along = from && to ? *to - *from : 0;
-    return (where.snaps ? to_step(along, step) : along) * *axis_;
+    return (step ? step->nearest_to(along) : along) * *axis_;
   }
   const double depth = depth_of(where.camera, middle_);
   return stepped(place_at(where.camera, where.view, where.pixel, depth) -
@@ -133,10 +161,13 @@ glm::dvec3 TransformGesture::moved_by(const Where& where, double step) const {
 }
 
 void TransformGesture::follow_move(const Where& where) {
-  const double unit = units_per_pixel(where.camera, where.view, depth_of(where.camera, middle_));
-  const glm::dvec3 by = moved_by(where, grid_step(unit * where.view.height));
+  std::optional<RoundStep> step;
+  if (where.snaps && !where.under)
+    step = felt_step(where, units_per_pixel(where.camera, where.view, depth_of(where.camera, middle_)));
+  const glm::dvec3 by = where.under ? moved_onto(where.under->place) : moved_by(where, step);
   if (is_finite(by)) transform_.by = by;
   snapped_to_ = where.under;
+  step_ = step ? std::optional(step->size()) : std::nullopt;
 }
 
 void TransformGesture::follow_turn(const Where& where) {
@@ -150,7 +181,7 @@ void TransformGesture::follow_turn(const Where& where) {
   const double clockwise = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)) * 180 / std::numbers::pi;
   const bool seen_from_behind = axis_ && glm::dot(*axis_, forward) > 0;
   turned_deg_ += seen_from_behind ? clockwise : -clockwise;
-  transform_.angle_deg = where.snaps ? to_step(turned_deg_, 5) : turned_deg_;
+  transform_.angle_deg = stepped(turned_deg_, turn_step, where);
 }
 
 void TransformGesture::follow_scale(const Where& where) {
@@ -161,7 +192,7 @@ void TransformGesture::follow_scale(const Where& where) {
   constexpr double least_px = 8;  // nearer to the middle a pixel would be too much
   const double from = std::max(glm::length(a), least_px);
   const double factor = (glm::dot(a, b) < 0 ? -1 : 1) * glm::length(b) / from;
-  transform_.factor = where.snaps ? to_step(factor, 0.1) : factor;
+  transform_.factor = stepped(factor, scale_step, where);
 }
 
 void TransformGesture::take_number() {
@@ -243,58 +274,6 @@ bool TransformGesture::does_nothing() const {
 std::optional<glm::dvec3> TransformGesture::movement() const {
   if (kind_ != PointTransform::Kind::move || falloff_ > 0) return std::nullopt;
   return transform_.by;
-}
-
-std::string TransformGesture::line(const Mesh&) const {
-  std::string line;
-  const auto axis = [&] { return transform_.axis ? " axis=" + format_place(*transform_.axis) : std::string(); };
-  switch (kind_) {
-    case PointTransform::Kind::move:
-      line = "translate by=" + format_place(transform_.by);
-      break;
-    case PointTransform::Kind::turn:
-      line = "rotate angle=" + format_double(transform_.angle_deg) + axis() + " about=" + format_place(middle_);
-      break;
-    case PointTransform::Kind::scale:
-      line = "scale factor=" + format_double(transform_.factor) + axis() + " about=" + format_place(middle_);
-  }
-  if (falloff_ > 0) line += " falloff=" + format_double(falloff_);
-  const Elements points(points_.begin(), points_.end());
-  std::string names = slot_ranges(points).substr(1);
-  std::replace(names.begin(), names.end(), ' ', ',');
-  return line + " elements=" + names;
-}
-
-Text TransformGesture::told() const {
-  const auto short_text = [](double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return std::string(text);
-  };
-  Text text;
-  const std::string letter = axis_name(axis_letter_, is_in_plane_);
-  switch (kind_) {
-    case PointTransform::Kind::move: {
-      const glm::dvec3& by = transform_.by;
-      const std::string amount = axis_ && !is_in_plane_
-                                     ? short_text(glm::dot(by, *axis_))
-                                     : short_text(by.x) + ", " + short_text(by.y) + ", " + short_text(by.z);
-      text = {"Move" + letter + " " + amount, "移動" + letter + " " + amount};
-      break;
-    }
-    case PointTransform::Kind::turn: {
-      const std::string amount = short_text(transform_.angle_deg);
-      text = {"Turn" + letter + " " + amount + " degrees", "回転" + letter + " " + amount + " 度"};
-      break;
-    }
-    case PointTransform::Kind::scale: {
-      const std::string amount = short_text(transform_.factor);
-      text = {"Scale" + letter + " " + amount, "拡大縮小" + letter + " " + amount};
-    }
-  }
-  if (!typed_.empty()) text = text + Text{" [" + typed_ + "]", " [" + typed_ + "]"};
-  if (falloff_ > 0) text = text + Text{", falloff " + short_text(falloff_), "、減衰半径 " + short_text(falloff_)};
-  return text;
 }
 
 }  // namespace ryosen

@@ -62,10 +62,10 @@ class Guides {
   void draw() {
     draw_axes();
     if (gesture_.has_falloff()) draw_falloff();
-    if (const auto target = gesture_.snapped_to()) {
+    if (const SnapTarget* const target = gesture_.snapped_to()) {
       const Style hover = style(Role::hover, theme_);
-      overlay_.points.push_back({*target, hover.colour, PointShape::ring, 10, 1});
-      overlay_.points.push_back({*target, hover.colour, PointShape::cross, 5, 1});
+      overlay_.points.push_back({target->place, hover.colour, PointShape::ring, 10, 1});
+      overlay_.points.push_back({target->place, hover.colour, PointShape::cross, 5, 1});
     }
   }
 

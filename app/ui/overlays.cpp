@@ -350,6 +350,9 @@ Overlay hover_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   Painter spoilt(session, overlay, style(Role::refused, theme), 1);
   for (const Face f : session.spoilt_by_gesture()) spoilt.draw(f, false);
+  const SnapTarget* const target = session.gesture() ? session.gesture()->snapped_to() : nullptr;
+  if (target && target->element.kind != Element::Kind::vertex)
+    Painter(session, overlay, style(Role::hover, theme), 1).draw(target->element);
   if (!session.hover()) return overlay;
   const Hover& hover = *session.hover();
   if (!hover.op) {

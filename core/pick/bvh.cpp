@@ -82,7 +82,8 @@ struct Bvh::LocalRay {
   bool unlimited_ = false;
 };
 
-std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray& ray) const {
+std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray& ray,
+                                const IndexSet* passed_over) const {
   const RayCaster caster(ray);
   if (live_ == 0 || !caster.is_valid()) return std::nullopt;
   struct Entry {
@@ -108,7 +109,7 @@ std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray
         continue;
       }
     } else {
-      cast_leaf(positions, caster, *here, best);
+      cast_leaf(positions, caster, *here, passed_over, best);
       if (best.slot != no_index) local.shorten(best.t);
     }
     const Entry next =
@@ -121,11 +122,11 @@ std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray
 }
 
 void Bvh::cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf,
-                    RayHit& best) const {
+                    const IndexSet* passed_over, RayHit& best) const {
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
     const std::uint32_t slot = blocks_[leaf.first][i];
     const std::array<std::uint32_t, 3>& v = primitives_[slot].vertices;
-    if (v[2] == no_index) continue;
+    if (v[2] == no_index || (passed_over && passed_over->contains(primitives_[slot].owner))) continue;
     const auto hit = caster.hit(positions[v[0]], positions[v[1]], positions[v[2]]);
     if (!hit || hit->t > best.t || (hit->t == best.t && slot > best.slot)) continue;
     best = {slot, hit->t, hit->barycentric};

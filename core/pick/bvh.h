@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/analysis/index_set.h"
 #include "core/pick/float_box.h"
 #include "core/pick/primitive.h"
 #include "core/pick/ray.h"
@@ -57,8 +58,9 @@ class Bvh {
   void update(std::span<const glm::dvec3> positions, std::uint32_t slot);
 
   // The first triangle hit by the ray, from either side; at equal t the smallest slot. Segments and points are never
-  // hit.
-  std::optional<RayHit> cast(std::span<const glm::dvec3> positions, const Ray& ray) const;
+  // hit, nor are triangles of the owners that are passed over.
+  std::optional<RayHit> cast(std::span<const glm::dvec3> positions, const Ray& ray,
+                             const IndexSet* passed_over = nullptr) const;
 
   // Calls visit(slot) for all primitives whose box meets the frustum, in no particular order. Conservative: boxes near
   // an edge of the frustum may be visited although they miss it.
@@ -127,7 +129,8 @@ class Bvh {
   std::uint32_t new_pair();
   std::uint32_t new_block();
 
-  void cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf, RayHit& best) const;
+  void cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf,
+                 const IndexSet* passed_over, RayHit& best) const;
   using SlotVisitor = void (*)(void*, std::uint32_t);
   void visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
                            void* target) const;

@@ -51,7 +51,7 @@ struct Candidate {
 class PickQuery {
  public:
   PickQuery(const Mesh& mesh, const SurfaceTriangles& triangles, const Bvh& tree, const Camera& camera, Size view,
-            glm::dvec2 pixel, Picker::Depth depth, const std::optional<ClipPlane>& clip)
+            glm::dvec2 pixel, Picker::Depth depth, const std::optional<ClipPlane>& clip, const PassedOver* passed_over)
       : m_(mesh),
         triangles_(triangles),
         tree_(tree),
@@ -60,9 +60,10 @@ class PickQuery {
         pixel_(pixel),
         depth_(depth),
         clip_(clip),
+        passed_over_(passed_over),
         screen_(camera, view) {
     const Ray ray = kept(ray_through(camera, view, pixel), clip);
-    if (const auto hit = tree_.cast(m_.positions(), ray)) {
+    if (const auto hit = tree_.cast(m_.positions(), ray, passed_faces())) {
       under_ = Face(tree_.primitive(hit->slot).owner);
       place_ = ray.origin + hit->t * ray.direction;
     }
@@ -86,6 +87,9 @@ class PickQuery {
   }
 
  private:
+  const IndexSet* passed_faces() const { return passed_over_ ? &passed_over_->faces : nullptr; }
+  bool passes_over(Vertex v) const { return passed_over_ && passed_over_->vertices.contains(v.index); }
+
   std::optional<Picked> nearest_visible(bool vertices) {
     // A heap instead of a sort: usually one of the first is visible.
     const auto is_worse = [](const Candidate& x, const Candidate& y) { return y < x; };
@@ -121,6 +125,7 @@ class PickQuery {
   }
 
   void add_vertex(Vertex v, Face face) {
+    if (passes_over(v)) return;
     const auto at = screen_.project(m_.position(v));
     if (!at || (clip_ && clip_->cuts(m_.position(v)))) return;
     const double distance = glm::length(at->pixel - pixel_);
@@ -129,6 +134,7 @@ class PickQuery {
   }
 
   void add_edge(Vertex a, Vertex b, Face face) {
+    if (passes_over(a) || passes_over(b)) return;
     // Both faces of an edge must give bitwise the same point: measure from the smaller vertex.
     const bool swapped = b < a;
     const glm::dvec3 &p = m_.position(swapped ? b : a), &q = m_.position(swapped ? a : b);
@@ -148,7 +154,7 @@ class PickQuery {
     const auto at = screen_.project(c.place);
     if (!at) return true;
     if (depth_ == Picker::Depth::through) return false;
-    return !is_seen(tree_, m_, kept(ray_through(camera_, view_, at->pixel), clip_), c.place);
+    return !is_seen(tree_, m_, kept(ray_through(camera_, view_, at->pixel), clip_), c.place, {}, passed_faces());
   }
 
   Picked edge_result(const Candidate& c) const {
@@ -172,6 +178,7 @@ class PickQuery {
   glm::dvec2 pixel_;
   Picker::Depth depth_;
   const std::optional<ClipPlane>& clip_;
+  const PassedOver* passed_over_;
   ScreenProjection screen_;
   Face under_;
   glm::dvec3 place_{0};
@@ -284,10 +291,10 @@ void Picker::update_hidden(const Mesh& mesh, const HiddenElements::Parts& change
 }
 
 std::optional<Picked> Picker::pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
-                                   Depth depth, double radius_px) {
+                                   Depth depth, double radius_px, const PassedOver* passed_over) {
   Progress unseen;
   prepare(mesh, unseen);
-  PickQuery query(mesh, triangles_, tree_, camera, view, pixel, depth, clip_);
+  PickQuery query(mesh, triangles_, tree_, camera, view, pixel, depth, clip_, passed_over);
   if (mode == PickMode::face) return query.face();
   std::optional<Picked> picked = query.nearest(mode == PickMode::vertex, radius_px);
   if (picked && mode == PickMode::halfedge) picked->element = picked->halfedge;

@@ -31,6 +31,11 @@ struct Picked {
   double distance_px = 0;  // from the pointer, 0 for a face
 };
 
+// What is moved just now, and not where the mesh has it: neither picked nor in the way of what lies behind.
+struct PassedOver {
+  IndexSet faces, vertices;  // an edge where one of its ends is
+};
+
 // Holds the triangles of a mesh and a BVH over them, the wires and the isolated vertices. Pass the same mesh to every
 // call. The BVH is built by the first pick, so rendering alone does not pay for it.
 class Picker {
@@ -53,7 +58,8 @@ class Picker {
   // Among the elements within the radius that are not occluded: the one with the smallest screen distance, then the
   // smallest depth, then the face under the pointer, then the smallest number. Pixels from the upper left corner.
   std::optional<Picked> pick(const Mesh& mesh, const Camera& camera, Size view, glm::dvec2 pixel, PickMode mode,
-                             Depth depth = Depth::seen, double radius_px = pick_radius_px);
+                             Depth depth = Depth::seen, double radius_px = pick_radius_px,
+                             const PassedOver* passed_over = nullptr);
 
   // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface is
   // clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of that

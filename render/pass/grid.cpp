@@ -3,29 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/view/round_step.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
 
 namespace ryosen {
-namespace {
-
-// The largest of 1, 2 and 5 times a power of ten that is no larger.
-double round_step(double length) {
-  const double power = std::pow(10, std::floor(std::log10(length)));
-  const double leading = length / power;
-  return (leading >= 5 ? 5 : leading >= 2 ? 2 : 1) * power;
-}
-
-}  // namespace
 
 Ground ground_below(const DrawBox& given, const BufferSpace& space) {
-  constexpr double cells = 8, reaches = 1.6, below = 0.002;
+  constexpr double reaches = 1.6, below = 0.002;
   constexpr DrawBox around_origin{glm::vec3(-0.5f), glm::vec3(0.5f)};
   const DrawBox box = given.empty() ? around_origin : given;
   const glm::dvec3 size(box.max - box.min);
-  const double extent = std::max({size.x, size.z, 0.5 * size.y, 1e-6});
+  const double extent = std::max(ground_extent(size), 1e-6);
   Ground ground;
-  ground.step = round_step(extent / cells / space.scale);
+  ground.step = ground_step(extent / space.scale).size();
   ground.step_scaled = ground.step * space.scale;
   ground.height = box.min.y - below * extent;
   ground.x = 0.5 * (double{box.min.x} + box.max.x);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/session.h"
+#include "app/editor/snapping.h"
 #include "app/editor/view_input.h"
 #include "core/algo/transform/moved_points.h"
 #include "core/view/named_views.h"
@@ -149,9 +150,9 @@ TEST_F(GizmoTest, ctrl_snaps_to_the_grid) {
   run({"view front"});
   drag(HandleWay::x, {57, 200}, " Ctrl");
   const double moved = middle().x - before.x;
-  const double steps = moved * 1000;
+  const double steps = moved / step_of_ground(session_->mesh()).size();
   EXPECT_NE(moved, 0);
-  EXPECT_NEAR(steps, std::round(steps), 1e-6) << moved;
+  EXPECT_NEAR(steps, std::round(steps), 1e-9) << moved;
 }
 
 TEST_F(GizmoTest, the_pointer_finds_a_handle_before_an_element_and_elsewhere_the_drag_orbits) {

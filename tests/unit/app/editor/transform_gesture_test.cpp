@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands.h"
+#include "app/editor/labels.h"
 #include "app/editor/view_input.h"
 #include "app/ui/headless.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/names.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -131,26 +134,135 @@ TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
   EXPECT_NEAR(after->pixel.y - before->pixel.y, -80, 1e-6);
 }
 
-TEST_F(GestureTest, ctrl_snaps_to_another_vertex) {
-  Vertex other;
-  const auto is_selected = [&](Vertex v) {
-    return std::find(session_->selection.begin(), session_->selection.end(), Element(v)) != session_->selection.end();
-  };
-  std::string at;
-  for (std::uint32_t i = 0; i < session_->mesh().vertex_slots() && !other; ++i) {
-    const auto seen = project(session_->camera, session_->view, session_->mesh().position(Vertex(i)));
-    const auto picked = session_->pick(seen->pixel, PickMode::vertex);
-    if (is_selected(Vertex(i)) || !picked || picked->element != Element(Vertex(i))) continue;
-    other = Vertex(i);
-    at = std::to_string(seen->pixel.x) + "," + std::to_string(seen->pixel.y);
+class SnapTest : public GestureTest {
+ protected:
+  glm::dvec2 pixel_of(Vertex v) const {
+    return project(session_->camera, session_->view, session_->mesh().position(v))->pixel;
   }
-  ASSERT_TRUE(other);
+  static std::string at(glm::dvec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
+  bool is_selected(Vertex v) const {
+    return std::find(session_->selection.begin(), session_->selection.end(), Element(v)) != session_->selection.end();
+  }
+  // One that is in sight, and selected or not.
+  Vertex seen_vertex(bool selected) {
+    for (std::uint32_t i = 0; i < session_->mesh().vertex_slots(); ++i) {
+      const auto picked = session_->pick(pixel_of(Vertex(i)), PickMode::vertex);
+      if (is_selected(Vertex(i)) == selected && picked && picked->element == Element(Vertex(i))) return Vertex(i);
+    }
+    ADD_FAILURE() << "none is in sight";
+    return {};
+  }
+  void run_line(const std::string& line) {
+    const Outcome outcome = session_->run(line);
+    EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
+  }
+  void open_off(const std::string& text) {
+    const std::string path = testing::TempDir() + "snap_test.off";
+    std::ofstream(path) << text;
+    session_->set_document(std::move(Document::open(path)).value());
+    run({"view front", "projection orthographic", "mode face", "select f0"});
+  }
+  std::string told() const { return session_->gesture()->told().en; }
+  // The line that the gesture ends with does the same to the mesh as it was.
+  void expect_replays_from(const std::string& undo) {
+    const std::uint64_t hash = session_->mesh().hash();
+    const std::string line = session_->log().back();
+    run_line(undo);
+    EXPECT_NE(session_->mesh().hash(), hash);
+    run_line(line);
+    EXPECT_EQ(session_->mesh().hash(), hash) << line;
+  }
+};
+
+TEST_F(SnapTest, the_point_that_is_held_lands_on_a_vertex_near_the_pointer_exactly) {
+  const Vertex held = seen_vertex(true), other = seen_vertex(false);
+  run_line("move " + at(pixel_of(held)));
+  const glm::dvec2 near = pixel_of(other) + glm::dvec2(7, -6);  // farther than what a click picks
   run({"key G"});
-  session_->run("move " + at + " Ctrl");
-  session_->run("press left " + at + " Ctrl");
+  run_line("move " + at(near) + " Ctrl");
+  EXPECT_EQ(session_->drawn_positions()[held.index], session_->mesh().position(other));
+  const std::string named = slot_name(Element(held)) + " on " + slot_name(Element(other));
+  EXPECT_TRUE(told().ends_with(", " + named)) << told();
+  const auto labels = placed_labels(
+      *session_,
+      [](const std::string&) {
+        return Size{30, 12};
+      },
+      1);
+  EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                          [&](const PlacedLabel& label) { return label.text == slot_name(Element(other)); }));
+  run_line("press left " + at(near) + " Ctrl");
+  EXPECT_EQ(session_->mesh().position(held), session_->mesh().position(other));
+  expect_replays_from("undo");
+}
+
+// Where the pointer is at no point of it.
+TEST_F(SnapTest, the_middle_lands_where_no_point_is_held) {
+  const Vertex other = seen_vertex(false);
+  run({"move 640,120", "key G"});
+  run_line("move " + at(pixel_of(other)) + " Ctrl");
+  run_line("press left " + at(pixel_of(other)) + " Ctrl");
   std::vector<Vertex> points;
   for (const Element& e : session_->selection) points.push_back(e.vertex());
   EXPECT_NEAR(glm::distance(middle_of(session_->mesh(), points), session_->mesh().position(other)), 0, 1e-9);
+}
+
+// An edge from v4 to v5 along X, and a face above it.
+constexpr const char* square_and_others =
+    "OFF\n8 2 0\n-3 0 1\n-2 0 1\n-2 1 1\n-3 1 1\n0 -1 0\n3 -1 0\n3 2 0\n0 2 0\n4 0 1 2 3\n4 4 5 6 7\n";
+
+TEST_F(SnapTest, lands_on_an_edge_and_on_a_face_and_else_goes_in_steps_of_the_ground) {
+  open_off(square_and_others);
+  const glm::dvec2 from = pixel_of(Vertex(1)), a = pixel_of(Vertex(4)), b = pixel_of(Vertex(6));
+  run_line("move " + at(from));
+  run({"key G"});
+  run_line("move " + at({0.5 * (a.x + b.x), a.y + 3}) + " Ctrl");
+  EXPECT_EQ(session_->drawn_positions()[1].y, -1);
+  EXPECT_EQ(session_->drawn_positions()[1].z, 0);
+  EXPECT_TRUE(told().ends_with(", v1 on edge 4-5")) << told();
+  run_line("move " + at(0.5 * (a + b)) + " Ctrl");
+  EXPECT_NEAR(session_->drawn_positions()[1].z, 0, 1e-12);
+  EXPECT_TRUE(told().ends_with(", v1 on f1")) << told();
+  run({"key X"});
+  EXPECT_TRUE(told().ends_with(", v1 level with f1")) << told();
+  EXPECT_EQ(session_->drawn_positions()[1].z, 1);
+  run({"key X"});
+
+  // Seven cells of the ground at 0.5 are 6 units wide.
+  const double unit_px = pixel_of(Vertex(5)).x - a.x;
+  run_line("move " + at(from + glm::dvec2(0.62, 0.55) * unit_px / 3.0) + " Ctrl");
+  EXPECT_EQ(session_->drawn_positions()[1], glm::dvec3(-1.5, -0.5, 1));
+  EXPECT_TRUE(told().ends_with(", in steps of 0.5")) << told();
+  run_line("move " + at(from + glm::dvec2(0.62, 0.55) * unit_px / 3.0) + " Ctrl+Shift");
+  EXPECT_EQ(session_->drawn_positions()[1], glm::dvec3(-2, 0, 1) + glm::dvec3(0.6, -0.55, 0));
+  EXPECT_TRUE(told().ends_with(", in steps of 0.05")) << told();
+  run({"key Enter"});
+  EXPECT_TRUE(session_->log().back().starts_with("translate by=0.6,-0.55,0 ")) << session_->log().back();
+  expect_replays_from("undo");
+}
+
+TEST_F(SnapTest, steps_are_tenths_where_a_cell_would_be_wider_than_the_hand_goes) {
+  open_off(square_and_others);
+  run_line("move " + at(pixel_of(Vertex(1))));
+  run_line("wheel 12 " + at(pixel_of(Vertex(1))));
+  const glm::dvec2 from = pixel_of(Vertex(1));
+  run_line("move " + at(from));
+  run({"key G"});
+  run_line("move " + at(from + glm::dvec2(80, 0)) + " Ctrl");
+  EXPECT_TRUE(told().ends_with(", in steps of 0.05")) << told();
+  EXPECT_GT(session_->drawn_positions()[1].x, -2);
+}
+
+// What is moved is no longer where the mesh has it.
+TEST_F(SnapTest, what_is_moved_is_not_in_the_way_of_what_lay_behind_it) {
+  open_off(
+      "OFF\n9 2 0\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n-.5 -.5 0\n.5 -.5 0\n.5 .5 0\n-.5 .5 0\n3 0 0\n"
+      "4 0 1 2 3\n4 4 5 6 7\n");
+  run_line("move " + at(pixel_of(Vertex(2))));
+  const glm::dvec2 behind = pixel_of(Vertex(6));
+  run({"key G"});
+  run_line("move " + at(behind) + " Ctrl");
+  EXPECT_EQ(session_->drawn_positions()[2], session_->mesh().position(Vertex(6))) << told();
 }
 
 TEST_F(GestureTest, falloff_takes_more_along_and_the_wheel_widens_it) {

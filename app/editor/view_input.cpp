@@ -78,13 +78,13 @@ void ViewInput::give_up_drags() {
   if (std::exchange(held_handle_, std::nullopt)) session_.cancel_gesture();
 }
 
-std::string ViewInput::line_of_band() const {
+std::string ViewInput::line_of_band(Modifiers at_end) const {
   const Band& band = *session_.band;
   std::string line(band.gesture == Gesture::box ? "box" : "lasso");
   for (const glm::dvec2& pixel : band.path) line += " " + format_pixel(pixel);
   if (band_modifiers_.shift) line += " add";
   if (band_modifiers_.ctrl && !band_modifiers_.shift) line += " toggle";
-  if (band_modifiers_.alt) line += " through";
+  if (band_modifiers_.alt || at_end.alt) line += " through";
   return line;
 }
 
@@ -95,7 +95,7 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
   if (session_.band && !navigation_.is_dragging()) {
-    const std::string line = line_of_band();
+    const std::string line = line_of_band(at.modifiers);
     session_.band.reset();
     session_.armed_gesture.reset();
     outcome = run(line);

@@ -54,6 +54,7 @@ bool is_function_key(std::string_view chord) {
 
 void WindowInput::press(MouseButton button, const Pointer& at) {
   is_alone_ = false;
+  is_held_[static_cast<std::size_t>(button)] = true;
   show_pointer(at);
   if (is_over_view(at.pixel)) {
     ViewInput::press(button, at);
@@ -67,6 +68,8 @@ void WindowInput::press(MouseButton button, const Pointer& at) {
 }
 
 Outcome WindowInput::release(MouseButton button, const Pointer& at) {
+  is_alone_ = false;
+  is_held_[static_cast<std::size_t>(button)] = false;
   show_pointer(at);
   gui_.button(static_cast<int>(button), false);
   if (std::exchange(is_held_by_panels_, false)) catch_up();
@@ -106,7 +109,8 @@ Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
 Outcome WindowInput::press_key(const std::string& chord, bool is_again, const InputPreset& preset) {
   const Modifiers modifiers = modifiers_of(chord);
   gui_.modifiers(modifiers.shift, modifiers.ctrl);
-  is_alone_ = chord == lone_key && (!is_again || is_alone_);
+  const bool is_pressing = std::find(is_held_.begin(), is_held_.end(), true) != is_held_.end();
+  is_alone_ = chord == lone_key && (!is_again || is_alone_) && !is_pressing;
   if (chord == lone_key) return {};
   if (const int key = panel_key_of(chord); key >= 0) gui_.key(key, true);
   return act_on(chord, is_again, preset);
@@ -170,6 +174,7 @@ void WindowInput::leave() {
 void WindowInput::let_go() {
   give_up_drags();
   is_alone_ = false;
+  is_held_ = {};
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     gui_.button(static_cast<int>(button), false);
 }

@@ -3,6 +3,7 @@
 // has the keyboard, else they send commands.
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "app/editor/view_input.h"
@@ -66,6 +67,7 @@ class WindowInput : public ViewInput {
   Size window_{1, 1};
   bool is_held_by_panels_ = false;  // a button was pressed there
   bool is_alone_ = false;           // lone_key is down, and nothing else has been since
+  std::array<bool, 3> is_held_{};   // by button
 };
 
 }  // namespace ryosen

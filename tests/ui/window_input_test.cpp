@@ -226,6 +226,60 @@ TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
   EXPECT_TRUE(session_.log().empty());
 }
 
+// Whenever Alt is pressed until the button is let go.
+TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_down_during_a_drag) {
+  session_.run("mode face");
+  const glm::dvec2 low = session_.view_origin + glm::dvec2(2),
+                   high = session_.view_origin + glm::dvec2(session_.view.width - 2, session_.view.height - 2);
+  const Modifiers of_box{.shift = true, .ctrl = true};
+  const auto drag_to_end = [&] {
+    session_.selection.clear();
+    input_.move({low, of_box});
+    input_.press(MouseButton::left, {low, of_box});
+    input_.move({high, of_box});
+  };
+  drag_to_end();
+  input_.key_down("Alt");
+  input_.release(MouseButton::left, {high, {.alt = true}});
+  EXPECT_EQ(session_.selection.size(), session_.mesh().live().faces) << "through the surface";
+  input_.key_up("Alt");
+  frames(4);
+  EXPECT_FALSE(gui_.has_menu(session_));
+  drag_to_end();
+  input_.key_down("Alt");
+  input_.key_up("Alt");
+  input_.release(MouseButton::left, {high, {}});
+  EXPECT_LT(session_.selection.size(), session_.mesh().live().faces);
+  frames(4);
+  EXPECT_FALSE(gui_.has_menu(session_));
+  input_.key("Alt");
+  frames(4);
+  EXPECT_TRUE(gui_.has_menu(session_)) << "alone it does";
+}
+
+TEST_F(WindowInputTest, the_blender_preset_has_the_keys_of_selecting_and_hiding) {
+  ASSERT_TRUE(session_.run("preset blender").done());
+  ASSERT_TRUE(session_.run("select f0").done());
+  const auto press_key = [&](const char* chord) {
+    input_.key_down(chord);
+    input_.key_up(chord);
+    return session_.selection.size();
+  };
+  const std::size_t all = session_.mesh().live().faces;
+  const std::size_t grown = press_key("Ctrl++");
+  EXPECT_GT(grown, 1u);
+  EXPECT_EQ(press_key("Ctrl+-"), 1u);
+  EXPECT_EQ(press_key("Ctrl+I"), all - 1);
+  press_key("H");
+  EXPECT_FALSE(session_.hidden().empty());
+  press_key("Alt+H");
+  EXPECT_TRUE(session_.hidden().empty());
+  for (const char* const chord : {"L", "Ctrl+L"}) {
+    ASSERT_TRUE(session_.run("select f0").done());
+    EXPECT_EQ(press_key(chord), all) << chord;
+  }
+}
+
 TEST_F(WindowInputTest, a_band_is_given_up_by_escape) {
   const glm::dvec2 at = session_.view_origin + glm::dvec2(20);
   input_.press(MouseButton::left, {at, {.shift = true, .ctrl = true}});

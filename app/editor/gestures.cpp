@@ -26,8 +26,10 @@ constexpr DragRow meshlab_drags[] = {
 constexpr KeyChange blender_keys[] = {
     {"S", "gesture scale", "scale the selection", "選択を拡大縮小"},
     {"Shift+S", "tool swap", "Swap edge", "稜線交換"},
+    {"Alt+H", "unhide", "show what is hidden", "非表示の要素を表示する"},
     {"Alt+A", "select none", "Select nothing", "選択を解除"},
     {"Ctrl+I", "select invert", "Select the others instead", "選択を反転"},
+    {"L", "select linked", "Select all that is linked", "つながる全体を選択"},
     {"Ctrl+L", "select linked", "Select all that is linked", "つながる全体を選択"},
     {"Ctrl++", "select grow", "Select the neighbours too", "選択を隣へ広げる"},
     {"Ctrl+-", "select shrink", "Leave out the outermost", "選択を縁から縮める"},

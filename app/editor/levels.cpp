@@ -55,6 +55,16 @@ void end_levels(Session& session) {
   session.levels.reset();
 }
 
+bool shows_level(const Session& session) { return session.levels && session.levels->is_shown(session.document()); }
+
+Outcome leave_level(Session& session) {
+  end_levels(session);
+  Outcome outcome;
+  outcome.sentence = {"The levels of detail are left; the mesh is as it was before them.",
+                      "詳細度の表示を終え、元のメッシュに戻しました。"};
+  return outcome;
+}
+
 std::string line_to_account_for(const Session& session) {
   const Document& document = session.document();
   if (session.levels && session.levels->is_shown(document)) return session.levels->line();

@@ -48,6 +48,9 @@ class ShownLevels {
 };
 
 void end_levels(Session& session);
+// Whether a level is shown, in place of the mesh of the document; and the way back, told.
+bool shows_level(const Session& session);
+Outcome leave_level(Session& session);
 
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
 // one of the history. Empty where there is none.

@@ -35,6 +35,7 @@ Outcome Session::run_line(const std::string& line) {
   const auto row = find_command_row(words[0]);
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
+  if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
   if (row->effect != Effect::none) {
     cancel_gesture();
     end_playing(*this);

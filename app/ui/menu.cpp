@@ -7,6 +7,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/exercises.h"
 #include "app/editor/keys.h"
+#include "app/editor/levels.h"
 #include "app/editor/menu_bar.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
@@ -79,7 +80,7 @@ void key_items(PanelContext& context, KeyMenu menu) {
 
 void draw_edit_menu(PanelContext& context) {
   const Document& document = context.session.document();
-  item(context, UiText::undo, "undo", document.position() > 0);
+  item(context, UiText::undo, "undo", document.position() > 0 || shows_level(context.session));
   item(context, UiText::redo, "redo", document.position() < document.history().size());
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {

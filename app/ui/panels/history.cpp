@@ -1,3 +1,4 @@
+#include "app/editor/levels.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -24,7 +25,7 @@ void HistoryPanel::draw(PanelContext& context) {
   Session& session = context.session;
   const std::size_t position = session.document().position(), size = session.document().history().size();
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  ImGui::BeginDisabled(position == 0);
+  ImGui::BeginDisabled(position == 0 && !shows_level(session));
   if (ImGui::Button(context.text(UiText::undo), {width, 0})) context.run("undo");
   tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"),
       ImGuiHoveredFlags_AllowWhenDisabled);

@@ -74,6 +74,23 @@ TEST_F(LevelsTest, are_kept_as_one_edit_that_a_script_does_again) {
   EXPECT_EQ(session_.mesh().hash(), shown);
 }
 
+TEST_F(LevelsTest, undo_leaves_what_is_shown_of_them_and_takes_back_no_edit) {
+  ASSERT_TRUE(say("poke f0").done());
+  const std::uint64_t hash = session_.mesh().hash();
+  const std::vector<std::string> log = session_.log();
+  ASSERT_TRUE(say("levels").done());
+  ASSERT_TRUE(say("levels at 100").done());
+  const Outcome left = say("key Ctrl+Z");
+  EXPECT_TRUE(left.done());
+  EXPECT_NE(left.sentence.en.find("levels of detail are left"), std::string::npos) << left.sentence.en;
+  EXPECT_FALSE(session_.levels);
+  EXPECT_EQ(session_.mesh().hash(), hash);
+  EXPECT_EQ(session_.document().position(), 1u);
+  EXPECT_EQ(session_.log(), log) << "nothing to replay";
+  ASSERT_TRUE(say("key Ctrl+Z").done());
+  EXPECT_EQ(session_.document().position(), 0u);
+}
+
 TEST_F(LevelsTest, end_with_any_edit) {
   ASSERT_TRUE(say("levels").done());
   ASSERT_TRUE(say("levels at 20").done());

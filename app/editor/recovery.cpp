@@ -239,6 +239,7 @@ Outcome recover(Session& session, const LostSession& lost) {
   const bool was_strict = std::exchange(session.strict, false);
   session.set_document(std::move(document).value(), source_of(lost));
   Outcome outcome = replay(session, lost);
+  session.frame_all();
   session.autosave = autosave;
   session.strict = was_strict;
   if (autosave && outcome.done()) {

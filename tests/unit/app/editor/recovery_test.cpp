@@ -449,6 +449,21 @@ TEST_F(RecoveryTest, a_script_that_can_grow_no_more_is_said_and_what_it_holds_is
   EXPECT_EQ(again->session.mesh().hash(), hash);
 }
 
+TEST_F(RecoveryTest, what_is_recovered_is_in_view) {
+  auto crashed = open(files_.copy(test::asset("torus.off"), "a.off"));
+  crashed->run("duplicate elements=f0..f95 by=60,0,0");
+  crashed.reset();
+  auto next = open_nothing();
+  next->run("recover 1");
+  const Session& session = next->session;
+  for (const glm::dvec3& place : session.mesh().positions()) {
+    const auto seen = project(session.camera, session.view, place);
+    ASSERT_TRUE(seen);
+    EXPECT_TRUE(seen->pixel.x > 0 && seen->pixel.x < session.view.width) << seen->pixel.x;
+    EXPECT_TRUE(seen->pixel.y > 0 && seen->pixel.y < session.view.height) << seen->pixel.y;
+  }
+}
+
 TEST_F(RecoveryTest, without_a_window_nothing_is_kept_unless_asked) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   const std::string variable = "XDG_STATE_HOME=" + state_.path().string();

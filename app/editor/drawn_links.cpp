@@ -83,7 +83,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   const auto lives = [&](const Element& e) {
     return is_alive(session.mesh(), e) && !session.hidden().hides(session.mesh(), e);
   };
-  if (!selection.empty() && lives(selection[0])) add_links_of(session, make, selection[0], arrows_);
+  if (!selection.empty() && lives(selection.back())) add_links_of(session, make, selection.back(), arrows_);
   const bool goes_on = !trail_.empty() && selection.size() == 1 && selection[0] == Element(trail_.back());
   std::vector<Halfedge> drawn;
   for (const LinkArrow& arrow : arrows_) drawn.push_back(arrow.halfedge);

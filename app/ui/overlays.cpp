@@ -184,8 +184,7 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 // Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
 // Of many, which nobody selects one by one, there is no such order.
 static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
-  constexpr std::size_t most = 20;
-  if (session.selection.size() < 2 || session.selection.size() > most) return;
+  if (session.selection.size() < 2 || session.selection.size() > most_ringed) return;
   const Mesh& mesh = session.mesh();
   const Element& last = session.selection.back();
   if (session.hidden().hides(mesh, last)) return;
@@ -218,7 +217,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   const bool has_arrow = session.links.is_on(session);  // of the selected halfedge, in its face
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&
-           !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selection[0]) &&
+           !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selection.back()) &&
            !session.hidden().hides(session.mesh(), e);
   };
   for (const Element& e : session.selection)

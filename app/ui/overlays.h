@@ -12,6 +12,8 @@ namespace ryosen {
 // Points have so much room, see Point.
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
                           Theme theme, double room);
+// The last of so many is marked by a ring.
+inline constexpr std::size_t most_ringed = 20;
 Overlay selection_overlay(const Session& session, Theme theme);
 // The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles of
 // faces as points, which have so much room.

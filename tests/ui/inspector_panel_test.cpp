@@ -64,10 +64,10 @@ TEST_F(InspectorPanel, what_is_said_of_several_elements_stands_whole_below_the_n
     ASSERT_TRUE(gui.run(session, columns).done());
     ASSERT_TRUE(gui.run(session, "select f0 f1").done());
     ASSERT_TRUE(gui.run(session, "language en").done());
-    EXPECT_EQ(drawn("f0 +1; the ring marks the last one, into which others are welded. area"), 1u) << columns;
+    EXPECT_EQ(drawn("f1 +1; this is the last one, with the ring, into which others are welded. area"), 1u) << columns;
     ASSERT_TRUE(gui.run(session, "language ja").done());
-    const std::string letters(20, '?');
-    EXPECT_EQ(drawn(("f0 ?1" + letters + "??" + "1").c_str()), 1u) << columns;
+    const std::string letters(23, '?');
+    EXPECT_EQ(drawn(("f1 ?1" + letters + "??" + "1").c_str()), 1u) << columns;
     EXPECT_EQ(DrawnText(gui).cut_in_height(), "") << columns;
   }
 }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "app/editor/levels.h"
+#include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "core/algo/edge_rules.h"
@@ -53,8 +54,10 @@ class Inspector {
   // Above what may take more lines than the panel has.
   void tell_of_others(std::size_t others) {
     const std::string n = grouped(static_cast<std::int64_t>(others));
-    const Text told{"+" + n + "; the ring marks the last one, into which others are welded.",
-                    "他 " + n + " 個。輪は最後に選んだ要素（縫合先）です。"};
+    Text told{"+" + n, "他 " + n + " 個"};
+    if (others < most_ringed)
+      told = told + Text{"; this is the last one, with the ring, into which others are welded.",
+                         "。これは最後に選んだ要素（輪、縫合先）です。"};
     dim_text(context_, told.in(context_.language()).c_str());
   }
 
@@ -160,11 +163,11 @@ class Inspector {
   const Mesh& m_;
 };
 
-// The selected element, or else the one under the pointer.
+// The element that was selected last, or else the one under the pointer.
 void draw_inspector(PanelContext& context) {
   const Session& session = context.session;
   if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
-  const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection[0];
+  const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection.back();
   Inspector(context).draw(element, session.selection.size());
 }
 

@@ -27,7 +27,7 @@ class RecordsPanel : public Panel {
 };
 
 std::optional<Element> RecordsPanel::element(const Session& session) {
-  if (!session.selection.empty()) return session.selection[0];
+  if (!session.selection.empty()) return session.selection.back();
   return session.hover() ? std::optional(session.hover()->picked.element) : std::nullopt;
 }
 

@@ -33,6 +33,7 @@ struct Point {
   float radius_px = 4;
   float hidden = faintly;
   double room = 0;  // it shrinks to what it has of this length in mesh space, so that many stay apart; 0: it does not
+  bool fades = false;  // where its room is a few pixels there is none, as of the dots of the surface
   friend bool operator==(const Point&, const Point&) = default;
 };
 

@@ -19,6 +19,7 @@ flat out vec3 measures;  // half the width or the radius in rendered pixels, kin
 
 const int kind_ghost = 0, kind_line = 1, kind_arrow = 2, kind_point = 3;
 const int style_bits = 3, thin_flag = 4, rim_flag = 8;  // of lines
+const int fade_flag = 8;  // of points
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);
 
 vec3 view_place(vec3 place) { return (view_from_buffer * vec4(place, 1.0)).xyz; }
@@ -90,10 +91,12 @@ vec4 line(vec3 from, vec3 to, float width, int kind, int corner) {
   return clip_place(end.xy + across * side * reach + along * (at_end ? reach : -reach), end.z);
 }
 
-// A point shrinks to about a third of its room in mesh space, but not out of sight.
-float radius_within(float radius, float room, vec3 place) {
+// A point shrinks to about a third of its room in mesh space, but not out of sight, unless it fades as the dots of the
+// surface do.
+float radius_within(float radius, float room, vec3 place, bool fades) {
   float distance = perspective > 0.5 ? -place.z : 1.0;
   float room_px = room / (units_per_pixel * pixel_scale * max(distance, 1e-9));
+  if (fades) return radius * smoothstep(7.0, 16.0, room_px);
   return room > 0.0 ? clamp(0.3 * room_px, min(1.5, radius), radius) : radius;
 }
 
@@ -124,9 +127,12 @@ void main() {
   if (kind == kind_ghost) {
     gl_Position = ghost(texel, corner);
   } else if (kind == kind_point) {
-    size = radius_within(size, length(texel[1].xyz - texel[0].xyz), view_place(texel[0].xyz));
+    int shape = int(measures.z);
+    bool fades = (shape & fade_flag) != 0;
+    measures.z = float(shape & (fade_flag - 1));
+    size = radius_within(size, length(texel[1].xyz - texel[0].xyz), view_place(texel[0].xyz), fades);
     measures.x = size * pixel_scale;
-    gl_Position = point(texel[0].xyz, size, corner);
+    gl_Position = size > 0.0 ? point(texel[0].xyz, size, corner) : nowhere;
   } else {
     gl_Position = line(texel[0].xyz, texel[1].xyz, size, kind, corner);
   }

@@ -6,6 +6,7 @@
 
 #include "app/editor/levels.h"
 #include "app/editor/playing.h"
+#include "app/ui/end_dots.h"
 #include "core/analysis/measuring.h"
 #include "core/base/enum_table.h"
 #include "core/mesh/circulate.h"
@@ -165,9 +166,10 @@ class Ghost {
 }  // namespace
 
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          Theme theme, double room) {
+                          const ViewSettings& settings, double room) {
   Overlay overlay;
-  Painter painter(session, overlay, style(row.looks, theme), faintly, room);
+  Painter painter(session, overlay, style(row.looks, settings.theme), faintly, room);
+  EndDots dots(session);
   session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     Element e;
     e.kind = mark.sort;
@@ -177,7 +179,9 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
       painter.draw(Face(i));
     else
       painter.draw(e);
+    if (mark.sort == Element::Kind::edge && settings.dots == Dots::always) dots.add(Edge(i));
   });
+  dots.draw(settings.theme, overlay);
   return overlay;
 }
 

@@ -9,9 +9,9 @@
 namespace ryosen {
 
 // The members of a mark of a highlight with slot numbers from first to before end.
-// Points have so much room, see Point.
+// Points have so much room, see Point. With dots the ends of edges are drawn over them, where vertices are drawn.
 Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          Theme theme, double room);
+                          const ViewSettings& settings, double room);
 // The last of so many is marked by a ring.
 inline constexpr std::size_t most_ringed = 20;
 Overlay selection_overlay(const Session& session, Theme theme);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "app/editor/levels.h"
 #include "app/editor/playing.h"
@@ -159,10 +160,10 @@ void Viewport::follow(Session& session) {
   size_ = session.view;
   origin_ = glm::ivec2(session.view_origin);
   samples_ = samples;
-  if (session.settings.theme != settings_.theme) highlights_stale_ = true;
-  settings_ = session.settings;
+  const ViewSettings before = std::exchange(settings_, session.settings);
   if (settings_.dots == Dots::picked)
     settings_.dots = session.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
+  highlights_stale_ |= settings_.theme != before.theme || settings_.dots != before.dots;
   view_->set_settings(settings_);
   const auto scale = static_cast<float>(session.size_scale());
   view_->set_display_scale(scale);
@@ -283,7 +284,7 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
   if (drawn.is_shown)
-    overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_.theme, drawn.room);
+    overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_, drawn.room);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else

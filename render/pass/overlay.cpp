@@ -29,6 +29,8 @@ Kind kind_of(const OverlayElement& element) { return static_cast<Kind>(static_ca
 // Above the styles of a line, as overlay.vert reads them.
 constexpr int thin_flag = 4, rim_flag = 8;
 static_assert(enum_count<LineStyle> <= thin_flag);
+constexpr int fade_flag = 8;  // above the shapes of a point
+static_assert(enum_count<PointShape> <= fade_flag);
 
 bool has_flag(const OverlayElement& element, int flag) {
   return kind_of(element) != point_kind && ((static_cast<int>(element.texels[2].w) / 4) & flag) != 0;
@@ -92,7 +94,7 @@ OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const B
   }
   for (const Point& p : overlay.points) {
     const glm::vec3 at = space.from_mesh(p.at);
-    const float kind = packed(point_kind, static_cast<int>(p.shape));
+    const float kind = packed(point_kind, static_cast<int>(p.shape) + (p.fades ? fade_flag : 0));
     const glm::vec3 aside = at + glm::vec3(static_cast<float>(p.room * space.scale), 0, 0);
     add(2, {{{at, p.radius_px}, {aside, p.hidden}, {at, kind}, unit(p.colour)}});
   }

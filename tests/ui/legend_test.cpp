@@ -25,7 +25,7 @@ std::map<std::string_view, Drawn> drawn_of_all() {
     for (const HighlightRow& row : highlight_table()) session.shown.insert(std::string(row.id));
     for (const HighlightRow& row : highlight_table())
       for_each_mark(row, [&](Mark mark) {
-        const Overlay overlay = highlight_overlay(session, row, mark, 0, 1000, Theme::dark, 0);
+        const Overlay overlay = highlight_overlay(session, row, mark, 0, 1000, session.settings, 0);
         if (overlay.empty()) return;
         all[row.id].line |= !overlay.lines.empty();
         all[row.id].point |= !overlay.points.empty();

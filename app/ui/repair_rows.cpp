@@ -17,20 +17,38 @@ RepairRows::Fields& RepairRows::fields_of(const AlgorithmRow& row) {
   return at->second;
 }
 
+namespace {
+
+// As much of it as a tooltip has room for without covering the view.
+std::string brief(PanelContext& context, const RepairReport& report) {
+  constexpr std::size_t most_lines = 8;
+  const Mesh& mesh = context.session.mesh();
+  const float line = ImGui::GetTextLineHeightWithSpacing(), width = 22 * ImGui::GetFontSize();
+  for (std::size_t told_parts = report.findings.size() + report.left.size();; --told_parts) {
+    const std::string text = told(report, mesh, told_parts).in(context.language());
+    if (told_parts < 3 || wrapped_size(text, width).y < (most_lines + 0.5f) * line) return text;
+  }
+}
+
+}  // namespace
+
 // One line, so that what is below stays where it is; all of it beside the button that is pointed at.
 void RepairRows::draw_report(PanelContext& context, const std::string& line, const char* name, const char* help,
                              bool is_mended) {
   const ImVec2 begin = ImGui::GetItemRectMin(), below = ImGui::GetCursorScreenPos();
   const ImVec2 end{begin.x + ImGui::GetContentRegionAvail().x, below.y + ImGui::GetTextLineHeight()};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
+  const RepairReport* report = nullptr;
+  const Text trial{"Trial: ", "結果の見込み："};
   const bool is_asked = !is_mended && (is_pointed || !context.session.is_dear_to_try());
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
   if (is_mended) said = {"Nothing is left to mend.", "直すものは残っていません。"};
   if (is_asked) {
     wants_trial_ = true;
-    if (const RepairReport* const report = tried(context.session, line)) {
+    report = tried(context.session, line);
+    if (report) {
       said = told(*report, context.session.mesh());
-      said = (report->fault ? Text() : Text{"Trial: ", "結果の見込み："}) + said;
+      if (!report->fault) said = trial + said;
     } else {
       const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
       const std::string n = std::to_string(percent);
@@ -42,7 +60,10 @@ void RepairRows::draw_report(PanelContext& context, const std::string& line, con
   ImGui::TextUnformatted(fitted(sentence, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   ImGui::EndGroup();
-  tip(std::string(name) + "\n" + help + "\n\n" + sentence, ImGuiHoveredFlags_AllowWhenDisabled);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  const std::string whole =
+      report && !report->fault ? trial.in(context.language()) + brief(context, *report) : sentence;
+  tip_shown(std::string(name) + "\n" + help + "\n\n" + whole);
 }
 
 bool RepairRows::draw_fields(PanelContext& context, const AlgorithmRow& row, Fields& fields) {

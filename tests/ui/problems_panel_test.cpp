@@ -1,6 +1,7 @@
 // The problems panel: a kind unfolds to its repairs and its elements; a press repairs, asks for a value, or goes there.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // which windows are tooltips
 
 #include <algorithm>
 
@@ -161,6 +162,30 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   EXPECT_EQ(session.selected_names().front(), name);
   EXPECT_NE(session.camera.eye, eye) << "it flies there";
   EXPECT_EQ(session.document().history().size(), 1u);
+}
+
+// Of all that is left on a mesh with every kind of fault no more is told than a glance takes.
+TEST_F(ProblemsPanel, a_repair_tells_about_eight_lines_of_a_long_report_and_counts_the_rest) {
+  open("fin.obj");
+  for (const char* const file : {"three_tri_edge.off", "bow_tie.obj", "misoriented.obj", "duplicate_face.obj",
+                                 "isolated_vertex.obj", "collinear.obj", "hanging_pair.obj", "klein_bottle.off"})
+    ASSERT_TRUE(session.run("append " + test::asset(file)).done()) << file;
+  for (const char* const language : {"language en", "language ja"}) {
+    ASSERT_TRUE(session.run("language en").done());
+    frames(3);
+    const glm::dvec2 button = place("Repairall");
+    ASSERT_TRUE(session.run(language).done());
+    gui.pointer(button);
+    frames(3);
+    float height = 0;
+    for (const ImGuiWindow* const one : GImGui->Windows)
+      if (one->Active && (one->Flags & ImGuiWindowFlags_Tooltip) != 0) height = std::max(height, one->Size.y);
+    EXPECT_GT(height, 0) << language;
+    EXPECT_LT(height, 18 * ImGui::GetTextLineHeightWithSpacing()) << language;
+  }
+  ASSERT_TRUE(session.run("language en").done());
+  frames(3);
+  EXPECT_TRUE(is_drawn("more."));
 }
 
 TEST_F(ProblemsPanel, on_a_large_mesh_only_what_is_pointed_at_is_tried_and_in_the_background) {

@@ -45,14 +45,15 @@ Text reason_of(const RepairCall& call, const ProblemRow& kind) {
   if (others.en.empty())
     return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
                             : Text{": no repair takes it away", "：直せる修復がないため"});
-  return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
-                          : Text{": not among these repairs", "：ここには含まれないため"}) +
+  return name +
+         (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
+                   : Text{": not among these repairs", "：ここには含まれないため"}) +
          Text{", \"", "（「"} + others + Text{"\" is for it", "」で直せます）"};
 }
 
 // What is still found, of all kinds or of those that a single repair is for, and has not been told.
-void add_untold(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results, const Mesh& after,
-                const RecipeInput& input, bool drops_quarantined) {
+void add_untold(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results,
+                const Mesh& after, const RecipeInput& input, bool drops_quarantined) {
   const ProblemSets sets(after, 0, input.on_lines);
   const FileFaces file{drops_quarantined ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
   for (Problem& problem : find_problems(after, sets, file)) {
@@ -123,8 +124,9 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
   Journal journal;  // what changes nothing in the end is taken back
   std::optional<Edit> edit(std::in_place, mesh, &journal);
   FindingCounts counts = count_findings(mesh, input.on_lines);
-  const AlgorithmResult result = run_guarded(
-      *edit, *step.row, {*values.values, input.used_elsewhere, input.quarantine.size(), input.on_lines}, at_work, counts);
+  const AlgorithmResult result =
+      run_guarded(*edit, *step.row, {*values.values, input.used_elsewhere, input.quarantine.size(), input.on_lines},
+                  at_work, counts);
   if (at_work.is_cancelled()) return std::nullopt;
   if (result.changed > 0) edit->commit();
   edit.reset();
@@ -172,6 +174,14 @@ Text told_with_subject(const LeftForReason& left, const Mesh& mesh) {
   return counted(left.elements) + named + Text{": ", "："} + left.reason;
 }
 
+// The first so many, and the number of the others.
+Text first_of(const std::vector<Text>& parts, std::size_t most, const Text& between) {
+  Text text;
+  for (std::size_t i = 0; i < std::min(most, parts.size()); ++i) text = text + (i == 0 ? Text() : between) + parts[i];
+  if (most >= parts.size()) return text;
+  return text + between + count_text(parts.size() - most, "and one more", "and # more", "ほか # 件");
+}
+
 }  // namespace
 
 Text told(const LeftForReason& left, const Mesh& mesh) {
@@ -181,21 +191,23 @@ Text told(const LeftForReason& left, const Mesh& mesh) {
   return left.reason + Text{" (" + n, "（" + n} + between + names + Text{")", "）"};
 }
 
-Text told(const RepairReport& report, const Mesh& mesh) {
+Text told(const RepairReport& report, const Mesh& mesh, std::size_t most) {
   if (report.fault) return *report.fault + Text{".", "。"};
   Text text = report.text;
-  Text changes;
+  std::vector<Text> changes, left;
   for (const KindCount& kind : report.findings) {
     const ProblemRow& row = row_of(kind.kind);
-    changes = changes + (changes.en.empty() ? Text() : Text{", ", "、"}) +
-              Text{count_change(kind, row.name_en), count_change(kind, row.name_ja)};
+    changes.push_back({count_change(kind, row.name_en), count_change(kind, row.name_ja)});
   }
-  if (!changes.en.empty()) add_text(text, changes + Text{".", "。"});
-  Text left;
   for (const LeftForReason& one : report.left)
     if (text.en.find(one.reason.en) == text.en.npos)  // an algorithm may have said it itself
-      left = left + (left.en.empty() ? Text() : Text{"; ", "、"}) + told_with_subject(one, mesh);
-  if (!left.en.empty()) add_text(text, Text{"Left: ", "残り："} + left + Text{".", "。"});
+      left.push_back(told_with_subject(one, mesh));
+  const std::size_t told_changes = std::min(changes.size(), std::max<std::size_t>(most, 2) - 1);
+  if (!changes.empty()) add_text(text, first_of(changes, told_changes, {", ", "、"}) + Text{".", "。"});
+  if (!left.empty())
+    add_text(text, Text{"Left: ", "残り："} +
+                       first_of(left, std::max<std::size_t>(most, told_changes + 1) - told_changes, {"; ", "、"}) +
+                       Text{".", "。"});
   return text;
 }
 

@@ -34,7 +34,9 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
                                        const Progress::Report& progress);
 
 // All of it in sentences, with up to three elements named for each reason; those that are not on the mesh are left out.
-Text told(const RepairReport& report, const Mesh& mesh);
+// Of the numbers that change and the reasons why something is left so many are told, at least one of each, the rest is
+// counted.
+Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::string::npos);
 // "REASON (2: v12, v15)"
 Text told(const LeftForReason& left, const Mesh& mesh);
 

@@ -1,0 +1,30 @@
+#include "core/algo/repair/report.h"
+
+#include <gtest/gtest.h>
+
+namespace ryosen {
+namespace {
+
+RepairReport long_report() {
+  RepairReport report;
+  report.text = {"Done.", "完了。"};
+  for (const ProblemKind kind :
+       {ProblemKind::nonmanifold_edge, ProblemKind::misoriented_edge, ProblemKind::isolated_vertex})
+    report.findings.push_back({kind, 5, 2});
+  for (const char* const reason : {"reason A", "reason B", "reason C", "reason D"})
+    report.left.push_back({{reason, reason}, {Vertex(0)}, false});
+  return report;
+}
+
+TEST(repair_report, counts_what_it_does_not_tell) {
+  const RepairReport report = long_report();
+  const Mesh mesh;
+  EXPECT_EQ(told(report, mesh).en.find("more"), std::string::npos);
+  const std::string some = told(report, mesh, 6).en, few = told(report, mesh, 0).en;
+  EXPECT_NE(some.find("one vertex: reason A; one vertex: reason B; one vertex: reason C; and one more."), std::string::npos) << some;
+  EXPECT_NE(few.find(", and 2 more. Left: one vertex: reason A; and 3 more."), std::string::npos) << few;
+  EXPECT_NE(told(report, mesh, 0).ja.find("ほか 3 件"), std::string::npos) << told(report, mesh, 0).ja;
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -349,10 +349,35 @@ Overlay account_overlay(const Session& session, Theme theme) {
   return overlay;
 }
 
+// Whether more of the faces are in view than can be told apart by thick lines.
+static bool are_many_in_view(const Session& session, std::span<const Face> faces) {
+  constexpr std::size_t most = 200;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < faces.size() && seen <= most; ++i) {
+    const Vertex v = session.mesh().from(session.mesh().halfedge(faces[i]));
+    const auto at = project(session.camera, session.view, session.drawn_positions()[v.index]);
+    seen += at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session.view.width &&
+            at->pixel.y < session.view.height;
+  }
+  return seen > most;
+}
+
+// Many are drawn thin and where they are seen, so that what is moved stays to be seen among them.
+static void draw_spoilt(const Session& session, Theme theme, Overlay& overlay) {
+  const std::span<const Face> faces = session.spoilt_by_gesture();
+  const bool are_many = are_many_in_view(session, faces);
+  Style looks = style(Role::refused, theme);
+  if (are_many) {
+    looks.line = LineStyle::solid;
+    looks.width_px = 1;
+  }
+  Painter painter(session, overlay, looks, are_many ? 0.f : 1.f, 0, are_many);
+  for (const Face f : faces) painter.draw(f, false);
+}
+
 Overlay hover_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  Painter spoilt(session, overlay, style(Role::refused, theme), 1);
-  for (const Face f : session.spoilt_by_gesture()) spoilt.draw(f, false);
+  draw_spoilt(session, theme, overlay);
   const SnapTarget* const target = session.gesture() ? session.gesture()->snapped_to() : nullptr;
   if (target && target->element.kind != Element::Kind::vertex)
     Painter(session, overlay, style(Role::hover, theme), 1).draw(target->element);

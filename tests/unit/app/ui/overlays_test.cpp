@@ -78,5 +78,50 @@ TEST(overlays, the_last_of_several_selected_has_a_ring_at_its_middle) {
   EXPECT_TRUE(rings("select f1").empty());
 }
 
+// Lines of a highlight would hide the vertices that one picks.
+TEST(overlays, the_ends_of_highlighted_edges_are_dots_where_vertices_are_drawn) {
+  Session session(Document::open(test::asset("moebius.off")).value());
+  const HighlightRow& row = *std::find_if(highlight_table().begin(), highlight_table().end(),
+                                          [](const HighlightRow& one) { return one.id == "boundary"; });
+  std::size_t lines = 0, points = 0, plain = 0;
+  for_each_mark(row, [&](Mark mark) {
+    ViewSettings settings = session.settings;
+    settings.dots = Dots::always;
+    const Overlay overlay = highlight_overlay(session, row, mark, 0, 100000, settings, 0);
+    lines += overlay.lines.size();
+    points += overlay.points.size();
+    settings.dots = Dots::never;
+    plain += highlight_overlay(session, row, mark, 0, 100000, settings, 0).points.size();
+  });
+  EXPECT_GT(lines, 0u);
+  EXPECT_EQ(points, lines) << "on loops as many";
+  EXPECT_EQ(plain, 0u);
+}
+
+TEST(overlays, many_faces_that_a_gesture_turns_over_are_drawn_thin) {
+  const auto turned_over = [](const char* segments) {
+    Session session(std::make_unique<Document>());
+    EXPECT_TRUE(session.run(std::string("sphere segments=") + segments).done());
+    EXPECT_TRUE(session.run("select all").done());
+    session.frame_all();
+    for (const char* const line : {"gesture scale x", "key -", "key 1"}) EXPECT_TRUE(session.run(line).done()) << line;
+    const Overlay overlay = hover_overlay(session, Theme::dark);
+    EXPECT_GT(session.spoilt_by_gesture().size(), 0u);
+    return std::pair(session.spoilt_by_gesture().size(), overlay);
+  };
+  const auto [few, thick] = turned_over("8");
+  const auto [many, thin] = turned_over("40");
+  ASSERT_LT(few, 200u);
+  ASSERT_GT(many, 200u);
+  const float width = style(Role::refused, Theme::dark).width_px;
+  for (const Line& line : thick.lines) EXPECT_EQ(line.width_px, width);
+  ASSERT_FALSE(thin.lines.empty()) << "their number is told, and where they are";
+  for (const Line& line : thin.lines) {
+    EXPECT_LE(line.width_px, 1);
+    EXPECT_EQ(line.hidden, 0) << "what is moved stays to be seen";
+    EXPECT_EQ(line.style, LineStyle::solid);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

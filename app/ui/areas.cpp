@@ -12,7 +12,7 @@ namespace {
 // At scale 1.
 constexpr int least_window_px = 900;  // that has columns
 constexpr int least_view_px = 200;
-constexpr float tabs_px = 30, tab_ems = 4.5f;  // the width of a strip, and the height that the name of a tab needs
+constexpr float tabs_px = 30;  // the width of a strip
 
 int scaled(float px, float scale) { return static_cast<int>(std::lround(px * scale)); }
 
@@ -20,13 +20,6 @@ int scaled(float px, float scale) { return static_cast<int>(std::lround(px * sca
 int bar_px(const UiSize& size) {
   return static_cast<int>(std::round(static_cast<float>(size.font_px) * size.scale) +
                           2 * std::floor(frame_padding_px * size.scale));
-}
-
-// How many strips of tabs lie beside each other, so that the name of each can be read.
-int lanes_of_tabs(const Layout& layout, PanelPlace side, int height, const UiSize& size) {
-  const float each = tab_ems * static_cast<float>(size.font_px) * size.scale;
-  const float wanted = static_cast<float>(layout.count(side)) * each;
-  return std::max(1, static_cast<int>(std::ceil(wanted / static_cast<float>(std::max(height, 1)))));
 }
 
 }  // namespace
@@ -39,7 +32,7 @@ Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
   const auto width = [&](PanelPlace side) {
     if (layout.is_empty(side)) return 0;
     if (!areas.has_tabs) return scaled(static_cast<float>(layout.width_px(side)), scale);
-    return lanes_of_tabs(layout, side, window.height - 2 * bar, size) * scaled(tabs_px, scale);
+    return scaled(tabs_px, scale);
   };
   int left = width(PanelPlace::left), right = width(PanelPlace::right);
   const int room = std::max(window.width - scaled(least_view_px, scale), 0);
@@ -53,10 +46,6 @@ Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
   areas.left = {0, bar, areas.view.x0, areas.view.y1};
   areas.right = {areas.view.x1, bar, window.width, areas.view.y1};
   return areas;
-}
-
-int tab_lanes(const Areas& areas, PanelPlace side, float scale) {
-  return std::max(1, areas.column(side).width() / std::max(1, scaled(tabs_px, scale)));
 }
 
 int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale) {

@@ -8,7 +8,7 @@ namespace ryosen {
 
 struct Areas {
   PixelRect view, left, right;  // a column without panels is empty
-  bool has_tabs = false;        // the window is too narrow for columns: they are strips of tabs
+  bool has_tabs = false;        // the window is too narrow for columns: each is a strip of tabs
 
   const PixelRect& column(PanelPlace side) const { return side == PanelPlace::left ? left : right; }
 };
@@ -23,9 +23,6 @@ struct UiSize {
 
 // The view keeps some room, and at least a pixel.
 Areas areas_of(const Layout& layout, Size window, const UiSize& size);
-
-// How many strips of tabs are beside each other in a column that has them.
-int tab_lanes(const Areas& areas, PanelPlace side, float scale);
 
 // The widest that a column of a window may be made by hand, at scale 1.
 int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale);

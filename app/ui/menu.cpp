@@ -243,17 +243,41 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
   ImGui::NavMoveRequestCancel();
 }
 
+std::string name_in_bar(const PanelContext& context) {
+  const std::string mark = context.session.document().is_modified() ? "* " : "";
+  return mark + context.session.document_name();
+}
+
 // The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
 void draw_name(PanelContext& context, float end) {
-  const Document& document = context.session.document();
-  const std::string name = (document.is_modified() ? "* " : "") + context.session.document_name();
-  const float gap = ImGui::GetFontSize(), begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
-  if (room < 2 * gap) return;
+  const std::string name = name_in_bar(context);
+  const float gap = ImGui::GetFontSize() / 2, begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
+  if (room < 2 * ImGui::GetFontSize()) return;
   const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, room);
   ImGui::SetCursorPosX(std::clamp((ImGui::GetIO().DisplaySize.x - width) / 2, begin, begin + room - width));
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
   fitted_text(name, room);
   ImGui::PopStyleColor();
+}
+
+// What there is room for beside the menus: they stand closer, and then the switch of the language, which the preferences
+// have too, gives way before the name does.
+struct BarRoom {
+  float spacing;
+  bool has_language;
+};
+
+BarRoom room_in_bar(const PanelContext& context, float language_px) {
+  const float em = ImGui::GetFontSize(), all = ImGui::GetIO().DisplaySize.x;
+  const float name = std::min(ImGui::CalcTextSize(name_in_bar(context).c_str()).x, 4 * em) + em;
+  float titles = 0;
+  for (const MenuRow& row : menu_bar) titles += ImGui::CalcTextSize(context.text(row.title_en, row.title_ja)).x;
+  const float wide = ImGui::GetStyle().ItemSpacing.x, close = 0.5f * wide;
+  const auto fits = [&](float spacing, float language) {
+    return titles + 2 * spacing * static_cast<float>(std::size(menu_bar)) + 2 * wide + name + language <= all;
+  };
+  if (fits(wide, language_px)) return {wide, true};
+  return {close, fits(close, language_px)};
 }
 
 }  // namespace
@@ -264,20 +288,26 @@ void draw_menu(PanelContext& context) {
   const auto title_of = [&](const MenuRow& row) { return context.text(row.title_en, row.title_ja); };
   const MenuRow* const asked = std::exchange(context.session.asked_menu, nullptr);
   if (asked && context.session.open_panel.empty()) open_for_keys(title_of(*asked));
+  const char* const other = context.text(UiText::language_other);
+  const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
+  const BarRoom room = room_in_bar(context, width);
   const MenuRow* open = nullptr;
   for (std::size_t i = 0; i < std::size(menu_bar); ++i) {
-    if (!ImGui::BeginMenu(title_of(menu_bar[i]))) continue;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {room.spacing, ImGui::GetStyle().ItemSpacing.y});
+    const bool is_open = ImGui::BeginMenu(title_of(menu_bar[i]));
+    ImGui::PopStyleVar();
+    if (!is_open) continue;
     open = &menu_bar[i];
     menus[i](context);
     ImGui::EndMenu();
   }
   if (open) go_sideways(context, *open);
-  const char* const other = context.text(UiText::language_other);
-  const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
-  const float end = ImGui::GetIO().DisplaySize.x - width;
+  const float end = ImGui::GetIO().DisplaySize.x - (room.has_language ? width : 0);
   draw_name(context, end);
-  ImGui::SameLine(end);
-  if (ImGui::MenuItem(other)) context.run(context.language() == Language::english ? "language ja" : "language en");
+  if (room.has_language) {
+    ImGui::SameLine(end);
+    if (ImGui::MenuItem(other)) context.run(context.language() == Language::english ? "language ja" : "language en");
+  }
   ImGui::EndMainMenuBar();
 }
 

@@ -114,7 +114,7 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
                               std::vector<OwnPanel>& panels) {
   const PixelRect& area = areas.column(side);
   if (area.empty()) return;
-  if (areas.has_tabs) return draw_tabs(context, side, area, tab_lanes(areas, side, context.scale));
+  if (areas.has_tabs) return draw_tabs(context, side, area);
   const bool is_left = side == PanelPlace::left;
   const float border = std::round(border_px * context.scale), x = static_cast<float>(area.x0);
   ImGui::SetNextWindowPos({is_left ? x : x + border, static_cast<float>(area.y0)});

@@ -31,7 +31,7 @@ class SideColumns {
   float wanted_begin_ = -1, wanted_end_ = -1;   // of the panel that is scrolled to, as it lay in the last frame
 };
 
-// Strips of tabs, one tab for each panel of the column.
-void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area, int lanes);
+// A strip of tabs, one for each panel of the column; those that have no room are in a menu behind the last tab.
+void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area);
 
 }  // namespace ryosen

@@ -15,7 +15,9 @@ using test::DrawnText;
 
 class LayoutTest : public testing::Test, protected test::Laid {
  protected:
-  explicit LayoutTest(Size size = test::window) : Laid("cube.obj", size) { input_.resize(size); }
+  explicit LayoutTest(Size size = test::window, float scale = 1) : Laid("cube.obj", size, scale) {
+    input_.resize(size);
+  }
 
   void run(const std::string& line) {
     ASSERT_TRUE(session.run(line).done()) << line;
@@ -244,6 +246,35 @@ TEST_F(NarrowWindow, leaves_most_of_its_width_to_the_view) {
   for (const char* tab : {"Tools", "Highlights", "Totals", "Pointer", "Inspector", "Problems", "History", "Forms"})
     EXPECT_TRUE(is_seen(tab)) << tab;
   EXPECT_EQ(DrawnText(gui).cut_sideways() + DrawnText(gui).cut_in_height(), "");
+}
+
+class SmallWindow : public LayoutTest {
+ protected:
+  SmallWindow() : LayoutTest({640, 480}, 2) {}
+};
+
+// At scale 2 it is as 320 x 240: one strip of tabs a side, whose last is a menu of those that have no room.
+TEST_F(SmallWindow, leaves_the_view_its_room_and_nothing_touches) {
+  for (const char* const panel : {"panel colours on", "panel levels on", "panel none"}) run(panel);
+  EXPECT_GE(view().width(), 0.75 * 640);
+  EXPECT_EQ(DrawnText(gui).cut_sideways() + DrawnText(gui).cut_in_height() + DrawnText(gui).overlapping(), "");
+  EXPECT_TRUE(is_seen("cube")) << "the name of the file, or its beginning";
+  run("poke f0");
+  EXPECT_TRUE(is_seen("*")) << "it is not saved";
+  const double help = DrawnText(gui).last_place("Help").x, name = place("*").x;
+  EXPECT_GT(name, help + 60) << "beside the last menu";
+}
+
+TEST_F(SmallWindow, what_has_no_tab_is_in_a_menu) {
+  ASSERT_FALSE(is_seen("History")) << "else there is no need of it";
+  const glm::dvec2 rest = place("+");
+  ASSERT_GT(rest.x, view().x1) << "in the right strip";
+  click(rest);
+  frames(3);
+  ASSERT_TRUE(is_seen("History"));
+  click(place("History"));
+  frames(3);
+  EXPECT_EQ(session.layout.flyout, "history");
 }
 
 TEST_F(NarrowWindow, a_tab_opens_its_panel_and_another_click_closes_it) {

@@ -58,6 +58,7 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 Outcome run_gesture(Session& session, Words arguments, std::string_view) {
   if (arguments.size() == 1 && arguments[0] == "extrude") return session.begin_pull();
   if (arguments.size() == 1 && arguments[0] == "split") return session.begin_split();
+  if (arguments.size() == 1 && arguments[0] == "duplicate") return session.begin_copy();
   const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal", "yz", "zx", "xy"};
   const char* const keys[] = {"X", "Y", "Z", "N", "Shift+X", "Shift+Y", "Shift+Z"};  // that choose them
   const std::string_view word = arguments.empty() ? "" : arguments[0];

@@ -226,11 +226,14 @@ class Session {
   Outcome begin_pull();
   // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
   Outcome begin_split();
+  // Duplicates the selection and moves the copy: an entry of its own, which stays where that is given up.
+  Outcome begin_copy();
   const TransformGesture* gesture() const;  // null: none goes on
   void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
   std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture
   bool widen_gesture(double steps);
   Outcome end_gesture();
+  Outcome give_up_gesture();  // says what it leaves
   void cancel_gesture();
 
   // Ends what is on trial, of a gesture or of what is played: from then on the mesh is the document's, with what of it was

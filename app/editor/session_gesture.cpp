@@ -4,7 +4,7 @@
 #include <new>
 
 #include "app/editor/commands.h"
-#include "app/editor/session.h"
+#include "app/editor/gesturing.h"
 #include "app/editor/snapping.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -15,24 +15,6 @@
 #include "core/ops/split_edge.h"
 
 namespace ryosen {
-
-struct Session::Gesturing {
-  TransformGesture transform;
-  std::vector<glm::dvec3> places;  // of all vertices, as they are drawn
-  TouchedElements touched;         // by what is moved
-  std::vector<std::uint32_t> triangles;
-  std::vector<Face> spoilt;
-  std::optional<PassedOver> own;       // made where something is to be snapped to
-  std::optional<RoundStep> step = {};  // of the ground, in the same way
-  glm::dvec2 pixel{0};                 // of the window, where the pointer was last
-  Modifiers modifiers = {};
-  struct Pull {
-    std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
-    std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
-    std::vector<Face> made = {};     // without extent until something is moved; ascending
-  };
-  std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
-};
 
 namespace {
 
@@ -107,8 +89,7 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
 void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
   const glm::dvec3 middle = middle_of(mesh(), points_of(mesh(), elements));
   glm::dvec2 start = pointer - view_origin;
-  const bool is_in_view = start.x >= 0 && start.y >= 0 && start.x < view.width && start.y < view.height;
-  if (!is_in_view) {
+  if (start.x < 0 || start.y < 0 || start.x >= view.width || start.y >= view.height) {
     const auto seen = project(camera, view, middle);
     start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.width, view.height)) + glm::dvec2(60, 0);
   }
@@ -122,8 +103,7 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
                                  {},
                                  start + view_origin});
   TransformGesture& transform = gesturing_->transform;
-  if (const Vertex held = is_in_view ? held_point(*this, transform.moved(), start) : Vertex())
-    transform.hold(mesh(), held);
+  if (const Vertex held = held_point(*this, transform.moved(), start)) transform.hold(mesh(), held);
   hover_.reset();
   pointed_handle_ = nullptr;
   pointed_axis_end_ = nullptr;
@@ -209,8 +189,7 @@ void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {
 std::optional<Outcome> Session::gesture_key(const std::string& chord) {
   if (!gesturing_) return std::nullopt;
   if (chord == "Escape") {
-    cancel_gesture();
-    return Outcome();
+    return give_up_gesture();
   } else if (chord == "Enter") {
     return end_gesture();
   } else if (gesturing_->transform.key(mesh(), chord)) {
@@ -230,6 +209,7 @@ Outcome Session::end_gesture() {
   if (!gesturing_) return {};
   const Gesturing& g = *gesturing_;
   const bool does_nothing = g.transform.does_nothing();
+  if (does_nothing && !g.pull) return give_up_gesture();
   std::vector<std::string> lines;
   if (!does_nothing) lines.push_back(g.transform.line(mesh()));
   if (g.pull && (!does_nothing || g.pull->from)) {
@@ -247,58 +227,19 @@ Outcome Session::end_gesture() {
   return outcome;
 }
 
-// Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
-Outcome Session::begin_pull() {
-  end_trial();
-  cancel_gesture();
-  Elements faces;
-  for (const Element& e : selection)
-    if (e.kind == Element::Kind::face) faces.push_back(e);
-  if (faces.empty()) return failed(ExitCode::refused, {"select faces first", "先に面を選択してください"});
-  std::vector<std::string> names = names_of(faces);
-  std::string line = "extrude ";
-  for (const std::string& name : names) line += name + " ";
-  names.push_back("0");
-  const std::vector<std::string_view> arguments(names.begin(), names.end());
-  const Parsed<AnyOp> extrusion = parse_op(mesh(), "extrude", arguments);
-  if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
-  const Outcome outcome = document_->try_out(*extrusion.op);
-  if (!outcome.done()) return outcome;
-  std::vector<Face> pulled, made;
-  for (const Element& e : faces) pulled.push_back(e.face());
-  std::sort(pulled.begin(), pulled.end());
-  begin_gesture_with(PointTransform::Kind::move, std::move(faces));
-  const std::vector<Face>& touched = gesturing_->touched.faces;
-  std::set_difference(touched.begin(), touched.end(), pulled.begin(), pulled.end(), std::back_inserter(made));
-  gesturing_->pull = {std::move(line), "0", {}, std::move(made)};
-  gesture_key("N");
-  return outcome;
+namespace {
+
+Text copy_stays() {
+  return {"The copy stays where the original is, and is selected; undo takes it away.",
+          "複製は元と同じ位置に残り、選択されています。「元に戻す」で取り消せます。"};
 }
 
-// Where the pointer is on the edge, else in its middle; from there the new vertex follows the pointer.
-Outcome Session::begin_split() {
-  const std::optional<Hover> pointed = hover_;
-  end_trial();
+}  // namespace
+
+Outcome Session::give_up_gesture() {
+  Outcome outcome;
+  if (gesturing_ && gesturing_->is_of_copy) outcome.sentence = copy_stays();
   cancel_gesture();
-  OpTarget target;
-  if (pointed && pointed->op && pointed->picked.element.kind == Element::Kind::edge)
-    target = target_of(pointed->picked, {.shift = true});
-  else if (selection.size() == 1 && selection[0].kind == Element::Kind::edge)
-    target.halfedge = halfedge(selection[0].edge());
-  else if (selection.size() == 1 && selection[0].kind == Element::Kind::halfedge)
-    target.halfedge = selection[0].halfedge();
-  if (!is_there(mesh(), target.halfedge))
-    return failed(ExitCode::refused, {"select an edge first", "先に稜線を一つ選択してください"});
-  const SplitEdge split = SplitEdge::at(mesh(), target);
-  const Vertex end = mesh().to(split.halfedge);
-  const glm::dvec3 place = split.position(mesh());
-  const std::string line = "split " + name_to_choose(mesh(), split.halfedge) + " ";
-  const Outcome outcome = document_->try_out(split);
-  if (!outcome.done()) return outcome;
-  const Halfedge h = split.halfedge;
-  const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
-  begin_gesture_with(PointTransform::Kind::move, {made});
-  gesturing_->pull = {line, format_double(split.along), place};
   return outcome;
 }
 

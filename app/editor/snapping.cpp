@@ -23,6 +23,7 @@ struct NearPoint {
 }  // namespace
 
 Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
+  if (moved.size() == 1) return moved[0].point;
   const Mesh& mesh = session.mesh();
   const double radius_px = snap_radius_px * session.size_scale();
   std::vector<NearPoint> near;

@@ -6,7 +6,7 @@
 namespace ryosen {
 
 // Pixels are those of the view. Of the points that are moved the nearest to the pointer on the screen, if it is near and
-// seen; none where there is none.
+// seen, and one that is moved alone wherever it is; else none.
 Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::dvec2 pixel);
 
 // Of what is not moved itself: a vertex near the pointer, else an edge, else the face under it.

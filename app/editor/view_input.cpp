@@ -20,7 +20,7 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
       session_.follow_gesture(at.pixel, at.modifiers);
       gesture_ended_->outcome = end_gesture();
     } else {
-      session_.cancel_gesture();
+      gesture_ended_->outcome = give_up_gesture();
     }
     return;
   }

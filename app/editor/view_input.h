@@ -31,6 +31,7 @@ class ViewInput : public Input {
   virtual Outcome open_menu(const Navigation::Click& click);
   virtual Outcome run(const std::string& line) { return session_.run(line); }
   virtual Outcome end_gesture() { return session_.end_gesture(); }
+  virtual Outcome give_up_gesture() { return session_.give_up_gesture(); }
 
   Session& session_;
   Navigation navigation_;

@@ -89,7 +89,8 @@ void draw_edit_menu(PanelContext& context) {
   }
   ImGui::Separator();
   key_items(context, KeyMenu::edit);
-  item(context, context.text("Duplicate", "複製"), "duplicate elements=selected", !context.session.selection.empty());
+  item(context, context.text("Duplicate in place", "その場に複製"), "duplicate elements=selected",
+       !context.session.selection.empty());
   item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
   if (ImGui::BeginMenu(context.text("Algorithms", "アルゴリズム"))) {

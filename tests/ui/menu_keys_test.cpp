@@ -70,7 +70,7 @@ TEST_F(MenuKeys, entries_do_what_keys_do_by_hand) {
     gui.close_menus();
     frames(3);
   }
-  EXPECT_EQ(n, 13u);
+  EXPECT_EQ(n, 14u);
   ASSERT_TRUE(session.run("menu edit").done());
   frames(3);
   click(DrawnText(gui).last_place("Delete"));

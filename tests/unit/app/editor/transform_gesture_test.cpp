@@ -361,6 +361,27 @@ TEST_F(GestureTest, splitting_begins_under_the_tool) {
   EXPECT_EQ(session_->run("gesture split").exit_code, ExitCode::refused);
 }
 
+TEST_F(GestureTest, duplicating_moves_the_copy_which_stays_where_that_is_given_up) {
+  run({"mode face", "select f0 f1", "move 640,360"});
+  const std::uint64_t before = session_->mesh().hash();
+  run({"key Shift+D", "move 700,300"});
+  ASSERT_TRUE(session_->gesture());
+  const Outcome given_up = session_->run("key Escape");
+  EXPECT_NE(given_up.sentence.en.find("copy stays where the original is"), std::string::npos) << given_up.sentence.en;
+  EXPECT_EQ(session_->selection, (Elements{Face(96), Face(97)}));
+  EXPECT_EQ(session_->mesh().live().faces, 98u);
+  EXPECT_EQ(session_->document().history().size(), 1u);
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().hash(), before) << "one step takes it away";
+
+  run({"key Shift+D", "move 740,280", "press left 740,280", "release left 740,280"});
+  EXPECT_EQ(session_->document().history().size(), 2u);
+  const std::uint64_t moved = session_->mesh().hash();
+  const auto again = open();
+  for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), moved);
+}
+
 TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_what_is_saved) {
   run({"mode face", "select f0 f1", "poke f9", "poke f10", "undo"});
   const std::string saved = testing::TempDir() + "given_up.off";

@@ -1,0 +1,27 @@
+// What a session keeps of the gesture that goes on: for the files of the session that begin and end gestures.
+#pragma once
+
+#include "app/editor/session.h"
+
+namespace ryosen {
+
+struct Session::Gesturing {
+  TransformGesture transform;
+  std::vector<glm::dvec3> places;  // of all vertices, as they are drawn
+  TouchedElements touched;         // by what is moved
+  std::vector<std::uint32_t> triangles;
+  std::vector<Face> spoilt;
+  std::optional<PassedOver> own;       // made where something is to be snapped to
+  std::optional<RoundStep> step = {};  // of the ground, in the same way
+  glm::dvec2 pixel{0};                 // of the window, where the pointer was last
+  Modifiers modifiers = {};
+  struct Pull {
+    std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
+    std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
+    std::vector<Face> made = {};     // without extent until something is moved; ascending
+  };
+  std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
+  bool is_of_copy = false;
+};
+
+}  // namespace ryosen

@@ -94,6 +94,11 @@ std::optional<WindowEvent> GlfwWindow::take_event() {
   return event;
 }
 
+bool GlfwWindow::has_event() {
+  glfw().poll_events();
+  return !events_.empty() || is_exposed_;
+}
+
 glm::dvec2 GlfwWindow::to_pixels(double x, double y) const {
   int width = 1, height = 1;
   glfw().get_window_size(handle_, &width, &height);

@@ -33,6 +33,8 @@ class GlfwWindow {
   bool take_exposure();
   // The first event that has not been taken yet; in the order in which they came in.
   std::optional<WindowEvent> take_event();
+  // Whether there is one, of those too that come in just now.
+  bool has_event();
 
  private:
   GlfwWindow() = default;

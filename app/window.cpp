@@ -284,14 +284,7 @@ class Editor {
     session_.prepare();
     lay_out(start);
     viewport_->follow(session_);
-    viewport_->keep_pace(session_, start);
-    const Clock::time_point drawing = Clock::now();
-    const std::int64_t pixels = compose();
-    if (pixels > 0) {
-      glFinish();
-      // Without what it takes to show it, which is the same for any part of the picture.
-      viewport_->took(Clock::now() - drawing);
-    }
+    const std::int64_t pixels = draw(start);
     show_title();
     cursor_.show(window_.handle(), gui_.pointer_shape());
     const bool is_exposed = window_.take_exposure();
@@ -301,6 +294,23 @@ class Editor {
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     glfw().swap_buffers(window_.handle());
     log_.frame(session_, pixels, took_ms);
+  }
+
+  // The pixels that were drawn. While the picture is refined several parts are shown at once, unless something comes in:
+  // to show one takes as long as to show them all.
+  std::int64_t draw(Clock::time_point start) {
+    constexpr auto at_once = std::chrono::milliseconds(50);
+    std::int64_t pixels = 0, drawn = 0;
+    do {
+      const Clock::time_point drawing = Clock::now();
+      viewport_->keep_pace(session_, drawing);
+      drawn = compose();
+      pixels += drawn;
+      if (drawn == 0) break;
+      glFinish();
+      viewport_->took(Clock::now() - drawing);
+    } while (viewport_->goes_on_refining() && Clock::now() - start < at_once && !window_.has_event());
+    return pixels;
   }
 
   std::int64_t compose() { return canvas_->compose(viewport_->placed(), gui_.draw_data()); }

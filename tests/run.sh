@@ -9,10 +9,12 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 configure_arguments=
 peers=OFF
 long_packages=
+seconds=1500  # for one test
 if [ "${1:-}" = --long ]; then
   export RYOSEN_LONG=1
   peers=ON
   long_packages=$peer_packages
+  seconds=7200
 fi
 
 # shellcheck disable=SC2086
@@ -27,7 +29,7 @@ if [ -n "${RYOSEN_LONG:-}" ]; then  # each header and each source file is comple
   build "$root/build/single" all
 fi
 # Some tests wait for windows and processes, so one more runs than there are cores.
-ctest --test-dir "$root/build/release" --output-on-failure -j "$(($(nproc) + 1))"
+ctest --test-dir "$root/build/release" --output-on-failure -j "$(($(nproc) + 1))" --timeout "$seconds"
 
 # The walks again (in a long run also the tests of each class), built by another compiler and under the sanitizers, with
 # the mesh checked after every edit. The oracles and what goes over whole tables or real meshes are slow there and touch
@@ -53,7 +55,7 @@ cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE
   -DRYOSEN_CHECKED=ON -DRYOSEN_SANITIZE=$sanitizers >&2
 for kind in $checked; do
   build "$root/build/fuzz" "test_$kind" hashes fuzz_targets
-  ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L "$kind" \
+  ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L "$kind" \
     -E "^oracle_|oracle\.|agrees_on_all_triangle_sets|reasons_table|laws|pinch|real_meshes|shared_meshes|plain_check|[Ff]orms|all_pairs_are_welded|whole_numbers_on_grids"
 done
 
@@ -61,7 +63,7 @@ done
 if [ -n "${RYOSEN_LONG:-}" ]; then
   build "$root/build/fuzz" test_app
   LSAN_OPTIONS="suppressions=$root/tests/support/osmesa_leaks.txt:print_suppressions=0" \
-    ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" -L app -R "Monkey|gui|Window|Viewport"
+    ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L app -R "Monkey|gui|Window|Viewport"
 fi
 
 # Both builds compute the same to the last bit and, in a long run, say the same about every file.

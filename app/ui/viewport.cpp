@@ -131,6 +131,10 @@ void Viewport::draw() {
   if (beside_) beside_->draw();
 }
 
+bool Viewport::goes_on_refining() const {
+  return (view_->refining_effort() > 0 && !view_->is_refined()) || (beside_ && beside_->goes_on_refining());
+}
+
 bool Viewport::is_finished() const {
   return view_->is_whole() && view_->is_refined() && (!beside_ || beside_->is_finished());
 }

@@ -29,7 +29,7 @@ class Viewport {
   // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of the
   // rest a slice if it has come to rest. A while after the last change it refines the picture.
   void keep_pace(const Session& session, FramePace::Clock::time_point now);
-  // What that draw() took, until it was shown.
+  // What that draw() took.
   void took(FramePace::Clock::duration time);
   // When the next frame is due, though nothing happens; none if the whole is drawn.
   std::optional<FramePace::Clock::duration> time_to_next_frame(FramePace::Clock::time_point now) const;
@@ -37,6 +37,8 @@ class Viewport {
   void hurry();
   // Redraws what changed.
   void draw();
+  // Whether the last draw() refined the picture, and the next one goes on.
+  bool goes_on_refining() const;
   // Whether nothing is left to be drawn or refined.
   bool is_finished() const;
 

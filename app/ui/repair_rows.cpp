@@ -142,7 +142,7 @@ bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
 bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
   const std::string line = "repair " + std::string(default_repairs);
   const char* const name = context.text("Repair all", "まとめて修復");
-  std::string help = context.text("Does all repairs that keep every face and place, again until nothing changes: ",
+  std::string help = context.text("Does all repairs that keep every place and the faces on them, again until nothing changes: ",
                                   "形状を保つ修復を、変化がなくなるまで繰り返します：");
   bool is_first = true;
   for (const RecipeStep& step : read_repairs(default_repairs).call.steps) {

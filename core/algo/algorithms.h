@@ -99,7 +99,8 @@ struct AlgorithmRow {
   // One that is required has no initial value. A repair requires its first one at most (`--kinds ID=NUMBER`), and none
   // where it keeps geometry.
   std::vector<ParameterRow> parameters;
-  bool keeps_geometry;  // all places and faces stay what they are: `ryosen repair` does it unless others are named
+  // All places that are finite stay, and the faces on them: `ryosen repair` does it unless others are named.
+  bool keeps_geometry;
   std::vector<ProblemKind> solves;  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);

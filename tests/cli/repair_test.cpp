@@ -32,6 +32,19 @@ TEST(repair, the_usual_repairs_together_take_no_number) {
   EXPECT_EQ(run_program({"repair", cube, "--kinds", "default,weld_close=1e-9"}).exit_code, 0);
 }
 
+TEST(repair, gives_vertices_a_place_unasked) {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.write("nan.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv nan 0 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  const ProgramRun run = run_program({"repair", path, "-o", folder.at("o.obj"), "--json"});
+  const Json report = run.line();
+  ASSERT_TRUE(repair_of(report, "give_places")) << run.out;
+  EXPECT_EQ((*repair_of(report, "give_places"))["changed"], 1);
+  EXPECT_EQ((*repair_of(report, "give_places"))["solves"], Json::array({"nonfinite_vertex"}));
+  EXPECT_NE(read_file(folder.at("o.obj")).find("v 0.5 0.5 0\n"), std::string::npos);
+  EXPECT_EQ(run_program({"edit", path, "--do", "repair default; expect F 4"}).exit_code, 0);
+}
+
 TEST(repair, keeps_all_geometry_unless_asked_and_says_what_is_left) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", broken);

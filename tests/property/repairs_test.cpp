@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
+#include "core/algo/repair/give_places.h"
+#include "core/algo/repair/guard.h"
 #include "core/algo/repair/repairs.h"
 #include "core/analysis/figures.h"
 #include "core/analysis/invariants.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
@@ -14,6 +18,7 @@
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
+#include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -152,6 +157,61 @@ class Repairs : public testing::Test {
     EXPECT_GT(changed, seeds / 50) << "the meshes hardly need it";
   }
 };
+
+// Some points, or all of them, without a place.
+Mesh mesh_with_lost_places(std::uint64_t seed) {
+  Mesh mesh = seed % 3 == 0 ? random_complex(seed) : mesh_on_grid(seed);
+  Dice dice(seed * 104729);
+  const int chance = 1 + dice.below(6);
+  Edit edit(mesh, nullptr);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (mesh.is_alive(Vertex(i)) && dice.one_in(chance))
+      move_point(edit, Vertex(i), dice.one_in(2) ? glm::dvec3(nan) : glm::dvec3(1, infinity, 2));
+  edit.commit();
+  return mesh;
+}
+
+TEST_F(Repairs, vertices_without_a_place_get_one_and_no_other_moves) {
+  std::size_t changed = 0, placed = 0, left = 0;
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = mesh_with_lost_places(seed);
+    const Mesh before = mesh;
+    const Proved proved = repair_and_prove(mesh, {find_algorithm("give_places"), {}});
+    EXPECT_EQ(proved.after[ProblemKind::nonfinite_vertex], proved.result.left);
+    EXPECT_EQ(proved.result.changed + proved.result.left > 0, proved.before[ProblemKind::nonfinite_vertex] > 0);
+    left += proved.result.left > 0;
+    for (const ProblemRow& kind : problem_table()) {
+      if (!must_not_grow(kind)) continue;
+      EXPECT_LE(proved.after[kind.kind], proved.before[kind.kind]) << kind.id;
+    }
+    for (std::uint32_t i = 0; i < before.vertex_slots(); ++i) {
+      const Vertex v(i);
+      if (!before.is_alive(v) || !is_finite(before.position(v)) || !mesh.is_alive(v)) continue;
+      EXPECT_EQ(mesh.position(v), before.position(v));
+    }
+    changed += proved.result.changed > 0;
+    placed += proved.after.faces == proved.before.faces && proved.result.changed > 0;
+  }
+  EXPECT_GT(changed, seeds / 2) << "else there is little to place";
+  EXPECT_GT(placed, seeds / 10) << "mostly nothing need go";
+  EXPECT_LT(left, seeds / 50);
+}
+
+TEST_F(Repairs, places_come_from_the_rim_inwards) {
+  Mesh mesh = make_mesh({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, 5);
+  Edit edit(mesh, nullptr);
+  const glm::dvec3 corners[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 4}};
+  for (std::uint32_t i = 0; i < 4; ++i) edit.set_position(Vertex(i), corners[i]);
+  edit.set_position(Vertex(4), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  Progress unheard;
+  const AlgorithmResult result = give_places(edit, {}, unheard);
+  edit.commit();
+  EXPECT_EQ(mesh.position(Vertex(4)), glm::dvec3(2, 2, 1));
+  EXPECT_EQ(mesh.live().faces, 4u);
+  EXPECT_EQ(result.text.en, "One vertex was put in the middle of its neighbours.");
+}
 
 TEST_F(Repairs, duplicates_go_and_every_shape_stays) {
   on_all("remove_duplicates", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {

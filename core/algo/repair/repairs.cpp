@@ -3,6 +3,7 @@
 #include "core/algo/proposals.h"
 #include "core/algo/repair/detach_nonmanifold.h"
 #include "core/algo/repair/fill_holes.h"
+#include "core/algo/repair/give_places.h"
 #include "core/algo/repair/orient_faces.h"
 #include "core/algo/repair/remove_degenerate.h"
 #include "core/algo/repair/remove_faces.h"
@@ -25,6 +26,15 @@ AlgorithmResult drop_quarantined(Edit&, const AlgorithmInput& input, Progress&) 
 std::vector<AlgorithmRow> repair_rows() {
   using Kind = ProblemKind;
   return {
+      {"give_places",
+       "Give vertices a place",
+       "座標のない頂点の配置",
+       "vertices without a place are put in the middle of their neighbours; where none has one, faces go with them",
+       "座標が有限でない頂点を隣の頂点の平均の位置に置く（隣にも座標がなければ面ごと削除する）",
+       {},
+       true,
+       {Kind::nonfinite_vertex},
+       give_places},
       {"remove_duplicates",
        "Remove duplicate faces",
        "重複面の削除",

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 
 #include "core/indexed/from_indexed.h"
@@ -190,6 +192,11 @@ TEST_F(Algorithms, undo_is_exact_and_cancelling_leaves_no_trace) {
   constexpr std::size_t most_reports = 20;
   for (const AlgorithmRow& row : algorithm_table()) {
     Mesh mesh = mesh_of_all_defects();
+    if (std::find(row.solves.begin(), row.solves.end(), ProblemKind::nonfinite_vertex) != row.solves.end()) {
+      Edit edit(mesh, nullptr);  // with which not every other one has something to do
+      edit.set_position(Vertex(7), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+      edit.commit();
+    }
     const ReadValues given = read(row, sound_line(row, true));
     const AlgorithmInput input{*given.values->on(mesh).values, {}, 1};
     const MeshColumns before = mesh.columns();

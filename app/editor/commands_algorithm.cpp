@@ -101,7 +101,7 @@ Text gone_text(const Session& session, const std::vector<std::string>& names) {
   }
   if (gone.empty()) return {};
   return {
-      " What was kept as " + gone + " is gone: none of it is left that could be told; undo brings it back.",
+      " What was kept as " + gone + " is gone, since it cannot be told what has become of it; undo brings it back.",
       "取っておいた選択" + gone_ja + "は、対応する要素がわからなくなったため破棄しました（元に戻すと復活します）。"};
 }
 

@@ -206,6 +206,11 @@ TEST_F(WindowHand, drags_turn_pan_and_select_whatever_comes_behind_them_at_once)
   ASSERT_TRUE(has_selected(96)) << "with Alt through the surface";
   xdotool("key ctrl+shift+a");
   ASSERT_TRUE(has_selected(0));
+  xdotool("key b mousemove " + words_of(low) + " mousedown 1 mousemove " + words_of({high.x, low.y}) + " mousemove " +
+          words_of(high) + " keydown alt mouseup 1 keyup alt");
+  ASSERT_TRUE(has_selected(96)) << "with Alt pressed before the end too";
+  xdotool("key ctrl+shift+a");
+  ASSERT_TRUE(has_selected(0)) << "no menu has the keys";
   xdotool("key b");
   drag(low, high);
   ASSERT_TRUE(shows([](const Frame& frame) { return frame.selected > 0; })) << "B and a drag";

@@ -147,7 +147,8 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
     const BesideRepairs beside = session.document().beside_repairs();
     session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   });
-  outcome.sentence = std::move(result->text) + gone_text(session, names_before);
+  outcome.sentence = std::move(result->text);
+  unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session, names_before); });
   return outcome;
 }
 

@@ -85,14 +85,13 @@ class FaceTints {
   std::vector<std::pair<const IndexSet*, std::uint8_t>> shown_;
 };
 
-// The place of a mark of a highlight in the order of drawing: the first highlight of the table lies on top.
+// The place of a mark of a highlight in the order of drawing.
 constexpr std::size_t drawing_places = most_highlights * (most_problem_kinds + enum_count<Element::Kind>);
 std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
-  const auto below = highlight_table().data() + most_highlights - 1 - &row;
   const bool is_own = mark.number < own_marks;
   const std::size_t within =
       is_own ? static_cast<std::size_t>(mark.sort) + most_problem_kinds : mark.number - own_marks;
-  return static_cast<std::uint32_t>(static_cast<std::size_t>(below) * (drawing_places / most_highlights) + within);
+  return static_cast<std::uint32_t>(drawing_rank(row) * (drawing_places / most_highlights) + within);
 }
 
 // Of points at the members of a mark; none for other members. Linear.

@@ -27,14 +27,16 @@ constexpr std::array built_in{
                  .legend_en = "Edges with three or more faces, and vertices at one or between several fans of faces.",
                  .legend_ja = "三つ以上の面が接する稜線と、その端または複数の面の扇が集まる頂点。",
                  .kinds = {Kind::nonmanifold_edge, Kind::nonmanifold_vertex},
-                 .looks = {0xB2222B, 0x95141B, LineStyle::dash_dot, 4, PointShape::diamond, 6}},
+                 .looks = {0xB2222B, 0x95141B, LineStyle::dash_dot, 4, PointShape::diamond, 6},
+                 .tier = 2},
     HighlightRow{.id = "misoriented",
                  .name_en = "Misoriented",
                  .name_ja = "向きの不一致",
                  .legend_en = "Edges whose two faces are turned against each other.",
                  .legend_ja = "両側の面の向きが揃っていない稜線。",
                  .kinds = {Kind::misoriented_edge},
-                 .looks = {0x2B6499, 0x25608A, LineStyle::dashed, 3.5f, PointShape::ring, 5}},
+                 .looks = {0x2B6499, 0x25608A, LineStyle::dashed, 3.5f, PointShape::ring, 5},
+                 .tier = 3},
     HighlightRow{.id = "degenerate",
                  .name_en = "Degenerate",
                  .name_ja = "面積ゼロの面",
@@ -42,7 +44,8 @@ constexpr std::array built_in{
                  .legend_ja = "角が一直線に並ぶ面。",
                  .kinds = {Kind::degenerate_area},
                  .looks = {0x9481B6, 0xB860CE, LineStyle::dotted, 4, PointShape::cross, 6},
-                 .tint = FaceTint{FacePattern::horizontal, 0.8f}},
+                 .tint = FaceTint{FacePattern::horizontal, 0.8f},
+                 .tier = 2},
     HighlightRow{.id = "duplicate",
                  .name_en = "Duplicate",
                  .name_ja = "重複面",
@@ -50,22 +53,25 @@ constexpr std::array built_in{
                  .legend_ja = "前の面と同じ頂点を持つ面。",
                  .kinds = {Kind::duplicate_face},
                  .looks = {0xBBBBBB, 0x666666, LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
-                 .tint = FaceTint{FacePattern::chessboard, 0.8f}},
+                 .tint = FaceTint{FacePattern::chessboard, 0.8f},
+                 .tier = 4},
     HighlightRow{.id = "intersecting",
                  .name_en = "Intersecting",
                  .name_ja = "自己交差",
                  .legend_en = "Faces that meet others elsewhere than in common vertices and edges.",
                  .legend_ja = "共有する頂点・稜線以外で他の面と交わる面。",
                  .kinds = {Kind::self_intersection},
-                 .looks = {0xFF6B8B, 0xB0003A, LineStyle::solid, 2.2f, PointShape::cross, 5},
-                 .tint = FaceTint{FacePattern::diagonal, 0.7f}},
+                 .looks = {0xFF6B8B, 0xB0003A, LineStyle::solid, 1.6f, PointShape::cross, 5},
+                 .tint = FaceTint{FacePattern::diagonal, 0.7f},
+                 .tier = 2},
     HighlightRow{.id = "hanging",
                  .name_en = "Hanging pairs",
                  .name_ja = "背中合わせ",
                  .legend_en = "Pairs of triangles that lie back to back and hang on one edge at most.",
                  .legend_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組。",
                  .kinds = {Kind::hanging_pair},
-                 .looks = {0xA154EF, 0x8F1151, LineStyle::dotted, 3, PointShape::diamond, 5}},
+                 .looks = {0xA154EF, 0x8F1151, LineStyle::dotted, 3, PointShape::diamond, 5},
+                 .tier = 4},
     HighlightRow{.id = "isolated",
                  .name_en = "Isolated",
                  .name_ja = "孤立頂点",
@@ -86,7 +92,8 @@ constexpr std::array built_in{
                  .legend_en = "Faces with rings, inner loops.",
                  .legend_ja = "内側のループ（穴）を持つ面。",
                  .kinds = {Kind::ring},
-                 .looks = {0x8FA8C8, 0x55708F, LineStyle::dashed, 2, PointShape::disc, 3.5f}},
+                 .looks = {0x8FA8C8, 0x55708F, LineStyle::dashed, 2, PointShape::disc, 3.5f},
+                 .tier = 4},
     HighlightRow{.id = "creases",
                  .name_en = "Creases",
                  .name_ja = "折り目",
@@ -94,7 +101,8 @@ constexpr std::array built_in{
                  .legend_ja = "二つの面が 30 度を超えて折れ曲がる稜線。",
                  .edge = is_crease,
                  .reads_whole_faces = true,
-                 .looks = {0xFFD08A, 0x6B3D0C, LineStyle::solid, 2.2f, PointShape::square, 4}},
+                 .looks = {0xFFD08A, 0x6B3D0C, LineStyle::solid, 2.2f, PointShape::square, 4},
+                 .tier = 1},
     HighlightRow{.id = "seams",
                  .name_en = "Seams",
                  .name_ja = "継ぎ目",
@@ -102,7 +110,8 @@ constexpr std::array built_in{
                  .legend_ja = "両側の面でテクスチャ座標または法線が異なる稜線。",
                  .edge = is_seam_edge,
                  .reads_values = true,
-                 .looks = {0xB3E05A, 0x4B7A00, LineStyle::dashed, 2.8f, PointShape::square, 4}},
+                 .looks = {0xB3E05A, 0x4B7A00, LineStyle::dashed, 2.8f, PointShape::square, 4},
+                 .tier = 3},
 };
 
 constinit OpenTable<HighlightRow, most_highlights> table(built_in);
@@ -110,6 +119,13 @@ constinit OpenTable<HighlightRow, most_highlights> table(built_in);
 }  // namespace
 
 std::span<const HighlightRow> highlight_table() { return table.rows(); }
+std::size_t drawing_rank(const HighlightRow& row) {
+  const std::span<const HighlightRow> rows = highlight_table();
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [&](const HighlightRow& other) {
+    return other.tier != row.tier ? other.tier < row.tier : &other > &row;
+  }));
+}
+
 bool HighlightRow::is_on_request() const {
   const std::span<const ProblemRow> problems = problem_table();
   return std::any_of(problems.begin(), problems.end(),

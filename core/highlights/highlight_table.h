@@ -52,6 +52,9 @@ struct HighlightRow {
 
   Looks looks;
   std::optional<FaceTint> tint = {};  // of the faces that it marks
+  // Where lines lie on each other, those of a higher tier are on top; of one tier those that stand first in the table.
+  // Wide solid ones lie lowest, so that those above leave a part of them to be seen.
+  std::uint8_t tier = 0;
 
   bool has_predicate() const { return vertex || edge || face; }
   // Before the user has said anything: what is listed as a finding is drawn too.
@@ -60,8 +63,10 @@ struct HighlightRow {
   bool is_on_request() const;
 };
 
-// Those of problems first, in the order of panels and lists. What stands first is drawn on top.
+// Those of problems first, in the order of panels and lists.
 std::span<const HighlightRow> highlight_table();
+// How many rows of the table are drawn below this one of it.
+std::size_t drawing_rank(const HighlightRow& row);
 // By id; null when there is none.
 const HighlightRow* find_highlight(std::string_view id);
 

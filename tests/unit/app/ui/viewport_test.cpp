@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "render/context/context.h"
@@ -43,6 +44,26 @@ class ViewportTest : public testing::Test {
   std::unique_ptr<Context> context_;
   std::unique_ptr<Viewport> viewport_;
 };
+
+// What is listed is also drawn, where several marks lie on one edge too: each leaves pixels of its colour.
+TEST_F(ViewportTest, each_of_the_problems_at_one_edge_is_seen) {
+  const test::TemporaryFolder folder;
+  const std::string mix = folder.write("mix.off",
+                                       "OFF\n9 5 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n5 5 5\n.1 .1 .1\n.2 .2 .2\n"
+                                       ".3 .3 .3\n0 0 0\n3 0 1 2\n3 0 0 3\n3 0 1 3\n3 5 6 7\n3 0 8 3\n");
+  Session session(Document::open(mix).value());
+  session.view = {640, 480};
+  session.frame_all();
+  for (const Theme theme : {Theme::dark, Theme::light}) {
+    session.settings.theme = theme;
+    const std::vector<Rgba> pixels = picture(session).pixels;
+    for (const char* id : {"boundary", "misoriented", "degenerate"}) {
+      const HighlightRow& row = *find_highlight(id);
+      const Rgba colour = rgb(theme == Theme::dark ? row.looks.dark : row.looks.light);
+      EXPECT_GT(std::count(pixels.begin(), pixels.end(), colour), 150) << id;
+    }
+  }
+}
 
 // A random operator line, an undo or a redo.
 std::string random_line(const Session& session, std::mt19937& random) {
@@ -132,8 +153,8 @@ TEST_F(ViewportTest, a_coloured_surface_follows_edits_as_if_drawn_anew) {
 TEST_F(ViewportTest, verdicts_on_all_edges_follow_the_tool_edits_and_what_is_hidden) {
   const auto session = opened("moebius.off");
   Image last = picture(*session, "tool swap");
-  for (const char* line : {"key V", "tool collapse", "poke f5", "undo", "hide f3", "theme light", "unhide",
-                           "tool poke", "tool split", "key V"}) {
+  for (const char* line : {"key V", "tool collapse", "poke f5", "undo", "hide f3", "theme light", "unhide", "tool poke",
+                           "tool split", "key V"}) {
     const Image followed = picture(*session, line);
     EXPECT_TRUE(followed.pixels != last.pixels) << line;
     viewport_->forget();

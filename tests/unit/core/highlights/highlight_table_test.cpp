@@ -36,6 +36,20 @@ TEST(highlight_table, whatever_is_listed_of_elements_of_the_mesh_can_be_drawn) {
   }
 }
 
+// All of what lies on one edge is seen: what is above leaves gaps, or is narrower than what it lies on.
+TEST(highlight_table, no_line_hides_those_that_are_drawn_below_it) {
+  std::set<std::size_t> ranks;
+  const auto meets_none = [](const HighlightRow& row) { return row.id == "isolated" || row.id == "wires"; };
+  for (const HighlightRow& above : highlight_table()) {
+    EXPECT_TRUE(ranks.insert(drawing_rank(above)).second) << above.id;
+    for (const HighlightRow& below : highlight_table())
+      if (drawing_rank(below) < drawing_rank(above) && !meets_none(above) && !meets_none(below))
+        EXPECT_TRUE(above.looks.line != LineStyle::solid || above.looks.width_px + 0.5f < below.looks.width_px)
+            << above.id << " hides " << below.id;
+  }
+  EXPECT_EQ(*ranks.rbegin() + 1, highlight_table().size());
+}
+
 TEST(highlight_table, marks_have_numbers_of_their_own) {
   std::set<std::uint16_t> numbers;
   for (const HighlightRow& row : highlight_table()) {

@@ -32,6 +32,7 @@ void add_measures(Session& session, std::vector<Label>& labels) {
     const bool has_way = found.path.size() > 1;
     Label label{.at = has_way ? 0.5 * found.path[0] + 0.5 * found.path[1] : middle_of(mesh, measured.front()),
                 .priority = measure_priority,
+                .moves_aside = true,
                 .through = true};
     for (const MeasuredValue& value : found.values)
       label.text += (label.text.empty() ? "" : ", ") + value.name.in(session.language) + " " +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/editor/playing.h"
 #include "core/pick/screen_segment.h"
@@ -56,6 +57,25 @@ class TakenCells {
   std::vector<bool> taken_;
 };
 
+// Where there is room for a rectangle, by whole steps from where it is; of several places the nearest. None where the
+// view is full. O(view / step²) rectangles.
+std::optional<PixelRect> nearest_room(const TakenCells& taken, const PixelRect& rect, Size view, glm::ivec2 middle) {
+  constexpr int step = 8;
+  const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
+  std::optional<PixelRect> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int y = rect.y0 % step; y + height <= view.height; y += step) {
+    for (int x = rect.x0 % step; x + width <= view.width; x += step) {
+      const double distance = glm::length(glm::dvec2(x + width / 2 - middle.x, y + height / 2 - middle.y));
+      const PixelRect place{x, y, x + width, y + height};
+      if (distance >= least || !taken.has_room(place)) continue;
+      nearest = place;
+      least = distance;
+    }
+  }
+  return nearest;
+}
+
 // Below half a billion pixels either way, so that it can be counted in.
 bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
 
@@ -93,6 +113,10 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     };
     PixelRect rect = rect_at(label.shift_px);
     for (std::size_t i = 0; i < label.else_px.size() && !taken.has_room(rect); ++i) rect = rect_at(label.else_px[i]);
+    const glm::dvec2 end(session.view.width, session.view.height);
+    const bool is_in_view = glm::clamp(at->pixel, glm::dvec2(0), end) == at->pixel;
+    if (label.moves_aside && is_in_view && !taken.has_room(rect))
+      rect = nearest_room(taken, rect, session.view, glm::ivec2(at->pixel)).value_or(rect);
     if (!taken.has_room(rect)) continue;
     if (hides && !label.pixel && !label.through &&
         !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))

@@ -24,6 +24,7 @@ struct Label {
   Face own = {};                             // the face it is written on, which does not hide it
   glm::dvec2 shift_px{0};                    // of the text from there, at display scale 1
   std::vector<glm::dvec2> else_px = {};      // further shifts to try, in this order, where that has no room
+  bool moves_aside = false;                  // where it has none, to the nearest room of the view: it was asked for
   std::optional<glm::dvec2> pixel = {};      // instead of `at`: of the view, never hidden
   bool through = false;                      // shown though the surface hides its place
   bool begins_there = false;                 // the place is the left end of the text, not its middle

@@ -106,6 +106,23 @@ TEST_F(LabelsTest, are_in_a_menu_of_the_view_menu) {
   EXPECT_EQ(laid.session.settings.numbers, Numbers::faces);
 }
 
+// What was asked for is told, at the nearest place where there is room.
+TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
+  open("torus.off");
+  for (const char* line : {"view iso", "measure v0 v1", "measure v0", "measure f0", "measure f1", "measure v0 v2"})
+    session_.run(line);
+  const auto size_of = [](const std::string&) { return Size{300, 14}; };
+  for (const Size view : {Size{480, 360}, Size{640, 480}}) {
+    session_.view = view;
+    session_.frame_all();
+    ASSERT_GE(session_.measures.size(), 4u);
+    const std::vector<PlacedLabel> all = placed_labels(session_, size_of, 1);
+    EXPECT_EQ(all.size(), session_.measures.size()) << view.width;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(rect_of(all[i]), rect_of(all[k])));
+  }
+}
+
 // The pixels of the labels differ from those without them, and only those.
 TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
   for (const bool panels : {false, true}) {

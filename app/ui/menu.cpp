@@ -113,10 +113,12 @@ void draw_select_problems(PanelContext& context) {
 
 // A menu with a field for its value, which has the keyboard at once.
 void draw_selector_field(PanelContext& context, const Selector& row) {
-  if (!ImGui::BeginMenu(context.text(row.name_en, row.name_ja))) return;
+  const char* const name =
+      row.menu_en.empty() ? context.text(row.name_en, row.name_ja) : context.text(row.menu_en, row.menu_ja);
+  if (!ImGui::BeginMenu(name, missing_for(row, context.session.selection).en.empty())) return;
   dim_text(context, context.text(row.value_en, row.value_ja));
   std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing() || is_left_alone("##value")) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(120 * context.scale);
   const bool entered =
       ImGui::InputText("##value", &value, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);

@@ -40,8 +40,10 @@ struct Selector {
   bool needs_any = false;  // of any kind
   // What is found is of this kind, which the pointer picks from then on.
   std::optional<Element::Kind> turns_into = std::nullopt;
-  // What its value is, where the menu has a field for it, in which `usual` stands at first.
+  // What its value is, where the menu has a field for it, in which `usual` stands at first; and the entry of the menu
+  // that has this field, where the name already says the usual value.
   std::string_view value_en = "", value_ja = "";
+  std::string_view menu_en = "", menu_ja = "";
 };
 
 // `sort` is what elements `all` is about, and `invert` where nothing is selected, and no other row.

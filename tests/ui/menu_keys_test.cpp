@@ -105,6 +105,46 @@ TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_o
   ASSERT_TRUE(shows("7")) << "it stays what it was";
 }
 
+TEST_F(MenuKeys, what_has_a_trait_is_selected_by_any_number) {
+  ASSERT_TRUE(session.run("new").done());
+  ASSERT_TRUE(session.run("cube").done());
+  constexpr struct {
+    const char *entry, *usual, *value;
+    std::size_t usually, found;
+  } fields[] = {{"Selectfacesbythenumberofsides", "5..", "4", 0, 6},
+                {"Selectverticesbythenumberofedges", "7..", "3..5", 0, 8},
+                {"Selectedgesbyhowtheybend", "30", "95", 12, 0},
+                {"Selectedgesshorterthan", "", "100", 0, 12},
+                {"Selectedgeslongerthan", "", "0", 0, 12}};
+  for (const auto& [entry, usual, value, usually, found] : fields) {
+    ASSERT_TRUE(session.run("select none").done());
+    const auto open = [&, name = entry] {
+      ASSERT_TRUE(session.run("menu select").done());
+      frames(3);
+      click(DrawnText(gui).last_place(name));
+      frames(3);
+    };
+    open();
+    if (*usual) {
+      EXPECT_TRUE(shows(usual)) << entry;
+      press("Enter");
+      EXPECT_EQ(session.selection.size(), usually) << entry << ": " << gui.said().en;
+      open();
+    }
+    write(value);
+    press("Enter");
+    EXPECT_EQ(session.selection.size(), found) << entry << ": " << gui.said().en;
+  }
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(session.run("menu select").done());
+  frames(3);
+  click(DrawnText(gui).last_place("Selecttheflatregionaround,within"));
+  frames(3);
+  write("91");
+  press("Enter");
+  EXPECT_EQ(session.selection.size(), 6u) << gui.said().en;
+}
+
 TEST_F(MenuKeys, entries_that_ask_for_more_end_in_dots) {
   const auto opens = [&](const char* menu) {
     ASSERT_TRUE(session.run(std::string("menu ") + menu).done());

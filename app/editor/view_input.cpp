@@ -142,7 +142,11 @@ Outcome ViewInput::key(const std::string& chord) {
 Outcome ViewInput::type(std::string_view) { return no_field_to_type(); }
 
 void ViewInput::point(const Pointer& at) {
-  if (!navigation_.is_dragging() && is_over_view(at.pixel)) session_.point_at(at.pixel, at.modifiers);
+  if (navigation_.is_dragging()) return;
+  if (is_over_view(at.pixel))
+    session_.point_at(at.pixel, at.modifiers);
+  else
+    session_.point_away();
 }
 
 Outcome ViewInput::click(const Navigation::Click& click) {

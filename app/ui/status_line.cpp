@@ -77,6 +77,11 @@ std::vector<Hint> hints_of(const PanelContext& context) {
                           {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
                           {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
                           {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
+  // The middle button where it alone does something, as to orbit in some presets.
+  const std::string by_middle = drag(MouseButton::middle);
+  const auto does = [&](const Hint& hint) { return hint.does == by_middle; };
+  if (std::none_of(hints.begin(), hints.end(), does))
+    hints.insert(hints.begin() + 2, {context.text("Middle drag", "中ドラッグ"), by_middle});
   if (const auto asked = context.session.asking_verdicts())
     hints.insert(hints.begin(), {context.text("Verdicts", "判定"), std::to_string(std::lround(100 * *asked)) + " %"});
   if (!context.session.selection.empty())

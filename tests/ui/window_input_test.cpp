@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
@@ -306,6 +307,32 @@ TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own
     }
     for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
       gesture_of(preset, button, {.shift = true, .ctrl = true, .alt = true});
+  }
+}
+
+TEST_F(WindowInputTest, what_was_under_the_pointer_is_lit_no_more_when_it_is_on_a_panel) {
+  input_.move({in_view});
+  ASSERT_TRUE(session_.hover());
+  input_.move({on_panel});  // at once, as it can
+  EXPECT_FALSE(session_.hover());
+
+  ASSERT_TRUE(session_.run("select f0").done());
+  ASSERT_TRUE(session_.run("gizmo move").done());
+  const auto gizmo = session_.gizmo();
+  ASSERT_TRUE(gizmo);
+  for (int y = 0; y < window.height && !session_.pointed_handle(); y += 6)
+    for (int x = 0; x < window.width && !session_.pointed_handle(); x += 6)
+      input_.move({{static_cast<double>(x), static_cast<double>(y)}});
+  ASSERT_TRUE(session_.pointed_handle());
+  input_.move({on_panel});
+  EXPECT_FALSE(session_.pointed_handle());
+}
+
+TEST_F(WindowInputTest, the_status_line_names_the_only_button_that_orbits) {
+  for (const InputPreset& preset : input_presets()) {
+    ASSERT_TRUE(session_.run("preset " + std::string(preset.id)).done());
+    frames(2);
+    EXPECT_GE(test::DrawnText(gui_).count("ragorbit"), 1u) << preset.id;
   }
 }
 

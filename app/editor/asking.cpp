@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/editor/command_syntax.h"
+#include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "core/base/split_list.h"
 #include "core/io/elements.h"
@@ -29,6 +31,13 @@ struct OpLine {
   bool is_answered() const { return is_complete() && op->syntax.find("...") == std::string_view::npos; }
 };
 
+// How many more elements of any kind a line takes that is no operator's.
+std::size_t room_for_any(std::string_view line) {
+  const std::vector<std::string_view> words = split_words(line);
+  const auto row = words.empty() || find_op(words[0]) ? std::nullopt : find_command_row(words[0]);
+  return row && words.size() <= row->most_elements ? row->most_elements + 1 - words.size() : 0;
+}
+
 }  // namespace
 
 std::optional<PickMode> asked_for(std::string_view line) {
@@ -43,24 +52,28 @@ std::optional<PickMode> asked_for(std::string_view line) {
   return std::nullopt;
 }
 
+bool can_be_asked(std::string_view line) { return asked_for(line) || room_for_any(line) > 0; }
+
 bool is_answered(std::string_view line) {
   const OpLine op_line(line);
-  return op_line.op && op_line.is_answered();
+  return op_line.op ? op_line.is_answered() : room_for_any(line) == 0;
 }
 
 Text asked_text(std::string_view line) {
   const std::string said(line);
-  const auto mode = asked_for(line);
-  if (!mode) return {said, said};
-  const PickModeRow& row = pick_modes[static_cast<std::size_t>(*mode)];
-  Text text{said + ": " + std::string(row.point_en), said + "：" + std::string(row.point_ja)};
-  if (OpLine(line).is_complete()) text = text + Text{" Enter carries it out.", "Enter で実行します。"};
+  if (!can_be_asked(line)) return {said, said};
+  Text point{"Point at an element.", "要素を指してください。"};
+  if (const auto mode = asked_for(line)) {
+    const PickModeRow& row = pick_modes[static_cast<std::size_t>(*mode)];
+    point = {std::string(row.point_en), std::string(row.point_ja)};
+  }
+  Text text = Text{said + ": ", said + "："} + point;
+  if (!fault_of_command(said)) text = text + Text{" Enter carries it out.", "Enter で実行します。"};
   return text;
 }
 
 Outcome answer(Session& session, glm::dvec2 pixel) {
-  const auto mode = asked_for(session.asked_line);
-  const auto picked = mode ? session.pick(pixel, *mode) : std::nullopt;
+  const auto picked = can_be_asked(session.asked_line) ? session.pick(pixel, session.pointed_sort()) : std::nullopt;
   if (!picked) return failed(ExitCode::found_problems, asked_text(session.asked_line));
   session.asked_line += " " + session.names_of({picked->element})[0];
   if (!is_answered(session.asked_line)) return {};

@@ -234,6 +234,7 @@ const std::vector<CommandRow>& last_rows() {
        .effect = Effect::none,
        .run = run_measure,
        .fault = fault_of_measure,
+       .most_elements = 3,
        .named = {{"measure selected", "Measure the selection", "選択を測る"},
                  {"measure clear", "Take all measures away", "測定をすべて消す"}}},
       of_view(

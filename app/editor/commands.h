@@ -63,6 +63,8 @@ struct CommandRow {
   std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
   // With these arguments it only tells something: no effect, and not long.
   bool (*only_tells)(Words arguments) = nullptr;
+  // It works on `selected`, or on so many elements of any kind that are named, or pointed at; 0: on none.
+  std::size_t most_elements = 0;
   // The line that it sends, where it stands for another one; empty where there is none.
   std::string (*sends)(Words arguments) = nullptr;
   std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it

@@ -111,8 +111,9 @@ Outcome run_remedy(Session& session, Words arguments, std::string_view) {
   const auto number = count_of(arguments);
   if (!number) return wrong_arguments("remedy");
   if (!session.is_verdict_held())
-    return failed(ExitCode::refused, {"no refused click is held, so there is nothing to remedy",
-                                      "拒否されたクリックがないので、実行する対処もありません"});
+    return failed(ExitCode::refused,
+                  {"there is nothing to carry out here: no click was refused, and nothing waits for elements",
+                   "ここで実行することはありません。拒否されたクリックも、要素を待っている操作もありません"});
   const std::vector<std::string> lines = session.hover_remedy();
   if (lines.empty()) return failed(ExitCode::refused, without_remedy(session.hover()->preview.verdict));
   if (*number > lines.size())

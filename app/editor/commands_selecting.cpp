@@ -89,6 +89,9 @@ std::optional<Text> fault_of(const Selecting& asked) {
   if (asked.selector) {
     if (parse_values(*asked.selector, asked.names)) return std::nullopt;
     const std::string syntax = syntax_of(*asked.selector);
+    if (asked.names.empty() && !asked.selector->value_en.empty())
+      return Text{"select: " + std::string(asked.selector->value_en) + " is missing: " + syntax,
+                  "select：" + std::string(asked.selector->value_ja) + "がありません（" + syntax + "）"};
     if (asked.selector->value == Selector::Value::map_range)
       return Text{"select: expected " + syntax + " with one of the maps " + colour_map_ids(),
                   "select：書き方は " + syntax + "（MAP は " + colour_map_ids() + "）"};

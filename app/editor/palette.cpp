@@ -111,12 +111,15 @@ std::vector<PaletteEntry> palette_entries() {
 }
 
 std::vector<PaletteEntry> find_in_palette(std::string_view typed) {
-  if (const auto entry = begun(typed)) return {*entry};
-  std::vector<std::pair<Fit, PaletteEntry>> found;
-  for (PaletteEntry& entry : palette_entries())
-    if (const auto fit = fit_of(entry, typed)) found.emplace_back(*fit, std::move(entry));
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PaletteEntry> entries;
+  const auto own = begun(typed);
+  if (own) entries.push_back(*own);
+  std::vector<std::pair<Fit, PaletteEntry>> found;
+  for (PaletteEntry& entry : palette_entries()) {
+    const auto fit = fit_of(entry, typed);
+    if (fit && (!own || (*fit <= begins_name && entry.line != own->line))) found.emplace_back(*fit, std::move(entry));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [fit, entry] : found) entries.push_back(std::move(entry));
   return entries;
 }
@@ -132,8 +135,20 @@ PaletteChoice choice_of(const Session& session, const PaletteEntry& entry) {
   }
   if (const AlgorithmRow* const row = find_algorithm(entry.line))
     return {Kind::run, row->parameters.empty() ? line_of(*row, ParameterValues()) : "values " + entry.line};
+  if (const auto row = find_command_row(entry.line); row && row->most_elements > 0)
+    return {Kind::run, session.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
   if (fault_of_command(entry.line)) return {Kind::begin, entry.line + " "};
   return {Kind::run, entry.line};
+}
+
+std::string beyond_name(const std::string& help, const std::string& name) {
+  if (name.empty() || help.size() < name.size() || help.substr(1, name.size() - 1) != name.substr(1)) return help;
+  std::string_view rest = std::string_view(help).substr(name.size());
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (!rest.empty() && is_letter(rest[0])) return help;  // of its first word the name is a part only
+  for (const std::string_view mark : {";", ":", "：", "。"})
+    if (rest.starts_with(mark)) rest.remove_prefix(mark.size());
+  return std::string(without_blanks(rest));
 }
 
 }  // namespace ryosen

@@ -24,8 +24,8 @@ void WholeRows::begin(const char* name, float room) {
   }
   // On to the next row in the direction in which it was scrolled, no further than to where all others fit.
   const float now = ImGui::GetScrollY();
-  const auto last = std::min(std::lower_bound(places_.begin(), places_.end(), height() - room - nearly),
-                             std::prev(places_.end(), 2));
+  const auto last =
+      std::min(std::lower_bound(places_.begin(), places_.end(), height() - room - nearly), std::prev(places_.end(), 2));
   const auto next = now < first_ ? std::prev(std::upper_bound(places_.begin(), places_.end(), std::max(now, 0.f)))
                                  : std::lower_bound(places_.begin(), places_.end(), now - nearly);
   first_ = *std::min(next, last);
@@ -35,6 +35,8 @@ void WholeRows::begin(const char* name, float room) {
 void WholeRows::row() {
   coming_.push_back(coming_.empty() ? 0 : ImGui::GetCursorPosY() - ImGui::GetStyle().CellPadding.y);
 }
+
+void WholeRows::row_of_text() { coming_.push_back(coming_.empty() ? 0 : ImGui::GetCursorPosY()); }
 
 void WholeRows::end() {
   if (!coming_.empty()) coming_.push_back(ImGui::GetCursorPosY());

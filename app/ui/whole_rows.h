@@ -10,8 +10,9 @@ class WholeRows {
  public:
   // Begins a child window of at most this height, which takes as much of it as whole rows do.
   void begin(const char* name, float room);
-  // A row begins here, in a table.
+  // A row begins here: in a table, or in lines of text.
   void row();
+  void row_of_text();
   void end();
   // How high all rows are.
   float height() const { return places_.empty() ? 0 : places_.back(); }

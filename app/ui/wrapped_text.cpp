@@ -66,9 +66,9 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
 const char* end_of_line(const char* begin, const char* end, float width_px) {
   end = std::find(begin, end, '\n');
   const char* at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
-  // ImGui ends lines behind points too, also those of numbers and file names.
+  // ImGui ends lines behind points too, also those of numbers and file names. Alternatives are parted behind their bar.
   const char* blank = at;
-  while (blank > begin && *blank != ' ') --blank;
+  while (blank > begin && *blank != ' ' && blank[-1] != '|') --blank;
   if (at < end && *at != ' ' && blank > begin && static_cast<unsigned char>(*at) < 0x80) at = blank;
   return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
 }

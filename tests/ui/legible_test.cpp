@@ -1,10 +1,12 @@
 // Nothing is clipped or covered: texts fit their places in both languages, lists end with whole rows, tooltips lie beside
 // the panels, and thumbs can be seen and grabbed.
 #include <gtest/gtest.h>
-#include <imgui.h>
+#include <imgui_internal.h>  // where a list is scrolled to
 
 #include <cmath>
+#include <set>
 
+#include "app/editor/palette.h"
 #include "app/ui/style.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/groups.h"
@@ -182,6 +184,32 @@ TEST(legible, lists_end_with_whole_rows_however_they_are_scrolled) {
       laid.gui.wheel(steps);
       laid.frames(3);
       EXPECT_EQ(DrawnText(laid.gui).cut_in_height(), "") << steps;
+    }
+  }
+}
+
+// Of the palette, some of whose rows have a second line.
+TEST(legible, the_palette_ends_with_whole_rows_however_it_is_walked_through) {
+  for (const Size size : {Size{1280, 800}, Size{1280, 790}, Size{640, 480}}) {
+    Laid laid("cube.obj", size);
+    ASSERT_TRUE(laid.session.run("panel command").done());
+    laid.frames(4);
+    const float pitch = ImGui::GetTextLineHeightWithSpacing();
+    std::set<long> begins{0};
+    for (const PaletteEntry& entry : find_in_palette(""))
+      begins.insert(*begins.rbegin() + (beyond_name(entry.help.en, entry.name.en).empty() ? 1 : 2));
+    for (int step = 0; step < 30; ++step) {
+      const ImGuiWindow* list = nullptr;
+      for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+        if (std::string_view(window->Name).find("suggestions") != std::string_view::npos) list = window;
+      ASSERT_TRUE(list);
+      const float top = list->Scroll.y / pitch, bottom = top + list->Size.y / pitch;
+      EXPECT_TRUE(begins.contains(std::lround(top))) << size.width << " " << size.height << ", step " << step;
+      EXPECT_TRUE(begins.contains(std::lround(bottom))) << size.height << ", step " << step;
+      laid.gui.key(ImGuiKey_DownArrow, true);
+      laid.frames(1);
+      laid.gui.key(ImGuiKey_DownArrow, false);
+      laid.frames(4);
     }
   }
 }

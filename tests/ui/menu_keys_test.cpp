@@ -299,6 +299,48 @@ TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_non
   EXPECT_FALSE(gui.said().en.empty());
 }
 
+TEST_F(MenuKeys, the_palette_measures_what_is_selected) {
+  ASSERT_TRUE(session.run("select 0-1").done());
+  for (const char* typed : {"measure", "measure sel"}) {
+    press("F3");
+    write(typed);
+    EXPECT_TRUE(shows("Measuretheselection")) << typed;
+    press("Enter");
+    EXPECT_EQ(session.measures.size(), 1u) << typed << ": " << gui.said().en;
+    session.measures.clear();
+  }
+  ASSERT_TRUE(session.run("select none").done());
+  press("F3");
+  write("measure");
+  press("Enter");
+  EXPECT_EQ(session.asked_line, "measure") << gui.said().en;
+  EXPECT_EQ(session.open_panel, "") << "so that the mesh can be pointed at";
+}
+
+TEST_F(MenuKeys, the_palette_names_what_is_missing_and_takes_a_refusal_away_with_its_command) {
+  press("F3");
+  write("select shorter");
+  press("Enter");
+  press("Enter");
+  EXPECT_TRUE(shows("alengthismissing:shorter")) << gui.said().en;
+  const std::size_t told = DrawnText(gui).count("alengthismissing");
+  press("Down");
+  EXPECT_LT(DrawnText(gui).count("alengthismissing"), told) << "only the status line tells it";
+}
+
+TEST_F(MenuKeys, the_palette_says_once_how_a_line_is_written) {
+  press("F3");
+  for (const char* typed : {"poke", " f0"}) {
+    write(typed);
+    EXPECT_EQ(DrawnText(gui).count("pokefN[X,Y,Z]"), 1u) << typed;
+  }
+}
+
+TEST_F(MenuKeys, enter_with_nothing_to_do_says_so_in_plain_words) {
+  press("Enter");
+  EXPECT_EQ(gui.said().en, "there is nothing to carry out here: no click was refused, and nothing waits for elements");
+}
+
 TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   press("F3");
   write("divide");

@@ -41,5 +41,11 @@ TEST_F(WrappedText, leaves_latin_words_whole) {
   EXPECT_EQ(lines("one two three", width("one two")), 2);
 }
 
+TEST_F(WrappedText, parts_alternatives_behind_their_bar) {
+  const char* const text = "alpha|beta|gamma|delta";
+  EXPECT_EQ(wrapped_size(text, width("alpha|beta|gam")).x, ImGui::CalcTextSize("gamma|delta").x);
+  EXPECT_EQ(lines(text, width("alpha|beta|gam")), 2);
+}
+
 }  // namespace
 }  // namespace ryosen

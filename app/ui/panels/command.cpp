@@ -8,6 +8,7 @@
 #include "app/editor/path_completion.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
+#include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -25,7 +26,17 @@ class CommandPanel : public Panel {
   static int edit(ImGuiInputTextCallbackData* data);
   void follow_keys(ImGuiInputTextCallbackData& data);
   void find();
+  bool draw_entry(PanelContext& context, std::size_t i, bool is_marked);
+  void draw_help(PanelContext& context, const PaletteEntry& entry, bool is_whole);
   void draw_found(PanelContext& context);
+  void draw_refusal(PanelContext& context);
+  // The first word.
+  std::string command() const {
+    const std::vector<std::string_view> words = split_words(typed_);
+    return words.empty() ? "" : std::string(words[0]);
+  }
+  // What was typed names a command and goes on: that command comes first.
+  bool is_begun() const { return !found_.empty() && typed_.starts_with(found_[0].line + " "); }
   std::optional<std::size_t> meant() const;
   void enter(PanelContext& context);
   void take(PanelContext& context, const PaletteEntry& entry);
@@ -39,20 +50,16 @@ class CommandPanel : public Panel {
   std::vector<std::string> lines_;  // that were carried out, the last one last
   std::size_t line_ = 0;            // of these, that stands in the field; lines_.size(): none
   bool takes_keys_ = false;         // the field is to have the keyboard
+  WholeRows rows_;                  // of what was found
+  // What was chosen when it was refused, as long as nothing else is.
+  struct Refused {
+    std::string command;
+    int chosen;
+  };
+  std::optional<Refused> refused_;
   bool goes_to_end_ = false;
+  bool scrolls_ = false;  // to what is chosen
 };
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-// What a help says beyond its beginning, which is the name.
-std::string beyond_name(const std::string& help, const std::string& name) {
-  if (name.empty() || help.size() < name.size() || help.substr(1, name.size() - 1) != name.substr(1)) return help;
-  std::string_view rest = std::string_view(help).substr(name.size());
-  if (!rest.empty() && is_letter(rest[0])) return help;  // of its first word the name is a part only
-  for (const std::string_view mark : {";", ":", "：", "。"})
-    if (rest.starts_with(mark)) rest.remove_prefix(mark.size());
-  return std::string(without_blanks(rest));
-}
 
 int CommandPanel::edit(ImGuiInputTextCallbackData* data) {
   static_cast<CommandPanel*>(data->UserData)->follow_keys(*data);
@@ -78,6 +85,7 @@ void CommandPanel::follow_keys(ImGuiInputTextCallbackData& data) {
     put(found_[static_cast<std::size_t>(std::max(chosen_, 0))].line + " ");
     chosen_ = -1;
   } else if (data.EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+    scrolls_ = true;
     const bool is_down = data.EventKey == ImGuiKey_DownArrow;
     const bool among_lines = line_ < lines_.size();
     if (is_down && among_lines)
@@ -104,45 +112,68 @@ void CommandPanel::type(std::string line) {
   typed_ = std::move(line);
   chosen_ = -1;
   takes_keys_ = true;
+  refused_.reset();
 }
 
-// Each a row and its help on one line, so that all lines end whole; the help of the only one stands there to its end.
+// Below its name: on one line, or to its end behind how the line is written.
+void CommandPanel::draw_help(PanelContext& context, const PaletteEntry& entry, bool is_whole) {
+  const std::string& help = entry.help.in(context.language());
+  if (is_whole) {
+    if (!entry.syntax.empty()) dim_text(context, (entry.line + " " + entry.syntax).c_str());
+    if (!help.empty()) dim_text(context, help.c_str());
+    return;
+  }
+  const std::string more = beyond_name(help, entry.name.in(context.language()));
+  if (more.empty()) return;
+  const float top = ImGui::GetCursorPosY(), indent = 10 * context.scale;
+  ImGui::Indent(indent);
+  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
+  fitted_text(more, ImGui::GetContentRegionAvail().x);
+  ImGui::PopStyleColor();
+  ImGui::Unindent(indent);
+  ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
+}
+
+// A row and its help. True when it was clicked.
+bool CommandPanel::draw_entry(PanelContext& context, std::size_t i, bool is_marked) {
+  const PaletteEntry& entry = found_[i];
+  const bool is_whole = found_.size() == 1 || (i == 0 && is_begun());
+  const std::string& name = entry.name.in(context.language());
+  const bool is_named = name != entry.line;
+  const std::string usage = entry.syntax.empty() || is_whole ? entry.line : entry.line + " " + entry.syntax;
+  const std::string shown = is_named ? name : usage;
+  const std::string right = is_named ? usage : chord_of(context.session, entry.line);
+  const float top = ImGui::GetCursorPosY();
+  rows_.row_of_text();
+  ImGui::PushID(entry.line.c_str());
+  const bool taken = row(context, shown.c_str(), right.c_str(), is_marked);
+  ImGui::PopID();
+  if (chosen_ == static_cast<int>(i) && std::exchange(scrolls_, false)) ImGui::SetScrollHereY();
+  ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
+  draw_help(context, entry, is_whole);
+  return taken;
+}
+
 void CommandPanel::draw_found(PanelContext& context) {
-  const float pitch = ImGui::GetTextLineHeightWithSpacing(), indent = 10 * context.scale;
-  begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
+  rows_.begin("suggestions", ImGui::GetContentRegionAvail().y);
   if (found_.empty()) dim_text(context, context.text(UiText::nothing_found));
   const auto enters = meant();
   std::optional<std::size_t> taken;
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    const PaletteEntry& entry = found_[i];
-    const bool is_chosen = chosen_ == static_cast<int>(i);
-    const std::string& name = entry.name.in(context.language());
-    const std::string usage = entry.syntax.empty() ? entry.line : entry.line + " " + entry.syntax;
-    const std::string shown = name == entry.line ? usage : name;
-    const std::string right = name == entry.line ? chord_of(context.session, entry.line) : usage;
-    const float top = ImGui::GetCursorPosY();
-    ImGui::PushID(entry.line.c_str());
-    if (row(context, shown.c_str(), right.c_str(), enters == i)) taken = i;
-    ImGui::PopID();
-    if (is_chosen) ImGui::SetScrollHereY();
-    const std::string& help = entry.help.in(context.language());
-    if (found_.size() == 1) {
-      if (!entry.syntax.empty()) dim_text(context, usage.c_str());
-      if (!help.empty()) dim_text(context, help.c_str());
-      break;
-    }
-    ImGui::SetCursorPosY(top + pitch);
-    const std::string more = beyond_name(help, name);
-    if (more.empty()) continue;
-    ImGui::Indent(indent);
-    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-    fitted_text(more, ImGui::GetContentRegionAvail().x);
-    ImGui::PopStyleColor();
-    ImGui::Unindent(indent);
-    ImGui::SetCursorPosY(top + 2 * pitch);
-  }
-  end_rows();
+  for (std::size_t i = 0; i < found_.size(); ++i)
+    if (draw_entry(context, i, enters == i)) taken = i;
+  rows_.end();
   if (taken) take(context, PaletteEntry(found_[*taken]));
+}
+
+// As long as what was refused stands there.
+void CommandPanel::draw_refusal(PanelContext& context) {
+  const bool is_other = refused_ && (chosen_ != refused_->chosen || command() != refused_->command);
+  if (is_other) refused_.reset();
+  const Text& outcome = context.state.last_outcome;
+  if (!refused_ || context.state.last_kind == Outcome::Kind::done || outcome.en.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  coloured_text(context.colours().warning, outcome.in(context.language()).c_str());
+  ImGui::PopTextWrapPos();
 }
 
 void CommandPanel::draw(PanelContext& context) {
@@ -162,12 +193,7 @@ void CommandPanel::draw(PanelContext& context) {
                                    ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackHistory,
                                &CommandPanel::edit, this);
   find();
-  const Text& outcome = context.state.last_outcome;
-  if (context.state.last_kind != Outcome::Kind::done && !outcome.en.empty()) {
-    ImGui::PushTextWrapPos(0);
-    coloured_text(context.colours().warning, outcome.in(context.language()).c_str());
-    ImGui::PopTextWrapPos();
-  }
+  draw_refusal(context);
   draw_found(context);
   if (entered) enter(context);
 }
@@ -180,10 +206,14 @@ std::optional<std::size_t> CommandPanel::meant() const {
   if (line.empty() || found_.empty()) return std::nullopt;
   const bool is_bare = found_[0].line == line;
   const AlgorithmRow* const algorithm = find_algorithm(line);
-  const bool asks = is_bare && (find_op(line) || (algorithm && !algorithm->parameters.empty()));
+  const auto call = call_of(line);
+  const bool is_about_elements = find_op(line) || (call && call->row.most_elements > 0);
+  const bool asks = is_bare && (is_about_elements || (algorithm && !algorithm->parameters.empty()));
   // A word alone that lacks something gives way to what is called so.
   const bool is_name = found_[0].line != line && line.find(' ') == line.npos && fault_of_command(line);
-  if (call_of(line) && !asks && !is_name) return std::nullopt;
+  // What is begun and lacks something is ended by the only one that goes on so.
+  if (is_begun() && found_.size() == 2 && found_[1].line != line && fault_of_command(line)) return 1;
+  if (call && !asks && !is_name) return std::nullopt;
   return 0;
 }
 
@@ -203,6 +233,7 @@ void CommandPanel::run(PanelContext& context, const std::string& line) {
   const std::string own = context.session.open_panel;
   if (!context.run(line).done()) {
     takes_keys_ = true;
+    refused_ = Refused{command(), chosen_};
     return;
   }
   std::erase(lines_, line);

@@ -62,6 +62,22 @@ TEST_F(AskingTest, each_click_adds_an_element_and_the_last_one_carries_it_out) {
   EXPECT_TRUE(session_->log()[0].starts_with("separate_loop ")) << session_->log()[0];
 }
 
+TEST_F(AskingTest, a_command_about_elements_takes_some_of_any_kind) {
+  const auto [a, b] = corners_across();
+  EXPECT_TRUE(can_be_asked("measure v0 v1"));
+  EXPECT_FALSE(can_be_asked("measure v0 v1 v2")) << "there are three at most";
+  EXPECT_EQ(asked_text("measure").en, "measure: Point at an element.");
+  ASSERT_TRUE(session_->run("mode vertex").done());
+  ASSERT_TRUE(session_->run("ask measure").done());
+  EXPECT_FALSE(session_->run("ask").done()) << "nothing yet";
+  ASSERT_TRUE(click_on(a).done());
+  ASSERT_TRUE(click_on(b).done());
+  EXPECT_TRUE(session_->measures.empty());
+  ASSERT_TRUE(session_->run("ask").done()) << "as Enter says";
+  ASSERT_EQ(session_->measures.size(), 1u);
+  EXPECT_EQ(session_->measures[0].size(), 2u);
+}
+
 TEST_F(AskingTest, begins_anew_after_a_refusal_and_ends_by_escape_or_a_tool) {
   const auto [a, b] = corners_across();
   session_->run("ask separate_loop");

@@ -134,6 +134,17 @@ TEST(palette, works_on_what_is_selected_or_asks_for_it) {
   EXPECT_EQ(choice_of(*session, entry_of("make_edge")).line, "ask make_edge") << "faces are no ends of an edge";
 }
 
+TEST(palette, measures_what_is_selected_or_asks_for_it_and_keeps_what_goes_on_as_it_was_typed) {
+  const auto session = session_with_cube();
+  EXPECT_EQ(choice_of(*session, entry_of("measure")).line, "ask measure");
+  session->run("select 0-1");
+  EXPECT_EQ(choice_of(*session, entry_of("measure")).line, "measure selected");
+  const std::vector<PaletteEntry> found = find_in_palette("measure sel");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].line, "measure");
+  EXPECT_EQ(found[1].line, "measure selected");
+}
+
 // Nothing that is offered is a line that could not be said.
 TEST(palette, every_choice_is_a_line) {
   const auto session = session_with_cube();

@@ -328,6 +328,17 @@ TEST_F(MenuKeys, the_palette_names_what_is_missing_and_takes_a_refusal_away_with
   EXPECT_LT(DrawnText(gui).count("alengthismissing"), told) << "only the status line tells it";
 }
 
+TEST_F(MenuKeys, the_palette_has_its_last_lines_behind_up) {
+  for (const char* line : {"select f0 f1", "select none"}) {
+    press("F3");
+    write(line);
+    press("Enter");
+  }
+  press("F3");
+  for (const char* chord : {"Up", "Up", "Enter"}) press(chord);
+  EXPECT_EQ(session.selection.size(), 2u) << gui.said().en;
+}
+
 TEST_F(MenuKeys, the_palette_says_once_how_a_line_is_written) {
   press("F3");
   for (const char* typed : {"poke", " f0"}) {

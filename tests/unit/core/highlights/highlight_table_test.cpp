@@ -42,10 +42,11 @@ TEST(highlight_table, no_line_hides_those_that_are_drawn_below_it) {
   const auto meets_none = [](const HighlightRow& row) { return row.id == "isolated" || row.id == "wires"; };
   for (const HighlightRow& above : highlight_table()) {
     EXPECT_TRUE(ranks.insert(drawing_rank(above)).second) << above.id;
-    for (const HighlightRow& below : highlight_table())
-      if (drawing_rank(below) < drawing_rank(above) && !meets_none(above) && !meets_none(below))
-        EXPECT_TRUE(above.looks.line != LineStyle::solid || above.looks.width_px + 0.5f < below.looks.width_px)
-            << above.id << " hides " << below.id;
+    for (const HighlightRow& below : highlight_table()) {
+      if (drawing_rank(below) >= drawing_rank(above) || meets_none(above) || meets_none(below)) continue;
+      EXPECT_TRUE(above.looks.line != LineStyle::solid || above.looks.width_px + 0.5f < below.looks.width_px)
+          << above.id << " hides " << below.id;
+    }
   }
   EXPECT_EQ(*ranks.rbegin() + 1, highlight_table().size());
 }

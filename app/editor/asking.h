@@ -1,4 +1,5 @@
-// A line of an operator, or of another command about elements, that are still to be pointed at: each click adds one, and the last one carries it out.
+// A line of an operator, or of another command about elements, that are still to be pointed at: each click adds one, and
+// the last one carries it out.
 #pragma once
 
 #include <optional>

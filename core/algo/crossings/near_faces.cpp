@@ -6,6 +6,7 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/mesh/hubs.h"
 
 namespace ryosen {
 
@@ -27,22 +28,6 @@ void for_each_face(const Mesh& mesh, Vertex v, Visit visit) {
   });
 }
 
-// Whether there are many. Cost: at most as many steps.
-bool is_hub(const Mesh& mesh, Vertex v) {
-  constexpr int most = 64;
-  int count = 0;
-  return any_of_copies(mesh, v, [&](Vertex copy) {
-    if (mesh.is_isolated(copy)) return ++count > most;
-    const Halfedge first = mesh.halfedge(copy);
-    Halfedge h = first;
-    do {
-      if (++count > most) return true;
-      h = mesh.counter_clockwise(h);
-    } while (h != first);
-    return false;
-  });
-}
-
 }  // namespace
 
 NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) {
@@ -51,7 +36,7 @@ NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) 
     if (const Face f(i); mesh.is_alive(f)) primitives[i] = primitive_of(mesh, f);
   std::vector<Vertex> hubs;
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && point(mesh, v) == v && is_hub(mesh, v)) hubs.push_back(v);
+    if (const Vertex v(i); mesh.is_alive(v) && point(mesh, v) == v && is_hub_point(mesh, v)) hubs.push_back(v);
   for (Vertex v : hubs) for_each_face(mesh, v, [&](Face f) { primitives[f.index] = {}; });
   tree_.build(mesh.positions(), std::move(primitives));
   for (Vertex v : hubs) follow(v);
@@ -96,7 +81,7 @@ std::uint32_t NearFaces::hub_of(Vertex v) const {
 void NearFaces::follow(Vertex v, bool has_only_moved) {
   if (const std::uint32_t hub = hub_of(v); hub != none) {
     if (hubs_[hub].place != mesh_.position(v)) move_hub(hub, mesh_.position(v));
-  } else if (!has_only_moved && !mesh_.is_isolated(v) && is_hub(mesh_, v)) {
+  } else if (!has_only_moved && !mesh_.is_isolated(v) && is_hub_point(mesh_, v)) {
     return make_hub(v);
   }
   for (Face f : faces_around(mesh_, v))

@@ -69,6 +69,8 @@ class Simplifier {
   // The first rule under which an edge is held: every place in either direction is refused by it or by one before it.
   // Free where there is one that is not.
   EdgeRule rule_of(Edge e) const;
+  // Where the quadrics of both ends are lowest, so that an edge would collapse to it first.
+  glm::dvec3 lowest_place(Edge e) const { return surface_.position_of(surface_.lowest(Freedom{halfedge(e)})); }
 
  private:
   enum class Answer { done, later, refused };

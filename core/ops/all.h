@@ -26,6 +26,7 @@
 #include "core/ops/euler/unite_loop.h"
 #include "core/ops/euler/unite_ring.h"
 #include "core/ops/extrude.h"
+#include "core/ops/extrude_edges.h"
 #include "core/ops/fill.h"
 #include "core/ops/make_face.h"
 #include "core/ops/orient.h"
@@ -42,7 +43,7 @@ namespace ryosen {
 
 using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
                            // Refining.
-                           Poke, VertexSplit, Triangulate, Dissolve, Extrude,
+                           Poke, VertexSplit, Triangulate, Dissolve, Extrude, ExtrudeEdges,
                            // Deleting, filling, repairing.
                            Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
                            // The Euler operators of the source texts.

@@ -163,6 +163,7 @@ class Comparison {
     compare(Reverse{{f}}, {reversed});
     detach(f);
     for (int i = 0; i < 3; ++i) extrude(std::get<Extrude>(random_op_of(Extrude::info)));
+    for (int i = 0; i < 3; ++i) extrude_edges(std::get<ExtrudeEdges>(random_op_of(ExtrudeEdges::info)));
     std::vector<Halfedge> corners;
     for (Halfedge h : halfedges_around(mesh_, f)) corners.push_back(h);
     for (Halfedge into_a : corners)
@@ -199,6 +200,36 @@ class Comparison {
     const Outcome outcome{oracle::extruded(points_, faces).after};
     const bool keeps_equal = oracle::facts_of(outcome.after).equal_faces == points_facts_.equal_faces;
     compare(op, keeps_equal ? Outcomes{outcome} : Outcomes());
+  }
+
+  // A bridge goes nowhere. What runs beside edges with faces and has none itself may take either direction.
+  void extrude_edges(const ExtrudeEdges& op) {
+    std::vector<std::vector<Pair>> ways{{}};
+    std::set<Pair> met;
+    for (Halfedge h : op.edges) {
+      const int a = point_of(mesh_.from(h)), b = point_of(mesh_.to(h));
+      if (!met.insert(std::minmax({a, b})).second) continue;
+      std::vector<Pair> directions;
+      std::set<int> faces;
+      for (const auto& [face, is_forward] : oracle::sides_between(points_, a, b)) {
+        if (!faces.insert(face).second) return compare(op, {});
+        directions.push_back(is_forward ? Pair(a, b) : Pair(b, a));
+      }
+      if (directions.empty() || !mesh_.is_outside(h))
+        directions = {{a, b}};
+      else if (!mesh_.is_outside(twin(h)))
+        directions = {{b, a}};
+      std::vector<std::vector<Pair>> longer;
+      for (const std::vector<Pair>& way : ways)
+        for (const Pair& direction : directions) {
+          longer.push_back(way);
+          longer.back().push_back(direction);
+        }
+      ways = longer;
+    }
+    Outcomes outcomes;
+    for (const std::vector<Pair>& way : ways) outcomes.push_back({oracle::with_extruded_edges(points_, way)});
+    compare(op, outcomes);
   }
 
   AnyOp random_op_of(const OpInfo& wanted) {

@@ -107,6 +107,18 @@ AnyOp random_extrude(const Mesh& mesh, Face f, Dice& dice) {
   return op;
 }
 
+// Half of the time several edges, most of them at common points.
+AnyOp random_extrude_edges(const Mesh& mesh, Halfedge h, Dice& dice) {
+  ExtrudeEdges op{{h}};
+  if (dice.one_in(2)) return op;
+  const int more = 1 + dice.below(4);
+  for (int i = 0; i < more; ++i) {
+    const Halfedge last = op.edges.back(), near = pick(outgoing(mesh, mesh.from(last)), dice);
+    op.edges.push_back(dice.one_in(3) ? mesh.next(last) : dice.one_in(3) ? random_halfedge(mesh, dice) : near);
+  }
+  return op;
+}
+
 // Whether reading the points gives the mesh, and no wire lies beside another edge.
 bool reads_back(const Mesh& mesh) {
   const oracle::ComplexFacts facts = oracle::facts_of(complex_of(mesh));
@@ -208,6 +220,7 @@ AnyOp random_op(const Mesh& mesh, std::size_t place, Dice& dice) {
   if (id == "separate_edge") return SeparateEdge{h, 0.5};
   if (id == "unite_loop") return UniteLoop{h};
   if (id == "make_ring") return MakeRing{h};
+  if (id == "extrude_edges") return random_extrude_edges(mesh, h, dice);
   if (id == "weld") return random_weld(mesh, v, dice);
   if (id == "vertex_split") return mesh.is_isolated(v) ? AnyOp(VertexSplit{v, h, {}}) : random_split(mesh, v, dice);
   if (id == "dissolve") return dice.one_in(2) ? Dissolve{h} : Dissolve{{}, v};

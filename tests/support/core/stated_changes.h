@@ -10,6 +10,7 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/rings.h"
 #include "core/ops/rules/face_lists.h"
+#include "core/ops/rules/surgery.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/proof.h"
 
@@ -67,6 +68,31 @@ struct Stated {
     for (const auto& [v, edges] : border_at)
       if (edges != 2) return {};
     return {{.v = b, .e = 2 * b, .f = b}};
+  }
+  // Along open chains of a boundary, as it runs.
+  std::vector<Change> of(const ExtrudeEdges& op) const {
+    if (m.has_copies()) return {};
+    std::set<Halfedge> named;
+    std::map<Vertex, int> leaving, entering;
+    for (Halfedge h : op.edges) {
+      const Halfedge out = m.is_outside(h) ? h : twin(h);
+      if (m.is_wire(edge(h)) || !m.is_outside(out)) return {};
+      if (gaps_at(m, m.from(h)).size() != 1 || gaps_at(m, m.to(h)).size() != 1) return {};  // several fans
+      if (!named.insert(out).second) continue;
+      if (++leaving[m.from(out)] > 1 || ++entering[m.to(out)] > 1) return {};
+    }
+    const auto e = static_cast<std::int64_t>(named.size());
+    const auto starts =
+        std::count_if(leaving.begin(), leaving.end(), [&](const auto& at) { return !entering[at.first]; });
+    // A part of them that closes has no start.
+    for (const Halfedge first : named)
+      for (Halfedge h = first; named.contains(h); h = next_of(named, h))
+        if (next_of(named, h) == first) return {};
+    return {{.v = e + starts, .e = 2 * e + starts, .f = e}};
+  }
+  Halfedge next_of(const std::set<Halfedge>& named, Halfedge h) const {
+    const auto next = std::find_if(named.begin(), named.end(), [&](Halfedge n) { return m.from(n) == m.to(h); });
+    return next == named.end() ? Halfedge() : *next;
   }
   std::vector<Change> of(const Triangulate& op) const {
     if (!op.face || bridges_of(loops_of(m, op.face)) > 0) return {};

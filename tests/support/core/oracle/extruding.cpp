@@ -66,4 +66,24 @@ Extruded extruded(const Complex& points, std::vector<int> faces) {
   return result;
 }
 
+Complex with_extruded_edges(const Complex& points, const std::vector<Pair>& sides) {
+  Complex after = points;
+  std::map<int, int> top;
+  for (const Pair& side : sides) {
+    const int a = side.first, b = side.second;
+    for (int v : {a, b}) {
+      if (!top.try_emplace(v, after.size()).second) continue;
+      after.point_of.push_back(after.size());
+      after.live.push_back(1);
+    }
+    const auto at_faces = sides_between(points, a, b);
+    const Corners quad = at_faces.empty() ? Corners{a, b, top[b], top[a]} : Corners{b, a, top[a], top[b]};
+    after.faces.push_back({quad});
+    std::erase_if(after.wires, [&](const Pair& wire) {
+      return std::minmax({wire.first, wire.second}) == std::minmax({a, b});
+    });
+  }
+  return after;
+}
+
 }  // namespace ryosen::oracle

@@ -1,4 +1,4 @@
-// What raising some faces on walls does to a list of points.
+// What raising some faces on walls, or edges on quads, does to a list of points.
 #pragma once
 
 #include <vector>
@@ -15,5 +15,9 @@ struct Extruded {
 };
 // `points` is a list whose vertices are their points. The faces in the order in which they are named.
 Extruded extruded(const Complex& points, std::vector<int> faces);
+
+// Each side a -> b gets a quad, against it if it is one of a face, else along it in the place of a wire. New points are
+// numbered from the end on, as the sides meet them.
+Complex with_extruded_edges(const Complex& points, const std::vector<Pair>& sides);
 
 }  // namespace ryosen::oracle

@@ -19,8 +19,7 @@ void compare(Mesh& mesh, std::size_t& asked) {
   Journal journal;
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     if (!mesh.is_alive(Halfedge(i))) continue;
-    Op op;
-    op.halfedge = Halfedge(i);
+    const Op op = Op::at(mesh, {.halfedge = Halfedge(i)});
     const Answer answer = known.ask(mesh, op, true);
     const Preview alone = preview(mesh, journal, op);
     ASSERT_EQ(answer.verdict.reasons, alone.verdict.reasons) << op.command(mesh);

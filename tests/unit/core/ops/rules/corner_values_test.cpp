@@ -128,5 +128,13 @@ TEST(corner_values_of_walls, each_wall_has_the_texture_coordinates_of_its_face_a
   EXPECT_EQ(corners_of(mesh, Face(7)), wall("5/6", "2/7", "7/7", "11/6"));
 }
 
+TEST(corner_values_of_walls, each_quad_at_an_edge_has_the_texture_coordinates_of_its_face_and_no_normals) {
+  Mesh mesh = with_corner_values({{0, 1, 2, 3}, {1, 4, 5, 2}});
+  apply_and_prove(mesh, "extrude_edges 0-1 1-4 0,0,1");
+  const std::string none = "/" + std::to_string(no_index);
+  EXPECT_EQ(corners_of(mesh, Face(2)), "1/1" + none + " 0/0" + none + " 6/0" + none + " 7/1" + none);
+  EXPECT_EQ(corners_of(mesh, Face(3)), "4/5" + none + " 1/4" + none + " 7/4" + none + " 8/5" + none);
+}
+
 }  // namespace
 }  // namespace ryosen

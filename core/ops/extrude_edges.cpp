@@ -1,0 +1,273 @@
+#include "core/ops/extrude_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "core/base/sort_unique.h"
+#include "core/geometry/is_finite.h"
+#include "core/geometry/polygon_normal.h"
+#include "core/mesh/attribute.h"
+#include "core/mesh/bridges.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+#include "core/mesh/face_polygon.h"
+#include "core/ops/lines/arguments.h"
+#include "core/ops/make_face.h"
+#include "core/ops/rules/attach_face.h"
+#include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/face_geometry.h"
+#include "core/ops/rules/pinch.h"
+
+namespace ryosen {
+
+namespace {
+
+// The side of a face along an edge between two points: that of the halfedge, of its twin, else of another sheet. The
+// halfedge itself where there are but wires.
+Halfedge side_of(const Mesh& m, Halfedge h) {
+  if (!m.is_outside(h)) return h;
+  if (!m.is_outside(twin(h))) return twin(h);
+  for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
+    for (Halfedge side : {sheet, twin(sheet)})
+      if (!m.is_outside(side)) return side;
+  return h;
+}
+
+// One side for each edge, in the order in which they are named first.
+std::vector<Halfedge> sides_of(const Mesh& m, std::span<const Halfedge> edges) {
+  std::vector<Halfedge> sides;
+  std::set<std::pair<Vertex, Vertex>> met;
+  for (Halfedge h : edges)
+    if (met.insert(std::minmax(point(m, m.from(h)), point(m, m.to(h)))).second) sides.push_back(side_of(m, h));
+  return sides;
+}
+
+// Out of a face across one of its sides and in its plane, as long as the side.
+glm::dvec3 way_out(const Mesh& m, Halfedge side) {
+  if (m.is_outside(side)) return {};
+  FacePolygon polygon;
+  polygon.read(m, m.face(side));
+  if (!polygon.is_finite()) return {};
+  return glm::cross(m.position(m.to(side)) - m.position(m.from(side)), polygon_normal(polygon.keyhole_walk()));
+}
+
+// The vector area of the loop that edges make when they run like this; of an open chain, with its ends joined.
+glm::dvec3 area_of_loop(const Mesh& m, std::span<const Halfedge> sides) {
+  const glm::dvec3 about = m.position(m.from(sides[0]));
+  glm::dvec3 sum(0);
+  for (Halfedge h : sides) sum += glm::cross(m.position(m.from(h)) - about, m.position(m.to(h)) - about);
+  return 0.5 * sum;
+}
+
+glm::dvec3 unit_or_zero(const glm::dvec3& vector, double least) {
+  const double length = glm::length(vector);
+  return length > least ? vector / length : glm::dvec3(0);
+}
+
+bool has_face(const Mesh& m, Vertex p) {
+  return any_of_copies(m, p, [&](Vertex copy) {
+    for (Face f : faces_around(m, copy))
+      if (f) return true;
+    return false;
+  });
+}
+
+// After each quad the surface is as reading would give it, which may have parted and joined edges around it: sides are
+// known by their faces and points.
+class ExtrudedEdges {
+ public:
+  ExtrudedEdges(Edit& edit, std::span<const Halfedge> sides, const glm::dvec3& by)
+      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit) {
+    for (Halfedge side : sides) named_.push_back({m_.face(side), end_at(m_.from(side)), end_at(m_.to(side))});
+  }
+
+  OpEffect run() {
+    for (const Named& named : named_) make_quad(named);
+    return sheets_.finish();
+  }
+
+ private:
+  struct End {
+    Vertex point, top;
+  };
+  struct Named {
+    Face face;  // none at a wire
+    End from, to;
+  };
+
+  End end_at(Vertex v) {
+    const Vertex p = point(m_, v);
+    const auto [at, is_new] = tops_.try_emplace(p);
+    if (is_new) {
+      const glm::dvec3 moved = m_.position(v) + by_;
+      at->second = edit_.add_vertex(is_finite(moved) ? moved : m_.position(v));
+      blend_vertex_values(edit_, v, v, 0, at->second);
+    }
+    return {p, at->second};
+  }
+
+  Halfedge side_of(const Named& named) const {
+    for (Halfedge sheet : sheets_between(m_, named.from.point, named.to.point))
+      for (Halfedge side : {sheet, twin(sheet)})
+        if (m_.face(side) == named.face && (named.face || m_.is_wire(edge(side)))) return side;
+    return {};
+  }
+
+  void make_quad(const Named& named) {
+    const Halfedge side = side_of(named);
+    const std::array<std::vector<std::uint32_t>, 2> values = values_at(side);
+    const auto& [face, a, b] = named;
+    std::array<Vertex, 4> corners{b.point, a.point, a.top, b.top};
+    if (!face) corners = {a.point, b.point, b.top, a.top};
+    const bool is_open = MakeFace{{corners.begin(), corners.end()}}.check(m_).legal();
+    const Face quad = is_open ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
+    if (face) copy_face_values(edit_, face, quad);
+    for (Halfedge h : halfedges_around(m_, quad)) {
+      const Vertex p = point(m_, m_.from(h));
+      set_values(h, values[p == b.point || p == b.top]);
+    }
+    sheets_.settle(corners);
+  }
+
+  // A quad on copies of the points, to be settled.
+  Face put_beside(Halfedge side, std::array<Vertex, 4> corners) {
+    if (m_.is_wire(edge(side))) sheets_.remove_edge(side);
+    for (Vertex& v : corners) v = copy_without_edges(v);
+    std::array<Halfedge, 4> sides;
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
+    const Face quad = edit_.add_face(sides[0]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Halfedge h = sides[i], after = sides[(i + 1) % 4];
+      edit_.connect(h, after);
+      edit_.connect(twin(after), twin(h));
+      edit_.set_face(h, quad);
+      edit_.set_halfedge(corners[(i + 1) % 4], twin(h));
+    }
+    sheets_.changed(quad);
+    return quad;
+  }
+  Vertex copy_without_edges(Vertex v) {
+    if (m_.is_isolated(v)) return v;
+    const Vertex copy = edit_.add_vertex(m_.position(v));
+    blend_vertex_values(edit_, v, v, 0, copy);
+    join_copies(edit_, v, copy);
+    return copy;
+  }
+
+  // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old surface.
+  std::array<std::vector<std::uint32_t>, 2> values_at(Halfedge side) {
+    const std::vector<CornerAttribute> attributes = corner_attributes(m_);
+    const CornerWriter corners(edit_);
+    std::array<std::vector<std::uint32_t>, 2> values;
+    for (std::size_t k = 0; k < attributes.size(); ++k) {
+      const bool has_none = m_.is_outside(side) ||
+                            m_.attributes()[attributes[k].index_column].name == std::string(attribute_names::normal);
+      values[0].push_back(has_none ? no_index : corners.index(k, side));
+      values[1].push_back(has_none ? no_index : corners.index(k, m_.next(side)));
+    }
+    return values;
+  }
+  void set_values(Halfedge corner, const std::vector<std::uint32_t>& values) {
+    CornerWriter corners(edit_);
+    for (std::size_t k = 0; k < values.size(); ++k) corners.set(k, corner, values[k]);
+  }
+
+  Edit& edit_;
+  const Mesh& m_;
+  const glm::dvec3 by_;
+  Sheets sheets_;
+  std::unordered_map<Vertex, Vertex> tops_;  // by point
+  std::vector<Named> named_;
+};
+
+}  // namespace
+
+Parsed<ExtrudeEdges> ExtrudeEdges::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  ExtrudeEdges op;
+  const auto is_movement = [&] { return in.peek().find(',') != std::string::npos || parse_double(in.peek()); };
+  do op.edges.push_back(in.halfedge());
+  while (!in.failed() && !in.at_end() && !is_movement());
+  const std::string argument(in.peek());
+  if (argument.find(',') != std::string::npos)
+    op.offset = in.place();
+  else if (!in.at_end())
+    op.distance = in.number();
+  Parsed<ExtrudeEdges> out = in.result(op);
+  if (!out.op || argument.empty()) return out;
+  const glm::dvec3 by = op.movement(mesh);
+  for (Halfedge h : op.edges)
+    for (Vertex v : {mesh.from(h), mesh.to(h)})
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return malformed_argument<ExtrudeEdges>(
+            argument, {"a movement that leaves the edge at a finite place", "稜線の座標が有限になる移動量を"});
+  return out;
+}
+
+std::string ExtrudeEdges::command(const Mesh& mesh) const {
+  std::string text(info.id);
+  for (Halfedge h : edges) text += " " + name_to_choose(mesh, h);
+  if (offset) return text + " " + format_place(*offset);
+  if (distance) text += " " + format_double(*distance);
+  return text;
+}
+
+glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
+  if (offset) return *offset;
+  const std::vector<Halfedge> sides = sides_of(mesh, edges);
+  constexpr double rounding = 1e-12;
+  glm::dvec3 out(0);
+  double length = 0;
+  for (Halfedge side : sides) {
+    out += way_out(mesh, side);
+    length += glm::distance(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)));
+  }
+  if (!is_finite(out) || !(length > 0) || !is_finite(glm::dvec3(length))) return glm::dvec3(0);
+  glm::dvec3 direction = unit_or_zero(out, rounding * length);
+  if (direction == glm::dvec3(0)) direction = unit_or_zero(area_of_loop(mesh, sides), rounding * length * length);
+  const glm::dvec3 by = distance.value_or(length / static_cast<double>(sides.size())) * direction;
+  return is_finite(by) ? by : glm::dvec3(0);
+}
+
+Verdict ExtrudeEdges::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (edges.empty()) verdict.refuse(Rule::deleted, {Edge()});
+  for (Halfedge h : edges)
+    if (is_gone(mesh, h, verdict)) return verdict;
+  if (!verdict.legal()) return verdict;
+  for (Halfedge side : sides_of(mesh, edges))
+    for (Halfedge sheet : sheets_between(mesh, mesh.from(side), mesh.to(side)))
+      if (is_bridge(mesh, sheet)) verdict.refuse(Rule::same_face, {edge(sheet), mesh.face(sheet)});
+  return verdict;
+}
+
+std::vector<Reason> ExtrudeEdges::warnings(const Mesh& mesh) const {
+  const glm::dvec3 by = movement(mesh);
+  std::vector<Element> flat;
+  std::map<Vertex, bool> is_beside_face;  // by point
+  for (Halfedge side : sides_of(mesh, edges)) {
+    const glm::dvec3 &a = mesh.position(mesh.from(side)), &b = mesh.position(mesh.to(side));
+    if (FaceGeometry{{a, b, b + by, a + by}}.is_degenerate()) flat.push_back(edge(side));
+    for (Vertex v : {mesh.from(side), mesh.to(side)}) is_beside_face[point(mesh, v)] |= !mesh.is_outside(side);
+  }
+  // Quads at wires alone are a fan of their own.
+  std::vector<Vertex> pinched;
+  for (const auto& [p, is_beside] : is_beside_face)
+    if (!is_beside && has_face(mesh, p)) pinched.push_back(p);
+  std::vector<Reason> reasons;
+  if (!flat.empty()) reasons.push_back({Rule::degenerate, flat});
+  warn_of_pinch(pinched, reasons);
+  return reasons;
+}
+
+OpEffect ExtrudeEdges::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  return ExtrudedEdges(edit, sides_of(edit.mesh(), edges), movement(edit.mesh())).run();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,144 @@
+// Extruding every set of edges of small meshes: the list that its header defines, built anew, must have the same faces,
+// fans, edges and figures.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "core/analysis/figures.h"
+#include "core/mesh/copies.h"
+#include "core/ops/extrude_edges.h"
+#include "tests/support/core/kernel_lists.h"
+#include "tests/support/core/long_run.h"
+#include "tests/support/core/oracle/extruding.h"
+#include "tests/support/core/proof.h"
+#include "tests/support/core/random_meshes.h"
+#include "tests/support/core/shapes.h"
+
+namespace ryosen {
+namespace {
+
+using namespace test;
+using oracle::Complex;
+using oracle::Corners;
+using oracle::Pair;
+
+class SetsOfEdges {
+ public:
+  ~SetsOfEdges() { std::cout << extruded_ << " extruded\n"; }
+
+  // All sets of edges, each in an order of its own; of a mesh with many edges some, more in a long run.
+  void all_sets(const Mesh& mesh) {
+    std::vector<Halfedge> edges;
+    const Complex points = oracle::on_points(complex_of(mesh));
+    std::set<Pair> met;
+    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+      if (mesh.is_alive(Edge(i)) && met.insert(pair_of(mesh, halfedge(Edge(i)))).second)
+        edges.push_back(halfedge(Edge(i), i % 2));
+    const std::size_t most = is_long_run() ? 16 : 9, shown = std::min(edges.size(), most);
+    for (std::uint32_t set = 1; set < (1u << shown) && !testing::Test::HasFailure(); ++set) {
+      std::vector<Halfedge> named;
+      // Another part of a mesh with many edges for each set.
+      for (std::size_t i = 0; i < shown; ++i)
+        if (set >> i & 1) named.push_back(edges[(i * 5 + (edges.size() > most ? set : 0)) % edges.size()]);
+      std::rotate(named.begin(), named.begin() + set % static_cast<std::ptrdiff_t>(named.size()), named.end());
+      compare(mesh, points, named);
+    }
+  }
+
+ private:
+  static Pair pair_of(const Mesh& mesh, Halfedge h) {
+    const auto a = static_cast<int>(point(mesh, mesh.from(h)).index);
+    const auto b = static_cast<int>(point(mesh, mesh.to(h)).index);
+    return std::minmax({a, b});
+  }
+
+  // As the sides of faces run: those of the halfedge, else of its twin.
+  static std::vector<Pair> sides_of(const Mesh& mesh, const std::vector<Halfedge>& named) {
+    std::vector<Pair> sides;
+    std::set<Pair> met;
+    for (Halfedge h : named) {
+      if (!met.insert(pair_of(mesh, h)).second) continue;
+      const Halfedge side = mesh.is_outside(h) && !mesh.is_outside(twin(h)) ? twin(h) : h;
+      sides.emplace_back(static_cast<int>(point(mesh, mesh.from(side)).index),
+                         static_cast<int>(point(mesh, mesh.to(side)).index));
+    }
+    return sides;
+  }
+
+  void compare(const Mesh& before, const Complex& points, const std::vector<Halfedge>& named) {
+    const ExtrudeEdges op{named, {}, glm::dvec3(0.25, -0.5, 2)};
+    const std::vector<Pair> sides = sides_of(before, named);
+    const Complex expected = oracle::with_extruded_edges(points, sides);
+    const std::string name = command_of(before, op) + " on " + to_text(points);
+    ASSERT_TRUE(check(before, op).legal()) << name;
+    ++extruded_;
+    Mesh mesh = before;
+    {
+      const testing::ScopedTrace trace(__FILE__, __LINE__, name);
+      apply_and_prove(mesh, op);
+    }
+    ASSERT_EQ(differs_from_reading(mesh), "") << name;
+    const auto old = static_cast<int>(before.vertex_slots());
+    ASSERT_EQ(renamed(oracle::on_points(complex_of(mesh)), old), renamed(expected, old)) << name;
+    const ElementCounts was = counts_on_points(before), is = counts_on_points(mesh);
+    const std::size_t tops = expected.live.size() - points.live.size();
+    EXPECT_EQ(is.vertices - was.vertices, tops) << name;
+    EXPECT_EQ(is.edges - was.edges, tops + sides.size()) << name;
+    EXPECT_EQ(is.faces - was.faces, sides.size()) << name;
+  }
+
+  // The new points in the order in which faces meet them, as those of the kernel.
+  static std::vector<Corners> renamed(const Complex& complex, int old) {
+    std::map<int, int> names;
+    std::vector<Corners> faces;
+    for (const auto& loops : complex.faces) {
+      EXPECT_EQ(loops.size(), 1u);
+      faces.push_back(loops.at(0));
+      for (int& v : faces.back())
+        if (v >= old) v = old + names.emplace(v, names.size()).first->second;
+      faces.back() = oracle::rotated(faces.back());
+    }
+    return faces;
+  }
+
+  std::size_t extruded_ = 0;
+};
+
+Mesh with_wires(Mesh mesh, std::initializer_list<const char*> wires) {
+  for (const char* wire : wires) apply_and_prove(mesh, std::string("make_edge ") + wire);
+  return mesh;
+}
+
+TEST(extrude_edges_oracle, every_set_of_edges_of_named_shapes) {
+  SetsOfEdges all;
+  const Polygons book{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}};
+  const Polygons misoriented{{0, 1, 2}, {0, 1, 3}, {1, 2, 4}};
+  const Polygons hanging_pair{{0, 1, 2}, {0, 2, 1}, {2, 1, 3}};
+  const Polygons cone_and_fin{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 4}};
+  for (const Polygons& shape :
+       {tetrahedron(), cube(), two_quads(), closed_fan(5), bow_tie(), fin(), moebius_strip(), torus_grid(3, 3),
+        two_tetrahedra_on_an_edge(), book, misoriented, hanging_pair, cone_and_fin})
+    all.all_sets(make_mesh(shape));
+}
+
+TEST(extrude_edges_oracle, every_set_of_edges_where_wires_are) {
+  SetsOfEdges all;
+  all.all_sets(with_wires(make_mesh({}, 5), {"0 1", "1 2 0-1", "1 3 0-1", "3 4 1-3"}));
+  all.all_sets(with_wires(make_mesh({{0, 1, 2}}, 5), {"0 3", "3 4 0-3", "4 1 3-4"}));
+  all.all_sets(with_wires(make_mesh({{0, 1, 2}, {0, 3, 4}}, 7), {"0 5 1-0", "5 6 0-5"}));
+  all.all_sets(with_wires(make_mesh(bow_tie(), 7), {"5 6"}));
+}
+
+TEST(extrude_edges_oracle, sets_of_edges_of_random_meshes) {
+  SetsOfEdges all;
+  const std::uint64_t seeds = is_long_run() ? 1000 : 12;
+  for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
+    const SeededMesh random = seeded_mesh(seed);
+    all.all_sets(make_mesh(random.faces, random.points));
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

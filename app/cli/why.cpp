@@ -27,6 +27,8 @@ AnyOp on_edge(const Mesh& mesh, std::string_view id, Halfedge h) {
       candidate.halfedge = h;
       if constexpr (requires { Op::of_edge(mesh, h); }) candidate = Op::of_edge(mesh, h);
       op = candidate;
+    } else if constexpr (requires { Halfedge(candidate.edges[0]); }) {
+      if (Op::info.id == id) op = Op{{h}};
     }
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) { (choose(std::variant_alternative_t<I, AnyOp>()), ...); }

@@ -55,30 +55,35 @@ Text kinds_taken(const OpInfo& op) {
 // A syntax that asks for several elements in words: "two vertices in order; a face behind them where several come into
 // question". As it stands where it asks for something else.
 Text in_words(std::string_view syntax) {
-  int vertices = 0, faces = 0;
+  struct Kind {
+    const char *one, *many, *ja;
+    int wanted = 0;
+  };
+  Kind vertices{"vertex", "vertices", "頂点"}, edges{"edge", "edges", "稜線"}, faces{"face", "faces", "面"};
   bool may_be_more = false, may_name_face = false, may_name_sides = false;
   for (const std::string_view word : split_words(syntax)) {
     if (word == "..." || word == "...]")
       may_be_more = true;
     else if (word.size() == 1 && word[0] >= 'A' && word[0] <= 'Z')
-      ++vertices;
+      ++vertices.wanted;
+    else if (word == "A-B")
+      ++edges.wanted;
     else if (word == "fN")
-      ++faces;
+      ++faces.wanted;
     else if (word == "[fN]")
       may_name_face = true;
     else if (word == "[P-A]" || word == "[Q-B]")
       may_name_sides = true;
-    else if (word != "[fM" && word != "[DISTANCE|X,Y,Z]")
+    else if (word != "[fM" && word != "[C-D" && word != "[DISTANCE|X,Y,Z]")
       return {std::string(syntax), std::string(syntax)};
   }
-  const bool is_of_faces = faces > 0;
-  const int n = is_of_faces ? faces : vertices;
   constexpr const char* numbers[] = {"no", "one", "two", "three"};
-  if (n < 1 || n > 3 || (vertices > 0 && is_of_faces)) return {std::string(syntax), std::string(syntax)};
-  Text told{std::string(numbers[n]) + (is_of_faces ? n == 1 ? " face" : " faces"
-                                       : n == 1    ? " vertex"
-                                                   : " vertices"),
-            (is_of_faces ? "面を " : "頂点を ") + std::to_string(n) + " 個"};
+  const Kind& kind = faces.wanted > 0 ? faces : edges.wanted > 0 ? edges : vertices;
+  const int n = kind.wanted;
+  if (n < 1 || n > 3 || vertices.wanted + edges.wanted + faces.wanted != n)
+    return {std::string(syntax), std::string(syntax)};
+  Text told{std::string(numbers[n]) + " " + (n == 1 ? kind.one : kind.many),
+            std::string(kind.ja) + "を " + std::to_string(n) + " 個"};
   if (may_be_more) told = told + Text{" or more", "以上"};
   if (n > 1) told = told + Text{", in order", "、この順に"};
   if (may_name_face)

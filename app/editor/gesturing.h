@@ -19,6 +19,7 @@ struct Session::Gesturing {
     std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
     std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
     std::vector<Face> made = {};     // without extent until something is moved; ascending
+    Elements selected = {};          // in the end
   };
   std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
   bool is_of_copy = false;

@@ -43,7 +43,7 @@ const KeyRow first_keys[] = {
     {"F", "either make_face selected | fill selected", "make a face on the vertices, or fill holes at the edges",
      "選択した頂点に面を張る、または稜線の穴を埋める", false, false, KeyMenu::edit, "Fill or make a face",
      "面を張る・穴を埋める"},
-    {"E", "gesture extrude", "extrude the selected faces and move them", "選択した面を押し出して動かす", false, false,
+    {"E", "gesture extrude", "extrude the selected faces or edges and move them", "選択した面または稜線を押し出して動かす", false, false,
      KeyMenu::edit, "Extrude and move", "押し出して移動"},
     {"Shift+E", "gesture split", "split the edge under the tool, or the selected one, and move the vertex",
      "ツールの下または選択した稜線を分け、その頂点を動かす", false, false, KeyMenu::edit, "Split and move",

@@ -220,10 +220,12 @@ Outcome Session::end_gesture() {
     else
       lines.insert(lines.begin(), start);
   }
+  const Elements selected = g.pull ? g.pull->selected : Elements();
   cancel_gesture();
   Outcome outcome;
   for (const std::string& line : lines)
     if (outcome.done()) outcome = run(line);
+  if (outcome.done() && !lines.empty() && !selected.empty()) selection = selected;
   return outcome;
 }
 

@@ -1,14 +1,39 @@
-// Gestures that move what an operator makes: extruded faces, the vertex that splits an edge, a copy.
+// Gestures that move what an operator makes: extruded faces and edges, the vertex that splits an edge, a copy.
 #include <algorithm>
 #include <iterator>
 
 #include "app/editor/commands.h"
 #include "app/editor/gesturing.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/mesh/names.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/split_edge.h"
 
 namespace ryosen {
+
+namespace {
+
+// What an operator made at the far end of quads.
+Elements new_edges_of_new_points(const Mesh& mesh, const ColumnLengths& before) {
+  Elements found;
+  for (std::uint32_t i = before.halfedges / 2; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e)) continue;
+    const auto [a, b] = ends(mesh, e);
+    if (point(mesh, a).index >= before.vertices && point(mesh, b).index >= before.vertices) found.push_back(e);
+  }
+  return found;
+}
+
+std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLengths& before) {
+  std::vector<Face> found;
+  std::copy_if(touched.begin(), touched.end(), std::back_inserter(found),
+               [&](Face f) { return f.index >= before.faces; });
+  return found;
+}
+
+}  // namespace
 
 Outcome Session::begin_copy() {
   Outcome outcome = run("duplicate elements=selected");
@@ -22,27 +47,29 @@ Outcome Session::begin_copy() {
 Outcome Session::begin_pull() {
   end_trial();
   cancel_gesture();
-  Elements faces;
-  for (const Element& e : selection)
+  Elements faces, edges;
+  for (const Element& e : selection) {
     if (e.kind == Element::Kind::face) faces.push_back(e);
-  if (faces.empty()) return failed(ExitCode::refused, {"select faces first", "先に面を選択してください"});
-  std::vector<std::string> names = names_of(faces);
-  std::string line = "extrude ";
+    if (e.kind == Element::Kind::edge) edges.push_back(e);
+    if (e.kind == Element::Kind::halfedge) edges.push_back(edge(e.halfedge()));
+  }
+  if (faces.empty() && edges.empty())
+    return failed(ExitCode::refused, {"select faces or edges first", "先に面または稜線を選択してください"});
+  const std::string id(faces.empty() ? ExtrudeEdges::info.id : Extrude::info.id);
+  std::vector<std::string> names = names_of(faces.empty() ? edges : faces);
+  std::string line = id + " ";
   for (const std::string& name : names) line += name + " ";
   names.push_back("0");
   const std::vector<std::string_view> arguments(names.begin(), names.end());
-  const Parsed<AnyOp> extrusion = parse_op(mesh(), "extrude", arguments);
+  const Parsed<AnyOp> extrusion = parse_op(mesh(), id, arguments);
   if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
+  const ColumnLengths before = mesh().lengths();
   const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
-  std::vector<Face> pulled, made;
-  for (const Element& e : faces) pulled.push_back(e.face());
-  std::sort(pulled.begin(), pulled.end());
-  begin_gesture_with(PointTransform::Kind::move, std::move(faces));
-  const std::vector<Face>& touched = gesturing_->touched.faces;
-  std::set_difference(touched.begin(), touched.end(), pulled.begin(), pulled.end(), std::back_inserter(made));
-  gesturing_->pull = {std::move(line), "0", {}, std::move(made)};
-  gesture_key("N");
+  Elements moved = faces.empty() ? new_edges_of_new_points(mesh(), before) : faces;
+  begin_gesture_with(PointTransform::Kind::move, moved);
+  gesturing_->pull = {std::move(line), "0", {}, new_faces(gesturing_->touched.faces, before), std::move(moved)};
+  if (!faces.empty()) gesture_key("N");
   return outcome;
 }
 

@@ -76,8 +76,8 @@ void gesture_items(PanelContext& context) {
   item("Move", "移動", "gesture move");
   item("Turn", "回転", "gesture turn");
   item("Scale", "拡大縮小", "gesture scale");
-  const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
-  if (std::any_of(context.session.selection.begin(), context.session.selection.end(), is_face))
+  const auto is_no_vertex = [](const Element& e) { return e.kind != Element::Kind::vertex; };
+  if (std::any_of(context.session.selection.begin(), context.session.selection.end(), is_no_vertex))
     item("Extrude and move", "押し出して移動", "gesture extrude");
   const Elements& selection = context.session.selection;
   if (selection.size() == 1 &&

@@ -87,12 +87,14 @@ inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
 inline OpEffect apply(Edit& edit, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.apply(edit); }, op);
 }
-// The halfedge that an operator on an edge is about; none for others.
+// The halfedge that an operator on one edge is about; none for others.
 inline Halfedge halfedge_of(const AnyOp& op) {
   return std::visit(
       []<class Op>(const Op& o) {
         if constexpr (requires { Halfedge(o.halfedge); })
           return o.halfedge;
+        else if constexpr (requires { Halfedge(o.edges[0]); })
+          return o.edges.size() == 1 ? o.edges[0] : Halfedge();
         else
           return Halfedge();
       },

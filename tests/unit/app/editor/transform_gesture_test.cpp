@@ -320,6 +320,31 @@ TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_noth
   EXPECT_EQ(session_->mesh().hash(), hash);
 }
 
+TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) {
+  const std::uint64_t hash = session_->mesh().hash();
+  const std::string edge = name_of(session_->mesh(), Edge(0)), select = "select " + edge;
+  run({"mode edge", select.c_str(), "key E"});
+  ASSERT_TRUE(session_->gesture());
+  run({"key Escape"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+  EXPECT_TRUE(session_->document().history().empty());
+  run({"key E", "key Z", "key 2", "key Enter"});
+  ASSERT_EQ(session_->document().history().size(), 1u);
+  EXPECT_EQ(session_->document().history()[0].command, "extrude_edges " + edge + " 0,0,2");
+  ASSERT_EQ(session_->selection.size(), 1u);
+  const Element top = session_->selection[0];
+  ASSERT_EQ(top.kind, Element::Kind::edge);
+  EXPECT_NE(name_of(session_->mesh(), top), edge) << "the new edge";
+  run({"key E", "key Z", "key 1", "key Enter"});
+  EXPECT_EQ(session_->document().history()[1].command, "extrude_edges " + name_of(session_->mesh(), top) + " 0,0,1");
+  const std::uint64_t moved = session_->mesh().hash();
+  const auto again = open();
+  for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+  EXPECT_EQ(again->mesh().hash(), moved);
+  run({"undo", "undo"});
+  EXPECT_EQ(session_->mesh().hash(), hash);
+}
+
 // Anywhere: where the pointer leaves it, as one entry.
 TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
   const std::uint64_t hash = session_->mesh().hash();

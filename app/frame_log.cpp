@@ -1,6 +1,7 @@
 #include "app/frame_log.h"
 
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include "core/mesh/names.h"
@@ -19,6 +20,12 @@ std::string first_selected(const Session& session) {
 }
 
 std::string over_the_view(const Session& session) { return session.open_panel.empty() ? "-" : session.open_panel; }
+
+std::string words_of(const glm::dvec3& place) {
+  std::ostringstream words;
+  words << place.x << ' ' << place.y << ' ' << place.z;
+  return words.str();
+}
 
 }  // namespace
 
@@ -40,8 +47,8 @@ void FrameLog::frame(const Session& session, std::int64_t pixels, double took_ms
   log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
-       << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << " first "
-       << first_selected(session) << " panel " << over_the_view(session) << std::endl;
+       << " eye " << words_of(session.camera.eye) << " first " << first_selected(session) << " panel "
+       << over_the_view(session) << " target " << words_of(session.camera.target) << std::endl;
 }
 
 }  // namespace ryosen

@@ -21,6 +21,16 @@ std::string words_of(glm::dvec2 pixel) {
   return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
 }
 
+std::string while_held(const std::string& keys, const std::string& words) {
+  std::istringstream held(keys);
+  std::string down, up, key;
+  while (held >> key) {
+    down += "keydown " + key + " ";
+    up += " keyup " + key;
+  }
+  return down + words + up;
+}
+
 void RealWindow::SetUp() {
   for (const char* program : {"Xvfb", "xdotool"})
     if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
@@ -38,7 +48,7 @@ void RealWindow::open(const std::string& mesh) {
       std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
                                "XDG_STATE_HOME=" + state_.path().string(),
                                "XDG_CONFIG_HOME=" + config_.path().string()},
-      "/dev/null", folder_.at("err"));
+      "/dev/null", folder_.at("err"), current_.path().string());
   ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
 }
 
@@ -56,15 +66,10 @@ void RealWindow::xdotool(const std::string& words) const {
 }
 
 void RealWindow::drag(glm::dvec2 from, glm::dvec2 to, const std::string& keys, int button) const {
-  std::istringstream held(keys);
-  std::string down, up, key;
-  while (held >> key) {
-    down += " keydown " + key;
-    up += " keyup " + key;
-  }
   const std::string which = std::to_string(button);
-  xdotool("mousemove " + words_of(from) + down + " mousedown " + which + " mousemove " +
-          words_of(from * 0.5 + to * 0.5) + " mousemove " + words_of(to) + " mouseup " + which + up);
+  xdotool("mousemove " + words_of(from) + " " +
+          while_held(keys, "mousedown " + which + " mousemove " + words_of(from * 0.5 + to * 0.5) + " mousemove " +
+                               words_of(to) + " mouseup " + which));
 }
 
 Frame RealWindow::last() const {
@@ -79,7 +84,7 @@ Frame RealWindow::last() const {
   line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
       frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
       word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first >> word >>
-      frame.panel;
+      frame.panel >> word >> frame.target.x >> frame.target.y >> frame.target.z;
   return frame;
 }
 

@@ -195,7 +195,10 @@ class TriangleTree::NearQuery {
     Float4 within =
         square(node, 0, Float4::all(static_cast<float>(p.x))) + square(node, 1, Float4::all(static_cast<float>(p.y)));
     for (std::size_t way = 0; way < 2; ++way) {
-      const Float4 place = Float4::all(static_cast<float>(glm::dot(turn.across[way], glm::dvec2(p))));
+      const auto along = [&](std::size_t k) {
+        return static_cast<float>(glm::dot(turn.across[way][k], glm::dvec2(p)));
+      };
+      const Float4 place = Float4::of(along(0), along(1), along(2), along(3));
       within = larger(within, square(turn.lowest[way], turn.highest[way], place));
     }
     return floats_of(within + square(node, 2, Float4::all(static_cast<float>(p.z))));

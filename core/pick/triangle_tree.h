@@ -81,11 +81,12 @@ class TriangleTree {
     std::uint32_t has_triangles;
     std::uint32_t turn = no_index;  // by place in turns_; none: the axes are those of the places
   };
-  // A node whose boxes lie along what is in them. Beside them the children lie between lines in the plane of the first two
-  // axes, two ways: along the sides of what narrows to a point.
+  // A node whose boxes lie along what is in them. Beside them each child lies between lines in the plane of the first two
+  // axes, two ways: along its own sides where it narrows to a point, so that of the spokes of a fan that one is the nearest
+  // which is.
   struct Turn {
     glm::dmat3 axes;  // in rows
-    std::array<glm::dvec2, 2> across;
+    std::array<std::array<glm::dvec2, width>, 2> across;
     std::array<std::array<float, width>, 2> lowest, highest;  // of the places along `across`
   };
   // What of the triangles a node stands for.

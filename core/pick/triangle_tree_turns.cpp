@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <optional>
 
 #include "core/geometry/box.h"
@@ -41,19 +42,25 @@ std::optional<glm::dmat3> turn_along(const ForEachTriangle& for_each_triangle) {
 // The directions across the long sides that lean the most to either side, in the plane of the first two axes.
 template <class ForEachTriangle>
 std::array<glm::dvec2, 2> across_long_sides(const glm::dmat3& axes, const ForEachTriangle& for_each_triangle) {
-  double longest = 0, least = 0, most = 0;  // slopes
+  double longest = 0;
   const auto for_each_side = [&](const auto& visit) {
     for_each_triangle([&](const std::array<glm::dvec3, 3>& t) {
-      for (std::size_t i = 0; i < 3; ++i) visit(axes * (t[(i + 1) % 3] - t[i]));
+      for (std::size_t i = 0; i < 3; ++i) visit(glm::dvec2(axes * (t[(i + 1) % 3] - t[i])));
     });
   };
-  for_each_side([&](const glm::dvec3& side) { longest = std::max(longest, std::abs(side.x)); });
-  for_each_side([&](const glm::dvec3& side) {
+  for_each_side([&](const glm::dvec2& side) { longest = std::max(longest, std::abs(side.x)); });
+  if (!(longest > 1e-100)) return {glm::dvec2(0, 1), glm::dvec2(0, 1)};
+  constexpr double any = std::numeric_limits<double>::infinity();
+  double least = any, most = -any;  // slopes
+  glm::dvec2 lowest(1, 0), highest(1, 0);
+  for_each_side([&](const glm::dvec2& side) {
     if (std::abs(side.x) < 0.5 * longest) return;
-    least = std::min(least, side.y / side.x);
-    most = std::max(most, side.y / side.x);
+    const double slope = side.y / side.x;
+    if (slope < least) least = slope, lowest = side;
+    if (slope > most) most = slope, highest = side;
   });
-  return {glm::normalize(glm::dvec2(-least, 1)), glm::normalize(glm::dvec2(-most, 1))};
+  const auto across = [](const glm::dvec2& side) { return glm::normalize(glm::dvec2(-side.y, side.x)); };
+  return {across(lowest), across(highest)};
 }
 
 }  // namespace
@@ -93,31 +100,35 @@ void TriangleTree::turn_slender_nodes() {
 }
 
 void TriangleTree::turn(Node& node, const Content& content, std::span<const Content> below) {
-  const auto for_each_triangle = [&](const auto& visit) {
-    for (std::uint32_t t = content.begin; t < content.end; ++t) visit(places(t));
+  const auto triangles_in = [&](const Content& range) {
+    return [this, range](const auto& visit) {
+      for (std::uint32_t t = range.begin; t < range.end; ++t) visit(places(t));
+    };
   };
-  const auto axes = turn_along(for_each_triangle);
+  const auto axes = turn_along(triangles_in(content));
   if (!axes) return;
-  const auto across = across_long_sides(*axes, for_each_triangle);
+  Turn turned_to{*axes, {}, {}, {}};
   Box plain, turned;
   std::array<Box, width> boxes, between;
   for (std::uint32_t child = 0; child < width; ++child) {
     if (!(node.lowest[0][child] <= node.highest[0][child])) continue;
     const std::uint32_t at = node.first + child;
-    const Content range = node.has_triangles ? Content{at, at + 1, 0} : below[at];
-    for (std::uint32_t t = range.begin; t < range.end; ++t)
-      for (const glm::dvec3& corner : places(t)) {
+    const auto for_each_triangle = triangles_in(node.has_triangles ? Content{at, at + 1, 0} : below[at]);
+    const auto across = across_long_sides(*axes, for_each_triangle);
+    for_each_triangle([&](const std::array<glm::dvec3, 3>& t) {
+      for (const glm::dvec3& corner : t) {
         plain.add(corner);
         const glm::dvec3 p = *axes * (corner - origin_);
         boxes[child].add(p);
         between[child].add({glm::dot(across[0], glm::dvec2(p)), glm::dot(across[1], glm::dvec2(p)), 0});
       }
+    });
+    for (std::size_t way = 0; way < 2; ++way) turned_to.across[way][child] = across[way];
     turned.add(boxes[child].lowest);
     turned.add(boxes[child].highest);
   }
   if (!(2 * surface(turned.highest - turned.lowest) < surface(plain.highest - plain.lowest))) return;
   node.turn = static_cast<std::uint32_t>(turns_.size());
-  Turn& turned_to = turns_.emplace_back(Turn{*axes, across, {}, {}});
   const auto set = [](auto& lowest, auto& highest, std::size_t child, const Box& box) {
     const FloatBox rounded = rounded_outwards(box.lowest, box.highest);
     const std::array<float, 4> low = floats_of(rounded.lowest), high = floats_of(rounded.highest);
@@ -131,6 +142,7 @@ void TriangleTree::turn(Node& node, const Content& content, std::span<const Cont
     set(node.lowest, node.highest, child, boxes[child]);
     set(turned_to.lowest, turned_to.highest, child, between[child]);
   }
+  turns_.push_back(turned_to);
 }
 
 }  // namespace ryosen

@@ -4,7 +4,6 @@
 
 #include "core/base/parallel.h"
 #include "core/ops/swap_edge.h"
-#include "core/pick/bvh.h"
 #include "core/pick/nearest.h"
 
 namespace ryosen {
@@ -32,11 +31,17 @@ std::vector<glm::dvec3> places_of(const CollapseSurface& surface) {
   return places;
 }
 
-// The triangles of a mesh, by face.
-std::vector<Primitive> triangles_of(const Mesh& mesh) {
-  std::vector<Primitive> triangles(mesh.face_slots());
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); mesh.is_alive(f) && is_plain_triangle(mesh, f)) triangles[i] = primitive_of(mesh, f);
+// The triangles of a mesh that lie at finite places.
+std::vector<Primitive> triangles_of(const Mesh& mesh, std::span<const glm::dvec3> places) {
+  std::vector<Primitive> triangles;
+  triangles.reserve(mesh.face_slots());
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    const Face f(i);
+    if (!mesh.is_alive(f) || !is_plain_triangle(mesh, f)) continue;
+    const Primitive t = primitive_of(mesh, f);
+    if (std::all_of(t.vertices.begin(), t.vertices.end(), [&](std::uint32_t v) { return is_finite(places[v]); }))
+      triangles.push_back(t);
+  }
   return triangles;
 }
 
@@ -97,9 +102,10 @@ class NearerSwaps {
   double area(Vertex a, Vertex b, Vertex c) const { return area_of(places_, triangle(a, b, c)); }
   // Of the place in the middle of two from the surface before.
   double square_between(Vertex a, Vertex b) const {
-    const auto hit = before_.triangles.nearest(before_.places, (places_[a.index] + places_[b.index]) / 2.0,
-                                               std::numeric_limits<double>::infinity());
-    return hit ? hit->distance * hit->distance : 0;
+    const glm::dvec3 middle = (places_[a.index] + places_[b.index]) / 2.0;
+    if (before_.triangles.is_empty() || !is_finite(middle)) return 0;
+    const double distance = before_.triangles.nearest(middle).distance;
+    return distance * distance;
   }
   double square_at_middle(Halfedge h) {
     double& square = square_at_middle_[edge(h).index];
@@ -120,18 +126,16 @@ class NearerSwaps {
 };
 
 bool NearerSwaps::assign(Progress& progress) {
-  Bvh tree;
-  tree.build(places_, triangles_of(mesh_));
+  const TriangleTree tree(places_, triangles_of(mesh_, places_), 1);
   const auto count = static_cast<std::uint32_t>(before_.samples.size());
   std::vector<std::uint32_t> faces(count, no_index);
   constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
-  for (std::uint32_t first = 0; first < count; first += piece) {
+  for (std::uint32_t first = 0; first < count && !tree.is_empty(); first += piece) {
     if (!progress.go_on()) return false;
     const std::uint32_t here = std::min(piece, count - first);
     for_each_part(here, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = first + begin; i < first + end; ++i)
-        if (const auto hit = tree.nearest(places_, before_.samples[i].place, std::numeric_limits<double>::infinity()))
-          faces[i] = hit->slot;
+        faces[i] = tree.owner(tree.nearest(before_.samples[i].place).triangle);
     });
   }
   first_.assign(mesh_.face_slots(), no_index);
@@ -189,23 +193,21 @@ bool NearerSwaps::try_edge(Edge e) {
 SurfaceBefore surface_before(const CollapseSurface& surface) {
   const Mesh& mesh = surface.mesh();
   SurfaceBefore before;
-  before.places = places_of(surface);
-  std::vector<Primitive> triangles = triangles_of(mesh);
+  const std::vector<glm::dvec3> places = places_of(surface);
+  const std::vector<Primitive> triangles = triangles_of(mesh, places);
   std::vector<double> areas(mesh.vertex_slots());
   for (const Primitive& t : triangles) {
-    if (t.size() == 0) continue;
-    const double area = area_of(before.places, t);
+    const double area = area_of(places, t);
     glm::dvec3 sum{0.0};
     for (const std::uint32_t v : t.vertices) {
       areas[v] += area / 12;
-      sum += before.places[v];
+      sum += places[v];
     }
     before.samples.push_back({sum / 3.0, area * 3 / 4});
   }
   for (std::uint32_t v = 0; v < areas.size(); ++v)
-    if (areas[v] > 0) before.samples.push_back({before.places[v], areas[v]});
-  std::erase_if(before.samples, [](const SurfaceBefore::Sample& s) { return !is_finite(s.place); });
-  before.triangles.build(before.places, std::move(triangles));
+    if (areas[v] > 0) before.samples.push_back({places[v], areas[v]});
+  before.triangles = TriangleTree(places, triangles, 1);
   return before;
 }
 

@@ -7,7 +7,7 @@
 #include "core/algo/simplify/collapse_surface.h"
 #include "core/base/progress.h"
 #include "core/mesh/edit.h"
-#include "core/pick/bvh.h"
+#include "core/pick/triangle_tree.h"
 
 namespace ryosen {
 
@@ -18,9 +18,8 @@ struct SurfaceBefore {
     double area = 0.0;  // that it stands for
   };
 
-  std::vector<glm::dvec3> places;  // by vertex
-  Bvh triangles;                   // by face
-  std::vector<Sample> samples;     // corners and middles of the triangles
+  TriangleTree triangles;
+  std::vector<Sample> samples;  // corners and middles of the triangles
 };
 
 // O(n log n). Faces that are no triangles without rings, and those that lie at no finite place, are left out.

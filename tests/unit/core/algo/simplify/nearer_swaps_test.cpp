@@ -1,0 +1,51 @@
+// What it takes to tell how far a simplified surface lies from what it was.
+#include "core/algo/simplify/nearer_swaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/indexed/from_indexed.h"
+
+namespace ryosen::test {
+namespace {
+
+// Spokes about one vertex, up and down seven times in a round.
+Mesh wavy_fan(std::uint32_t spokes) {
+  IndexedMesh fan;
+  fan.positions.emplace_back(0, 0, 0);
+  for (std::uint32_t i = 0; i < spokes; ++i) {
+    const double angle = 2 * std::numbers::pi * i / spokes;
+    fan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.1 * std::sin(7 * angle));
+    fan.corners.insert(fan.corners.end(), {0, 1 + i, 1 + (i + 1) % spokes});
+    fan.face_offsets.push_back(static_cast<std::uint32_t>(fan.corners.size()));
+  }
+  return from_indexed(std::move(fan));
+}
+
+// Triangles of the surface before whose distance is computed, for each of its own samples and for each middle of two
+// spokes, on average.
+double triangles_asked_on_average(std::uint32_t spokes) {
+  const Mesh mesh = wavy_fan(spokes);
+  const CollapseSurface surface(mesh, {});
+  const SurfaceBefore before = surface_before(surface);
+  std::size_t asked = 0;
+  for (const SurfaceBefore::Sample& sample : before.samples)
+    asked += before.triangles.triangles_asked_for(sample.place);
+  for (std::uint32_t i = 0; i < spokes; ++i) {
+    const auto spoke = [&](std::uint32_t k) { return surface.place(Vertex(1 + k % spokes)); };
+    asked += before.triangles.triangles_asked_for((spoke(i) + spoke(i + 2)) / 2.0);
+    asked += before.triangles.triangles_asked_for((spoke(i) + surface.place(Vertex(0))) / 2.0);
+  }
+  return static_cast<double>(asked) / static_cast<double>(before.samples.size() + 2 * spokes);
+}
+
+TEST(nearer_swaps, asks_few_triangles_about_a_vertex_of_many_faces) {
+  const double of_few = triangles_asked_on_average(1000), of_many = triangles_asked_on_average(8000);
+  EXPECT_LT(of_few, 12);
+  EXPECT_LT(of_many, 12);
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -18,14 +18,16 @@ std::string first_selected(const Session& session) {
   return session.selection.empty() ? "-" : name_of(session.mesh(), session.selection[0]);
 }
 
+std::string over_the_view(const Session& session) { return session.open_panel.empty() ? "-" : session.open_panel; }
+
 }  // namespace
 
 FrameLog::FrameLog() {
   if (const char* const path = std::getenv("RYOSEN_FRAME_LOG")) log_.open(path, std::ios::app);
 }
 
-void FrameLog::reading(const std::filesystem::path& file) {
-  if (log_.is_open()) log_ << "reading " << file.string() << std::endl;
+void FrameLog::reading(const Session& session, const std::filesystem::path& file) {
+  if (log_.is_open()) log_ << "reading " << file.string() << " panel " << over_the_view(session) << std::endl;
 }
 
 void FrameLog::progress(double share) {
@@ -39,7 +41,7 @@ void FrameLog::frame(const Session& session, std::int64_t pixels, double took_ms
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
        << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << " first "
-       << first_selected(session) << std::endl;
+       << first_selected(session) << " panel " << over_the_view(session) << std::endl;
 }
 
 }  // namespace ryosen

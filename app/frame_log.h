@@ -13,7 +13,8 @@ class FrameLog {
  public:
   FrameLog();
 
-  void reading(const std::filesystem::path& file);
+  // With the panel that lies over the view meanwhile.
+  void reading(const Session& session, const std::filesystem::path& file);
   void progress(double share);
   // The pixels that were drawn, the time that took, and what is shown.
   void frame(const Session& session, std::int64_t pixels, double took_ms);

@@ -62,9 +62,6 @@ class Editor {
     session_.frame_all();
     session_.autosave = &autosave_;
     autosave_.begin(session_.document());
-    // Why the folder cannot be read is said to whoever asks for the list.
-    if (list_lost_sessions(session_) && !session_.lost.empty())
-      session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
   }
 
   // Shows an empty view until the file is read. Given up, it goes on without it.
@@ -78,6 +75,7 @@ class Editor {
   }
 
   void run() {
+    offer_recovery();
     while (!gui_.wants_quit()) {
       std::optional<Clock::duration> next;
       for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
@@ -106,6 +104,13 @@ class Editor {
   }
 
  private:
+  // Not while a file is read: that has a dialog of its own.
+  void offer_recovery() {
+    // Why the folder cannot be read is said to whoever asks for the list.
+    if (list_lost_sessions(session_) && !session_.lost.empty())
+      session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
+  }
+
   // True when there is something to say about it.
   bool keep_user_files() {
     const auto fault = user_files_.keep(session_);
@@ -220,7 +225,7 @@ class Editor {
   // Says meanwhile what is read. What was given up ends beside the frames, at the latest with the window.
   Result<std::unique_ptr<Document>> read_beside(const std::filesystem::path& file) {
     std::erase_if(given_up_, [](const auto& opening) { return opening->is_done({}); });
-    log_.reading(file);
+    log_.reading(session_, file);
     auto opening = std::make_unique<Opening>(file);
     is_working_ = true;
     is_cancelled_ = false;

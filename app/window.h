@@ -21,10 +21,12 @@ struct WindowOptions {
 //
 // Preferences, the layout of the panels and the recent files are kept in the user's folder (editor/user_files.h).
 //
-// Every edit is recorded for crash recovery (see editor/autosave.h); at the start, recoverable sessions are offered.
+// Every edit is recorded for crash recovery (see editor/autosave.h); at the start, once the file is read, recoverable
+// sessions are offered.
 //
 // With RYOSEN_FRAME_LOG=FILE in the environment a line of FILE says that a file is being read, and each presented frame
-// appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document.
+// appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document. Both name the panel
+// that lies over the view.
 Status run_window(const WindowOptions& options);
 
 }  // namespace ryosen

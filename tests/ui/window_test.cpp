@@ -254,6 +254,20 @@ TEST_F(WindowTest, after_a_crash_the_next_start_brings_the_edits_back) {
   EXPECT_TRUE(state_.names().empty()) << "nothing is left to recover";
 }
 
+// One question at a time: that of the recovery comes once the file is read.
+TEST_F(WindowTest, offers_recovery_once_a_large_file_is_read) {
+  open(folder_.copy(test::asset("torus.off"), "torus.off"));
+  type("split 0-1");
+  ASSERT_TRUE(wait_for([&] { return last().history == 1; })) << "nothing was split";
+  editor_->end_by(SIGKILL);
+  std::filesystem::remove(folder_.at("frames"));
+  open(test::asset("stanford_bunny.obj"));
+  const std::string log = test::read_file(folder_.at("frames"));
+  EXPECT_NE(log.find("stanford_bunny.obj panel -\n"), log.npos) << log;
+  EXPECT_EQ(last().vertices, 34834);
+  EXPECT_EQ(last().panel, "recover");
+}
+
 TEST_F(WindowTest, goes_on_while_a_large_file_is_opened_in_it) {
   open(test::asset("torus.off"));
   EXPECT_EQ(test::read_file(folder_.at("frames")).find("reading "), std::string::npos);

@@ -78,7 +78,8 @@ Frame RealWindow::last() const {
   std::string word;
   line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
       frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
-      word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first;
+      word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first >> word >>
+      frame.panel;
   return frame;
 }
 

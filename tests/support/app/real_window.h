@@ -24,6 +24,7 @@ struct Frame {
   long selected = 0;
   glm::dvec3 eye{0};
   std::string first;  // of what is selected
+  std::string panel;  // over the view
 };
 
 // "640 400", as xdotool takes a pixel.

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <new>
+#include <utility>
 
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
@@ -33,15 +34,29 @@ void Autosave::begin(const Document& document, SessionStart start) {
   finish();
   start_ = std::move(start);
   file_.swap(file);
+  unsaved_ = {};
   has_failed_ = false;
 }
 
-void Autosave::go_on(OwnedScript script, const Document& document, SessionStart start) {
-  begin(document, std::move(start));
+void Autosave::go_on(OwnedScript script, const Document& document, const LostSession& lost) {
+  begin(document, lost.start);
   script_ = std::move(script);
+  unsaved_ = lost.unsaved;
 }
 
 std::string Autosave::saved_remark() const { return "# saved " + file_argument(file_.string()) + "\n"; }
+
+std::string Autosave::remark_behind(std::size_t lines, const Document& document) {
+  unsaved_.edits += lines;
+  if (!document.is_modified()) {
+    unsaved_ = {};
+    return saved_remark();
+  }
+  const Document::Unsaved now = document.unsaved();
+  if (std::exchange(unsaved_, now) == now) return {};
+  return "# unsaved " + std::to_string(now.edits) +
+         (now.undone > 0 ? " " + std::to_string(now.undone) : std::string()) + "\n";
+}
 
 std::optional<Text> Autosave::give_up(const Text& reason) {
   has_failed_ = true;
@@ -91,9 +106,13 @@ std::optional<Text> Autosave::open_script(const Session& session) {
   }
   if (file_ != start_.file) text += saved_remark();
   // A recovery may already have applied some edits.
-  for (const std::string& line : session.log())
-    if (is_edit(line)) text += line + "\n";
-  if (!session.document().is_modified()) text += saved_remark();
+  std::size_t lines = 0;
+  for (const std::string& line : session.log()) {
+    if (!is_edit(line)) continue;
+    text += line + "\n";
+    ++lines;
+  }
+  text += remark_behind(lines, session.document());
   if (!warning) warning = append(text);
   if (has_failed_) finish();
   return warning;
@@ -101,8 +120,7 @@ std::optional<Text> Autosave::open_script(const Session& session) {
 
 std::optional<Text> Autosave::note(const Session& session, const std::string& line) {
   const auto call = call_of(line);
-  const bool edits = is_edit(line), saves = call && call->row.effect == Effect::writes,
-             is_saved = !session.document().is_modified();
+  const bool edits = is_edit(line), saves = call && call->row.effect == Effect::writes;
   if (saves) file_ = whole(session.document().path());
   if (has_failed_) {
     // The script from before the failure may start from a file that has now been replaced.
@@ -112,7 +130,7 @@ std::optional<Text> Autosave::note(const Session& session, const std::string& li
   }
   if (edits && !script_) return open_script(session);
   if (!script_ || !(edits || saves)) return std::nullopt;
-  return append((edits ? line + "\n" : "") + (is_saved ? saved_remark() : ""));
+  return append((edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, session.document()));
 }
 
 std::optional<Text> Autosave::before_save(const Session& session, const fs::path& target) {

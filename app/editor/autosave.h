@@ -23,7 +23,7 @@ class Autosave {
   // For a partially recovered document; uses a new script, the lost one is kept.
   void begin(const Document& document, SessionStart start);
   // For a fully recovered document; continues the lost script.
-  void go_on(OwnedScript script, const Document& document, SessionStart start);
+  void go_on(OwnedScript script, const Document& document, const LostSession& lost);
 
   // After a line was executed and appended to the log. Returns a message if recording has just failed.
   std::optional<Text> note(const Session& session, const std::string& line);
@@ -45,11 +45,14 @@ class Autosave {
   std::optional<Text> keep_original(const std::filesystem::path& file);
   std::optional<Text> give_up(const Text& reason);
   std::string saved_remark() const;
+  // What the script has to say of the document behind so many new lines; empty where these say it.
+  std::string remark_behind(std::size_t lines, const Document& document);
 
   std::filesystem::path folder_;
   std::optional<OwnedScript> script_;
   SessionStart start_;
   std::filesystem::path file_;  // the document's, absolute
+  Document::Unsaved unsaved_;   // as the script says it
   bool has_failed_ = false;     // for this document
   bool lacked_memory_ = false;  // and nobody has been told
   bool has_warned_ = false;

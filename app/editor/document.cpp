@@ -296,6 +296,7 @@ Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   if (status || is_open_here) take_file_as_known();
   if (!status) return status;
   saved_position_ = journal_.position();
+  count_as_saved();
   return status;
 }
 

@@ -116,7 +116,16 @@ class Document {
   void take_file_as_known() { on_disk_ = FileState::of(path_); }
   bool is_modified() const { return saved_position_ != journal_.position(); }
   // Marks every history position as unsaved.
-  void mark_unsaved() { saved_position_ = no_index; }
+  void mark_unsaved();
+  // The file holds what the mesh is now, though it may have been changed since (see mark_unsaved).
+  void count_as_saved() { held_ = {position(), position()}; }
+  // What the mesh and its file do not have in common, in entries of the history.
+  struct Unsaved {
+    std::size_t edits = 0;   // done, and not in the file
+    std::size_t undone = 0;  // or done otherwise since, and in the file
+    bool operator==(const Unsaved&) const = default;
+  };
+  Unsaved unsaved() const;
   // The document as it would be written: all live elements and the data of the file; never what is on trial.
   MeshFile contents() const;
   // What writing to a file of this name would lose, and which removed elements it would still contain, one warning
@@ -171,6 +180,11 @@ class Document {
   std::vector<HistoryEntry> history_;
   OtherQuarantine other_quarantine_;
   std::size_t saved_position_ = 0;
+  // How many entries the file holds, and how many of them, the first ones, the history still has.
+  struct Held {
+    std::size_t entries = 0, in_history = 0;
+  };
+  Held held_;
   std::uint64_t revision_ = 0;
   std::uint64_t serial_;
   std::vector<Listener> listeners_;

@@ -1,4 +1,5 @@
 // The history of a document, and what is on trial beside it.
+#include <algorithm>
 #include <cassert>
 #include <new>
 #include <utility>
@@ -21,7 +22,18 @@ void Document::committed(std::string command, OtherQuarantine other, bool has_no
     exchange_quarantine(transaction);
   }
   if (saved_position_ >= journal_.position()) saved_position_ = no_index;  // that position can no longer be reached
+  held_.in_history = std::min(held_.in_history, transaction);
   notify(journal_, transaction, Change::made);
+}
+
+void Document::mark_unsaved() {
+  saved_position_ = no_index;
+  held_ = {};
+}
+
+Document::Unsaved Document::unsaved() const {
+  const std::size_t common = std::min(held_.in_history, position());
+  return {position() - common, held_.entries - common};
 }
 
 void Document::exchange_quarantine(std::size_t transaction) {

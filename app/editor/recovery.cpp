@@ -31,6 +31,15 @@ std::optional<std::string_view> remark(std::string_view line, std::string_view w
   return without_blanks(rest);
 }
 
+// "1 2", the second is 0 where it is missing.
+Document::Unsaved counts_of(std::string_view words) {
+  Document::Unsaved counts;
+  const char* const end = words.data() + words.size();
+  const char* const blank = std::from_chars(words.data(), end, counts.edits).ptr;
+  if (blank != end) std::from_chars(blank + 1, end, counts.undone);
+  return counts;
+}
+
 std::string time_text(std::time_t time) {
   std::tm local{};
   ::localtime_r(&time, &local);
@@ -82,9 +91,37 @@ Text count_edits(std::size_t n) {
   return {n == 1 ? "1 edit" : std::to_string(n) + " edits", std::to_string(n) + " 件の編集"};
 }
 
+// What the file lacks, and what it has too much.
+Text difference_from_file(const Document::Unsaved& unsaved) {
+  if (unsaved.undone == 0) return count_edits(unsaved.edits);
+  const std::string undone = std::to_string(unsaved.undone), many = unsaved.undone == 1 ? "" : "s";
+  const std::string ja = "保存済みの " + undone + " 件の取り消し";
+  if (unsaved.edits == 0) return {undone + " saved edit" + many + " undone", ja};
+  const Text count = count_edits(unsaved.edits);
+  return {count.en + " and " + undone + " saved one" + many + " undone", count.ja + "と" + ja};
+}
+
+// Of so many entries of the history.
+Text what_is_recovered(std::size_t entries, const Document::Unsaved& unsaved) {
+  const Text count = count_edits(entries);
+  const std::string last = std::to_string(unsaved.edits), undone = std::to_string(unsaved.undone);
+  const std::string are = entries == 1 ? " is" : " are";
+  Text text{count.en + are + " recovered and not saved yet.", count.ja + "を復元しました。まだ保存していません。"};
+  if (unsaved.edits == 0)
+    text = {count.en + are + " recovered.", count.ja + "を復元しました。"};
+  else if (unsaved.edits < entries)
+    text = {count.en + " are recovered, of which the last " + last + (last == "1" ? " was" : " were") + " not saved.",
+            count.ja + "を復元しました。そのうち最後の " + last + " 件は保存されていませんでした。"};
+  if (unsaved.undone > 0)
+    text = text + Text{" The file holds " + undone + " more, which had been undone.",
+                       "ファイルには、取り消した " + undone + " 件も残っています。"};
+  return text;
+}
+
 // Replays the edits in the session, up to the first that fails.
 Outcome replay(Session& session, const LostSession& lost) {
   for (std::size_t i = 0; i < lost.edits.size(); ++i) {
+    if (i == lost.saved_edits) session.document().count_as_saved();
     const ScriptLine& edit = lost.edits[i];
     const Outcome outcome = is_edit(edit.text)
                                 ? session.run(edit.text)
@@ -100,15 +137,7 @@ Outcome replay(Session& session, const LostSession& lost) {
              "）はやり直せません：" + outcome.sentence.ja + " スクリプトはそのまま残してあります。"});
   }
   Outcome outcome;
-  const Text count = count_edits(lost.edits.size());
-  outcome.sentence = {count.en + (lost.edits.size() == 1 ? " is" : " are") + " recovered and not saved yet.",
-                      count.ja + "を復元しました。まだ保存していません。"};
-  if (lost.unsaved < lost.edits.size()) {
-    const std::string last = std::to_string(lost.unsaved);
-    outcome.sentence = {
-        count.en + " are recovered, of which the last " + last + (lost.unsaved == 1 ? " was" : " were") + " not saved.",
-        count.ja + "を復元しました。そのうち最後の " + last + " 件は保存されていませんでした。"};
-  }
+  outcome.sentence = what_is_recovered(session.document().position(), lost.unsaved);
   return outcome;
 }
 
@@ -137,12 +166,15 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
       lost.start.original = file_name(*original);
     } else if (const auto saved = remark(line, "saved")) {
       lost.file = file_name(*saved);
-      lost.unsaved = 0;
+      lost.saved_edits = lost.edits.size();
+      lost.unsaved = {};
+    } else if (const auto unsaved = remark(line, "unsaved")) {
+      lost.unsaved = counts_of(*unsaved);
     } else if (line.starts_with("open ") && number == 3) {
       lost.start.file = lost.file = file_name(behind_word(line));
     } else if (!line.empty() && !line.starts_with('#') && number > 3) {
       lost.edits.push_back({number, std::string(line)});
-      ++lost.unsaved;
+      ++lost.unsaved.edits;
     }
   }
   if (number == 0 && !script.empty()) return std::nullopt;
@@ -168,7 +200,7 @@ Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
     std::optional<LostSession> lost = read_lost_session(script->content());
     struct stat status;
     if (!lost || ::stat(entry->path().c_str(), &status) != 0) continue;
-    if (lost->unsaved == 0) {
+    if (lost->is_saved()) {
       script->remove();
       continue;
     }
@@ -187,7 +219,7 @@ Text nothing_to_recover() { return {"There is nothing to recover.", "復元で�
 
 Text describe(const LostSession& lost) {
   const std::string name = lost.file.string(), time = time_text(lost.last_edit);
-  const Text count = count_edits(lost.unsaved);
+  const Text count = difference_from_file(lost.unsaved);
   return {(name.empty() ? "a mesh without a file" : name) + ", " + count.en + ", " + time,
           (name.empty() ? "ファイルのないメッシュ" : name) + "、" + count.ja + "、" + time};
 }
@@ -211,7 +243,7 @@ Outcome recover(Session& session, const LostSession& lost) {
   session.strict = was_strict;
   if (autosave && outcome.done()) {
     script->cut(lost.whole_bytes);
-    autosave->go_on(std::move(*script), session.document(), lost.start);
+    autosave->go_on(std::move(*script), session.document(), lost);
   } else if (autosave) {
     autosave->begin(session.document(), lost.start);
   }

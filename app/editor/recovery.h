@@ -8,6 +8,8 @@
 //   # original PATH              from here on that file is another; its old content is in PATH
 //   split 3-7                    an edit, as the log of the session has it
 //   # saved /home/me/out.obj     nothing is unsaved at this point, and this is the document's file
+//   # unsaved 1 2                what the file does not hold: 1 edit, and 2 of its edits are undone; said where it is not
+//                                one edit more than before
 #pragma once
 
 #include <cstdint>
@@ -40,9 +42,12 @@ struct LostSession {
   SessionStart start;
   std::filesystem::path file;     // the document's; empty if it has none
   std::vector<ScriptLine> edits;  // all of them, with their lines in the script
-  std::size_t unsaved = 0;        // number of them after the last save
-  std::size_t whole_bytes = 0;    // size of the complete lines; an incomplete last line follows
+  std::size_t saved_edits = 0;    // number of them before the last save
+  Document::Unsaved unsaved;
+  std::size_t whole_bytes = 0;  // size of the complete lines; an incomplete last line follows
   std::time_t last_edit = 0;
+
+  bool is_saved() const { return saved_edits == edits.size(); }
 };
 
 // Parses a session script; `script` and `last_edit` are not set. None if it is not a session script.

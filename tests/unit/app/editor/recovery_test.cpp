@@ -88,10 +88,10 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   ASSERT_EQ(again->session.lost.size(), 1u);
   EXPECT_EQ(again->session.lost[0].file, path);
   EXPECT_EQ(again->session.lost[0].edits.size(), log.size());
-  EXPECT_EQ(again->session.lost[0].unsaved, 2u) << "those after all was undone";
+  EXPECT_EQ(again->session.lost[0].unsaved, (Document::Unsaved{3, 0})) << "two of them by one redo";
   const Outcome outcome = again->session.run("recover 1");
   ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_NE(outcome.sentence.en.find("recovered, of which the last "), std::string::npos) << outcome.sentence.en;
+  EXPECT_EQ(outcome.sentence.en, "3 edits are recovered and not saved yet.");
   EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos);
   EXPECT_EQ(again->session.mesh().hash(), hash);
   EXPECT_EQ(again->session.log(), log);
@@ -113,8 +113,9 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
 // Several ways in which an edit works on a selection, one after the other: without the lines that select, none is done.
 TEST_F(RecoveryTest, edits_on_a_selection_come_back_with_what_they_worked_on) {
   auto crashed = open(files_.copy(test::asset("torus.off"), "torus.off"));
-  for (const char* line : {"select f0 f1 f2", "poke selected", "select v0 v1", "key G", "move 900,300", "key X", "key 2",
-                           "key Enter", "select f40", "key E", "key 1", "key O", "key Enter", "select f50 f60"})
+  for (const char* line :
+       {"select f0 f1 f2", "poke selected", "select v0 v1", "key G", "move 900,300", "key X", "key 2", "key Enter",
+        "select f40", "key E", "key 1", "key O", "key Enter", "select f50 f60"})
     crashed->run(line);
   const std::uint64_t hash = crashed->session.mesh().hash();
   EXPECT_EQ(crashed->session.document().history().size(), 4u);
@@ -186,7 +187,7 @@ TEST_F(RecoveryTest, edits_after_a_save_over_the_file_begin_with_what_it_held) {
 
   const auto lost = find_lost_sessions(recovery_folder()).value();
   ASSERT_EQ(lost.size(), 1u);
-  EXPECT_EQ(lost[0].unsaved, 2u);
+  EXPECT_EQ(lost[0].unsaved, (Document::Unsaved{1, 1}));
   EXPECT_EQ(lost[0].edits.size(), 4u);
   auto again = open(path);
   const Outcome outcome = again->session.run("recover 1");
@@ -197,6 +198,56 @@ TEST_F(RecoveryTest, edits_after_a_save_over_the_file_begin_with_what_it_held) {
   again->run("save");
   again->autosave.finish();
   EXPECT_TRUE(kept().empty());
+}
+
+// What is offered is what the file does not hold, however the session came there.
+TEST_F(RecoveryTest, edits_that_are_in_the_file_are_not_counted_behind_an_undo) {
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  struct Case {
+    std::vector<std::string> behind_the_save;
+    std::string listed, recovered;
+  };
+  const Case cases[] = {
+      {{"undo 2", "split 4-5"},
+       "1 edit and 2 saved ones undone",
+       "2 edits are recovered, of which the last 1 was not saved. The file holds 2 more, which had been undone."},
+      {{"undo 2", "redo"},
+       "1 saved edit undone",
+       "2 edits are recovered. The file holds 1 more, which had been undone."},
+      {{"undo 2", "redo 2", "split 4-5"}, "1 edit", "4 edits are recovered, of which the last 1 was not saved."},
+      {{"undo", "redo", "split 4-5", "split 6-7", "undo"},
+       "1 edit",
+       "4 edits are recovered, of which the last 1 was not saved."},
+      {{"undo 3", "split 4-5", "split 6-7"},
+       "2 edits and 3 saved ones undone",
+       "2 edits are recovered and not saved yet. The file holds 3 more, which had been undone."}};
+  for (const Case& way : cases) {
+    auto crashed = open(path);
+    for (const char* line : {"split 0-1", "split 2-3", "split 10-11"}) crashed->run(line);
+    crashed->run("save " + file_argument(files_.at("b.off")));
+    for (const std::string& line : way.behind_the_save) crashed->run(line);
+    const Document::Unsaved unsaved = crashed->session.document().unsaved();
+    const std::uint64_t hash = crashed->session.mesh().hash();
+    crashed.reset();
+    auto again = open_nothing();
+    ASSERT_TRUE(list_lost_sessions(again->session));
+    ASSERT_EQ(again->session.lost.size(), 1u);
+    EXPECT_NE(describe(again->session.lost[0]).en.find("b.off, " + way.listed + ", 2"), std::string::npos)
+        << describe(again->session.lost[0]).en;
+    EXPECT_EQ(again->session.run("recover 1").sentence.en, way.recovered);
+    EXPECT_EQ(again->session.mesh().hash(), hash);
+    EXPECT_EQ(again->session.document().unsaved(), unsaved) << "it goes on from there";
+    // And so does the script.
+    again->run("split 20-21");
+    const Document::Unsaved later = again->session.document().unsaved();
+    EXPECT_EQ(later.edits, unsaved.edits + 1);
+    again.reset();
+    auto third = open_nothing();
+    ASSERT_TRUE(list_lost_sessions(third->session));
+    EXPECT_EQ(third->session.lost[0].unsaved, later);
+    ASSERT_TRUE(third->session.run("recover 1").done());
+    third->autosave.finish();
+  }
 }
 
 TEST_F(RecoveryTest, a_packed_file_is_saved_packed_and_its_original_read_by_its_name) {

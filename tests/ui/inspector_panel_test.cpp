@@ -58,6 +58,20 @@ TEST_F(InspectorPanel, an_edge_that_a_simplification_left_tells_its_rule) {
   EXPECT_EQ(drawn("left by"), 0u);
 }
 
+// However many lines the numbers below it take, and however narrow the column is.
+TEST_F(InspectorPanel, what_is_said_of_several_elements_stands_whole_below_the_name) {
+  for (const char* const columns : {"columns right 292", "columns right 200"}) {
+    ASSERT_TRUE(gui.run(session, columns).done());
+    ASSERT_TRUE(gui.run(session, "select f0 f1").done());
+    ASSERT_TRUE(gui.run(session, "language en").done());
+    EXPECT_EQ(drawn("f0 +1; the ring marks the last one, into which others are welded. area"), 1u) << columns;
+    ASSERT_TRUE(gui.run(session, "language ja").done());
+    const std::string letters(20, '?');
+    EXPECT_EQ(drawn(("f0 ?1" + letters + "??" + "1").c_str()), 1u) << columns;
+    EXPECT_EQ(DrawnText(gui).cut_in_height(), "") << columns;
+  }
+}
+
 TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
   for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
                                    {"tool poke", "Point at a face."},

@@ -28,10 +28,12 @@ class Inspector {
  public:
   explicit Inspector(PanelContext& context) : context_(context), m_(context.session.mesh()) {}
 
-  void draw(const Element& element) {
+  // One of so many that are selected.
+  void draw(const Element& element, std::size_t selected) {
     ImGui::PushFont(context_.fonts.bold);
     ImGui::TextUnformatted(name_of(m_, element).c_str());
     ImGui::PopFont();
+    if (selected > 1) tell_of_others(selected - 1);
     switch (element.kind) {
       case Element::Kind::vertex:
         return draw(element.vertex());
@@ -47,6 +49,14 @@ class Inspector {
  private:
   void value(UiText label, const std::string& text) { labelled(context_, context_.text(label), text); }
   void note(UiText text) { coloured_text(context_.colours().warning, context_.text(text)); }
+
+  // Above what may take more lines than the panel has.
+  void tell_of_others(std::size_t others) {
+    const std::string n = grouped(static_cast<std::int64_t>(others));
+    const Text told{"+" + n + "; the ring marks the last one, into which others are welded.",
+                    "他 " + n + " 個。輪は最後に選んだ要素（縫合先）です。"};
+    dim_text(context_, told.in(context_.language()).c_str());
+  }
 
   void links(UiText label, const std::vector<Element>& elements) {
     dim_text(context_, context_.text(label));
@@ -155,12 +165,7 @@ void draw_inspector(PanelContext& context) {
   const Session& session = context.session;
   if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
   const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection[0];
-  Inspector(context).draw(element);
-  if (session.selection.size() < 2) return;
-  const std::string n = grouped(static_cast<std::int64_t>(session.selection.size() - 1));
-  dim_text(context, context.language() == Language::japanese
-                        ? ("他 " + n + " 個。輪は最後に選んだ要素（縫合先）です。").c_str()
-                        : ("+" + n + "; the ring marks the last one, into which others are welded.").c_str());
+  Inspector(context).draw(element, session.selection.size());
 }
 
 }  // namespace

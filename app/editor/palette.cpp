@@ -1,6 +1,7 @@
 #include "app/editor/palette.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "app/editor/asking.h"
@@ -17,33 +18,28 @@ namespace {
 
 Text name_in(std::string_view en, std::string_view ja) { return {std::string(en), std::string(ja)}; }
 
-// Without regard to the case of Latin letters.
-std::string folded(std::string_view text) {
-  std::string folded(text);
-  for (char& c : folded)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return folded;
-}
+// How well a word of what was typed fits; the lower the better.
+enum Fit { line_itself, begins_name, begins_word_of_name, begins_word_of_help, inside_name, inside_help };
 
-bool begins_a_word(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
-    if (at == 0 || text[at - 1] == ' ' || text[at - 1] == '_') return true;
-  return false;
-}
-
-// The lower the better; none where a word is missing.
-std::optional<int> distance(const PaletteEntry& entry, std::string_view typed) {
-  const std::string line = folded(entry.line), names = folded(entry.name.en + " " + entry.name.ja);
-  const std::string all = line + " " + names + " " + folded(entry.help.en + " " + entry.help.ja);
-  const std::string asked = folded(without_blanks(typed));
-  int worst = 0;
+// None where a word is missing.
+std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
+  const std::string names[] = {folded(entry.line), folded(entry.name.en), folded(entry.name.ja)};
+  const std::string help = folded(entry.help.en + " " + entry.help.ja), asked = folded(without_blanks(typed));
+  const auto any_name = [&](auto is) { return std::any_of(std::begin(names), std::end(names), is); };
+  if (!has_words(names[0] + " " + names[1] + " " + names[2] + " " + help, asked)) return std::nullopt;
+  if (names[0] == asked) return line_itself;
+  if (any_name([&](const std::string& name) { return name.starts_with(asked); })) return begins_name;
+  Fit worst = begins_name;
   for (const std::string_view word : split_words(asked)) {
-    if (all.find(word) == all.npos) return std::nullopt;
-    const bool is_name = begins_a_word(line, word) || begins_a_word(names, word);
-    worst = std::max(worst, is_name ? 2 : line.find(word) != line.npos || names.find(word) != names.npos ? 3 : 4);
+    const auto begins = [&](const std::string& name) { return begins_a_word(name, word); };
+    const auto has = [&](const std::string& name) { return name.find(word) != name.npos; };
+    const Fit fit = any_name(begins)            ? begins_word_of_name
+                    : begins_a_word(help, word) ? begins_word_of_help
+                    : any_name(has)             ? inside_name
+                                                : inside_help;
+    worst = std::max(worst, fit);
   }
-  if (line == asked) return 0;
-  return line.starts_with(asked) ? 1 : worst;
+  return worst;
 }
 
 // The first clause of a sentence, as a title.
@@ -105,12 +101,12 @@ std::vector<PaletteEntry> palette_entries() {
 
 std::vector<PaletteEntry> find_in_palette(std::string_view typed) {
   if (const auto entry = begun(typed)) return {*entry};
-  std::vector<std::pair<int, PaletteEntry>> found;
+  std::vector<std::pair<Fit, PaletteEntry>> found;
   for (PaletteEntry& entry : palette_entries())
-    if (const auto far = distance(entry, typed)) found.emplace_back(*far, std::move(entry));
+    if (const auto fit = fit_of(entry, typed)) found.emplace_back(*fit, std::move(entry));
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<PaletteEntry> entries;
-  for (auto& [far, entry] : found) entries.push_back(std::move(entry));
+  for (auto& [fit, entry] : found) entries.push_back(std::move(entry));
   return entries;
 }
 

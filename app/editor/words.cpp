@@ -23,6 +23,30 @@ std::string_view behind_word(std::string_view line) {
   return without_blanks(line.substr(std::min(line.find_first_of(blanks), line.size())));
 }
 
+std::string folded(std::string_view text) {
+  std::string folded(text);
+  for (char& c : folded)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return folded;
+}
+
+bool has_words(std::string_view text, std::string_view typed) {
+  while (!(typed = without_blanks(typed)).empty()) {
+    if (text.find(typed.substr(0, typed.find_first_of(blanks))) == text.npos) return false;
+    typed = behind_word(typed);
+  }
+  return true;
+}
+
+bool begins_a_word(std::string_view text, std::string_view word) {
+  const auto is_of_word = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    if (at == 0 || !is_of_word(text[at - 1]) || !is_of_word(text[at])) return true;
+  return false;
+}
+
 std::string with_short_numbers(std::string_view line) {
   std::string shown;
   for (std::size_t at = 0; at < line.size();) {

@@ -11,6 +11,13 @@ std::string_view without_blanks(std::string_view text);
 // The rest of a line after its first word, trimmed.
 std::string_view behind_word(std::string_view line);
 
+// The text without regard to the case of Latin letters.
+std::string folded(std::string_view text);
+// Whether each word of what was typed is somewhere in a text; both folded.
+bool has_words(std::string_view text, std::string_view typed);
+// Whether a word of the text begins so, or the text itself. Japanese words, which nothing parts, begin anywhere.
+bool begins_a_word(std::string_view text, std::string_view word);
+
 // Quotes a file name for a command line, so that file_name() restores it and scripts do not split it: quoted if it
 // contains blanks, line ends, quotes, braces, `;` or `#`, or is empty. Within quotes `\"`, `\\`, `\n` and `\r` are
 // escapes. Any bytes are allowed.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "app/editor/asking.h"
@@ -58,6 +59,39 @@ TEST(palette, finds_by_any_word_in_either_language_best_first) {
     std::transform(all.begin(), all.end(), all.begin(), [](unsigned char c) { return std::tolower(c); });
     EXPECT_NE(all.find("boundary"), all.npos) << entry.line;
   }
+}
+
+// How near a name is to what begins with a word: its own beginning, that of one of its words, the inside of one.
+int nearness(const PaletteEntry& entry, const std::string& word) {
+  std::string names[] = {entry.line, entry.name.en, entry.name.ja, entry.help.en, entry.help.ja};
+  int best = 3;
+  for (std::string& text : names) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+      const bool begins_name = at == 0 && &text < &names[3];
+      const bool begins_word = at == 0 || !std::isalnum(static_cast<unsigned char>(text[at - 1]));
+      best = std::min(best, begins_name ? 0 : begins_word ? 1 : 2);
+    }
+  }
+  return best;
+}
+
+TEST(palette, has_the_beginnings_of_names_first_and_the_insides_of_words_last) {
+  std::set<std::string> words;
+  for (const PaletteEntry& entry : palette_entries())
+    for (std::size_t at = 0; at + 3 <= entry.name.en.size(); at += 4)
+      if (std::all_of(&entry.name.en[at], &entry.name.en[at] + 3, [](char c) { return c >= 'a' && c <= 'z'; }))
+        words.insert(entry.name.en.substr(at, 3));
+  words.insert("ext");
+  ASSERT_GT(words.size(), 100u);
+  for (const std::string& word : words) {
+    const std::vector<PaletteEntry> found = find_in_palette(word);
+    for (std::size_t i = 1; i < found.size(); ++i)
+      EXPECT_LE(nearness(found[i - 1], word), nearness(found[i], word))
+          << word << ": " << found[i - 1].line << " before " << found[i].line;
+  }
+  EXPECT_EQ(find_in_palette("ext")[0].line, "extrude");
+  EXPECT_EQ(find_in_palette("ext")[1].line, "gesture extrude") << "as the tables have them";
 }
 
 // Whoever looks for something does not know what it is called in scripts.

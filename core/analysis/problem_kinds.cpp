@@ -117,6 +117,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Non-manifold edge",
      .name_ja = "非多様体の稜線",
+     .several_en = "non-manifold edges",
      .one_en = "One edge carries three or more faces.",
      .many_en = "# edges carry three or more faces.",
      .many_ja = "三つ以上の面が接する稜線が # 本あります。",
@@ -130,6 +131,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Non-manifold vertex",
      .name_ja = "非多様体の頂点",
+     .several_en = "non-manifold vertices",
      .one_en = "The faces at one vertex do not form a single fan, or it ends a non-manifold edge.",
      .many_en = "The faces at # vertices do not form a single fan, or they end non-manifold edges.",
      .many_ja = "周りの面が一つの扇にならないか、非多様体の稜線の端にある頂点が # 個あります。",
@@ -143,6 +145,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Misoriented edge",
      .name_ja = "向きの不一致な稜線",
+     .several_en = "misoriented edges",
      .one_en = "The two faces at one edge are turned against each other.",
      .many_en = "The two faces at each of # edges are turned against each other.",
      .many_ja = "両側の面の向きが食い違う稜線が # 本あります。",
@@ -156,6 +159,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Face with a repeated corner",
      .name_ja = "同じ頂点を繰り返す面",
+     .several_en = "faces with a repeated corner",
      .one_en = "One face visits a vertex more than once.",
      .many_en = "# faces visit a vertex more than once.",
      .many_ja = "同じ頂点を二度以上通る面が # 個あります。",
@@ -168,6 +172,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Degenerate face",
      .name_ja = "面積ゼロの面",
+     .several_en = "degenerate faces",
      .one_en = "The corners of one face lie exactly on a line.",
      .many_en = "The corners of # faces lie exactly on a line.",
      .many_ja = "角がちょうど一直線に並ぶ、面積ゼロの面が # 個あります。",
@@ -181,6 +186,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Duplicate face",
      .name_ja = "重複面",
+     .several_en = "duplicate faces",
      .one_en = "One face has the same vertices as an earlier one.",
      .many_en = "# faces have the same vertices as an earlier one.",
      .many_ja = "前の面と同じ頂点を持つ重複面が # 個あります。",
@@ -195,6 +201,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Hanging pair",
      .name_ja = "背中合わせの三角形",
+     .several_en = "hanging pairs",
      .one_en = "Two triangles lie back to back and hang on one edge at most.",
      .many_en = "# pairs of triangles lie back to back and hang on one edge at most.",
      .many_ja = "背中合わせに重なり、高々一本の稜線でつながる三角形の組（テキストの「縮退」）が # 組あります。",
@@ -208,6 +215,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Isolated vertex",
      .name_ja = "孤立頂点",
+     .several_en = "isolated vertices",
      .one_en = "One vertex belongs to no face.",
      .many_en = "# vertices belong to no face.",
      .many_ja = "どの面にも属さない頂点が # 個あります。",
@@ -222,6 +230,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Vertex without a place",
      .name_ja = "座標が有限でない頂点",
+     .several_en = "vertices without a place",
      .one_en = "One vertex has a coordinate that is not a finite number.",
      .many_en = "# vertices have a coordinate that is not a finite number.",
      .many_ja = "座標が有限の数でない頂点が # 個あります。",
@@ -235,6 +244,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Quarantined face",
      .name_ja = "隔離された面",
+     .several_en = "quarantined faces",
      .one_en = "One face of the file cannot be connected and is kept aside.",
      .many_en = "# faces of the file cannot be connected and are kept aside.",
      .many_ja = "接続できず隔離されたファイル中の面が # 個あります。",
@@ -247,6 +257,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = problem,
      .name_en = "Face that meets another",
      .name_ja = "自己交差する面",
+     .several_en = "faces that meet others",
      .one_en = "One face meets another elsewhere than in their common vertices and edges.",
      .many_en = "# faces meet others elsewhere than in their common vertices and edges.",
      .many_ja = "共有する頂点・稜線以外で他の面と交わる面が # 個あります。",
@@ -256,6 +267,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = info,
      .name_en = "Boundary loop",
      .name_ja = "境界ループ",
+     .several_en = "boundary loops",
      .one_en = "The surface has one boundary loop.",
      .many_en = "The surface has # boundary loops.",
      .many_ja = "曲面に境界ループが # 本あります。",
@@ -269,6 +281,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = info,
      .name_en = "Ring of a face",
      .name_ja = "面の穴",
+     .several_en = "rings of faces",
      .one_en = "A face has one ring, an inner loop.",
      .many_en = "Faces have # rings, their inner loops.",
      .many_ja = "面の内側のループ（穴）が # 個あります。",
@@ -278,6 +291,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .severity = info,
      .name_en = "Wire",
      .name_ja = "面のない稜線",
+     .several_en = "wires",
      .one_en = "One edge has no face on either side.",
      .many_en = "# edges have no face on either side.",
      .many_ja = "どちら側にも面のない稜線が # 本あります。",
@@ -291,6 +305,12 @@ constinit OpenTable<ProblemRow, most_problem_kinds> table(built_in);
 }  // namespace
 
 Text ProblemRow::sentence(std::size_t count) const { return count_text(count, one_en, many_en, many_ja); }
+
+Text ProblemRow::name_of(std::size_t count) const {
+  std::string one(name_en);
+  if (!one.empty() && one[0] >= 'A' && one[0] <= 'Z') one[0] = static_cast<char>(one[0] - 'A' + 'a');
+  return {count == 1 || several_en.empty() ? one : std::string(several_en), std::string(name_ja)};
+}
 
 std::span<const ProblemRow> problem_table() { return table.rows(); }
 const ProblemRow& row_of(ProblemKind kind) { return table.rows()[static_cast<std::size_t>(kind)]; }

@@ -52,6 +52,7 @@ struct ProblemRow {
   std::string_view id;  // as in reports
   ProblemSeverity severity;
   std::string_view name_en, name_ja;
+  std::string_view several_en = {};           // the name behind a number that is not one
   std::string_view one_en, many_en, many_ja;  // sentences; # stands for the number
   // Where `check` has it among its figures: its key there, and what it counts, in a sentence.
   std::string_view figure = {}, figure_en = {}, figure_ja = {};
@@ -88,6 +89,8 @@ struct ProblemRow {
     return found;
   }
   Text sentence(std::size_t count) const;
+  // The name behind that number, as a part of a sentence.
+  Text name_of(std::size_t count) const;
 };
 
 // Of a live element that is a member. Cost: the boundary edges for a loop, else the faces around it.

@@ -28,7 +28,7 @@ class ProblemsPanel : public testing::Test, protected test::Laid {
 TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   open("duplicate_face.obj");
   ASSERT_EQ(session.mesh().live().faces, 2u);
-  unfold("1Duplicateface");
+  unfold("1duplicateface");
   click(place("Removeduplicatefaces"));
   ASSERT_EQ(session.document().position(), 1u) << "one entry of the history";
   EXPECT_EQ(session.document().history()[0].command, "repair remove_duplicates");
@@ -42,7 +42,7 @@ TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
 
 TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_runs_it) {
   open("moebius.off");
-  unfold("1Boundaryloop");
+  unfold("1boundaryloop");
   click(place("Weldclosepoints"));
   EXPECT_EQ(session.open_panel, "") << "the field stands in the row";
   EXPECT_EQ(session.document().position(), 0u) << "nothing was done yet";
@@ -57,7 +57,7 @@ TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_ru
 
 TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_leave) {
   open("bow_tie.obj");
-  unfold("1Non-manifoldvertex");
+  unfold("1non-manifoldvertex");
   EXPECT_TRUE(is_drawn("Trial:Onepointwas")) << "in the row";
   const std::uint64_t revision = session.document().revision();
   gui.pointer(place("Detachatnon"));
@@ -65,7 +65,7 @@ TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_le
   EXPECT_TRUE(is_drawn("Onepointwasaddedtotakethesurfaceapartat1place.")) << "whole beside the pointer";
   EXPECT_EQ(session.document().revision(), revision) << "nothing was written";
   open("seam.obj");
-  unfold("2Boundaryloop");
+  unfold("2boundaryloops");
   gui.pointer(place("Fillholes"));
   frames(3);
   EXPECT_TRUE(is_drawn("2holeswerefilledby4triangles"));
@@ -73,7 +73,7 @@ TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_le
 
 TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
   open("seam.obj");
-  unfold("2Boundaryloop");
+  unfold("2boundaryloops");
   const glm::dvec2 button = place("Fillholes");
   click({button.x - 22, button.y});
   ASSERT_TRUE(is_drawn("Mostedges"));
@@ -91,16 +91,16 @@ TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
 // Where every row of the panel stands.
 TEST_F(ProblemsPanel, no_row_moves_while_the_pointer_stays_after_a_repair) {
   open("hanging_pair.obj");  // four kinds that one repair takes away; a boundary loop comes
-  unfold("1Hangingpair");
-  const glm::dvec2 button = place("Removeduplicatefaces"), last = place("1Hangingpair");
+  unfold("1hangingpair");
+  const glm::dvec2 button = place("Removeduplicatefaces"), last = place("1hangingpair");
   click(button);
   ASSERT_EQ(session.document().position(), 1u);
-  EXPECT_TRUE(is_drawn("0Hangingpair:mended"));
-  EXPECT_EQ(place("0Hangingpair:mended").y, last.y);
+  EXPECT_TRUE(is_drawn("0hangingpairs:mended"));
+  EXPECT_EQ(place("0hangingpairs:mended").y, last.y);
   EXPECT_EQ(place("Removeduplicatefaces"), button) << "under the pointer";
   for (int again = 0; again < 3; ++again) click(button);
   EXPECT_EQ(session.document().position(), 1u) << "nothing else is done there";
-  EXPECT_GT(place("1Boundaryloop").y, button.y) << "what has come stands behind";
+  EXPECT_GT(place("1boundaryloop").y, button.y) << "what has come stands behind";
   gui.pointer({500, 400});
   frames(3);
   EXPECT_FALSE(is_drawn("mended")) << "they go when the pointer does";
@@ -165,7 +165,7 @@ TEST_F(ProblemsPanel, on_a_large_mesh_only_what_is_pointed_at_is_tried_and_in_th
   open("stanford_bunny.obj");
   ASSERT_TRUE(session.is_dear_to_try());
   session.trials().in_background = true;
-  unfold("5Boundaryloop");
+  unfold("5boundaryloops");
   gui.pointer({500, 400});
   frames(3);
   EXPECT_FALSE(session.trials().share()) << "nobody points at one";
@@ -196,7 +196,7 @@ TEST(problems_panel, is_legible_in_both_languages_and_sizes_with_its_repairs_unf
 TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   open("duplicate_face.obj");
   const glm::dvec3 eye = session.camera.eye;
-  unfold("4Misorientededge");
+  unfold("4misorientededges");
   click(place("0-1"));
   ASSERT_EQ(session.selection.size(), 3u) << "the edge and its faces";
   EXPECT_EQ(session.document().position(), 0u);
@@ -212,7 +212,7 @@ TEST_F(ProblemsPanel, a_press_on_a_quarantined_face_says_why_it_is_set_aside_and
   const ProblemRow& kind = *std::find_if(problem_table().begin(), problem_table().end(), [](const ProblemRow& row) {
     return row.quarantined && row.quarantined(QuarantinedFace{1, 8, "repeated_corner", {0, 1, 1}, {}, {}}, 4);
   });
-  click(DrawnText(gui).place("1" + std::string(kind.name_en)));
+  click(DrawnText(gui).place("1" + kind.name_of(1).en));
   click(DrawnText(gui).place("f1"));
   const std::string why =
       "Face f1 is set aside: it visits vertex v1 more than once. It has been since the file was read";

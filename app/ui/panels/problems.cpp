@@ -164,7 +164,7 @@ void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std:
   const bool is_mended = count == 0;
   const bool is_problem = row.severity == ProblemSeverity::problem;
   ImGui::PushID(static_cast<int>(row.kind));
-  std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + context.text(row.name_en, row.name_ja);
+  std::string label = grouped(static_cast<std::int64_t>(count)) + "  " + row.name_of(count).in(context.language());
   if (is_mended) label += context.text(": mended", "：修復済み");
   const float room = ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing();
   ImGui::PushStyleColor(ImGuiCol_Text, is_mended    ? context.colours().legal

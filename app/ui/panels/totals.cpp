@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -50,21 +51,25 @@ class Flow {
   bool has_begun_ = false;
 };
 
-// The sum with its numbers, and a tick where both sides are equal; where there is no G, the reason instead.
+// The law, then what the mesh has of it on its left and what its parts, handles and loops lead to expect, with a tick where
+// that is the same; where there is no G, the reason instead.
 void draw_sum(PanelContext& context, const EulerPoincare& terms) {
-  const auto n = [](std::int64_t value) { return std::to_string(value); };
+  const auto in = [&](const char* en, const char* ja) { return std::string(context.text(en, ja)); };
   const std::string minus = "\u2212 ";
   Flow formula;
   for (const char* const part : {"V\u2212E+F+(B+W+I)\u2212H", "= 2(S\u2212G)"})
     formula.add(part, context.colours().dim);
   Flow sum;
-  for (const std::string& part : {n(terms.vertices), minus + n(terms.edges), "+ " + n(terms.faces),
-                                  "+ " + n(terms.outside()), minus + n(terms.rings), "= " + n(terms.left())})
-    sum.add(part);
+  const std::string left =
+      "V " + minus + "E + F " + (terms.rings != 0 ? minus + "H " : "") + "= " + grouped(terms.left() - terms.outside());
+  sum.add(left + (terms.genus ? in(",", "、") : ""));
   if (terms.genus) {
-    sum.add((terms.holds() ? "= " : "\u2260 ") + n(terms.right()));
-    sum.add("= 2 (" + n(terms.parts) + " " + minus + n(*terms.genus) + ")");
-    sum.add(terms.holds() ? "\u2713" : "\u2717", terms.holds() ? context.colours().legal : context.colours().refused);
+    const bool holds = terms.holds();
+    sum.add(holds ? in("as expected:", "期待どおり：") : in("expected:", "期待値："));
+    sum.add("2 (" + grouped(terms.parts) + " " + minus + grouped(*terms.genus) + ")");
+    sum.add((terms.outside() < 0 ? "+ " : minus) + grouped(std::abs(terms.outside())));
+    if (!holds) sum.add("= " + grouped(terms.right() - terms.outside()));
+    sum.add(holds ? "\u2713" : "\u2717", holds ? context.colours().legal : context.colours().refused);
     return;
   }
   const std::string reason = std::string(context.text(UiText::no_genus)) + ": " +

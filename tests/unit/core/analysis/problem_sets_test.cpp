@@ -79,7 +79,12 @@ TEST(problem_sets, rows_have_stable_ids_and_one_predicate) {
     EXPECT_NE(row.many_ja.find('#'), std::string_view::npos) << row.id;
     EXPECT_EQ(row.sentence(12).en.find('#'), std::string::npos) << row.id;
     EXPECT_NE(row.sentence(12).ja.find("12"), std::string::npos) << row.id;
+    EXPECT_NE(row.name_of(1).en, row.name_of(2).en) << row.id;
+    EXPECT_EQ(row.name_of(0).en, row.several_en) << row.id;
+    EXPECT_TRUE(row.name_of(2).en[0] >= 'a' && row.name_of(2).en[0] <= 'z') << row.id;
   }
+  EXPECT_EQ(row_of(ProblemKind::misoriented_edge).name_of(1).en, "misoriented edge");
+  EXPECT_EQ(row_of(ProblemKind::misoriented_edge).name_of(2).en, "misoriented edges");
   EXPECT_EQ(find_problem_row("no_such_kind"), nullptr);
 }
 

@@ -60,6 +60,39 @@ TEST_F(PreferencesPanelTest, larger_letters_and_scales_cut_no_text) {
   }
 }
 
+TEST_F(PreferencesPanelTest, keys_and_what_the_mouse_does_are_found_by_any_word_in_either_language) {
+  const auto found = [&](const char* typed, const char* language) {
+    EXPECT_TRUE(gui.run(session, "panel none").done());
+    frames(2);
+    EXPECT_TRUE(gui.run(session, std::string("language ") + language).done());
+    open("keys");
+    EXPECT_TRUE(input_.type(typed).done()) << "the field has the keyboard at once";
+    frames(3);
+    return test::DrawnText(gui);
+  };
+  EXPECT_EQ(found("pick vert", "en").count("pick vertices"), 1u);
+  EXPECT_EQ(test::DrawnText(gui).count("pick edges"), 0u);
+  EXPECT_EQ(found("orbit", "en").count("left drag"), 1u) << "of the mouse";
+  EXPECT_EQ(found("Ctrl+Z", "en").count("Ctrl+Z"), 2u) << "what was typed, and its row";
+  EXPECT_EQ(found("頂点", "en").count("pick vertices"), 1u);
+  EXPECT_EQ(found("vertices", "ja").count("1??"), 1u);
+  EXPECT_EQ(found("no such word", "en").count("Nothing is found by these words."), 1u);
+  EXPECT_EQ(found("zzz", "en").count("left drag"), 0u);
+}
+
+// The keys and the mouse scroll together.
+TEST_F(PreferencesPanelTest, the_keys_are_one_list) {
+  open("keys");
+  const auto mouse = [&] { return place("left drag"); };
+  const glm::dvec2 before = mouse(), key = place("pick vertices");
+  gui.pointer(key);
+  frames(2);
+  gui.wheel(-1);
+  frames(4);
+  EXPECT_LT(mouse().y, before.y - 10);
+  EXPECT_LT(place("pick vertices").y, key.y - 10);
+}
+
 TEST_F(PreferencesPanelTest, a_key_is_bound_by_pressing_it) {
   open("keys");
   click(place("pickvertices") - glm::dvec2(110, 0));

@@ -107,8 +107,7 @@ void CommandPanel::type(std::string line) {
 void CommandPanel::draw_found(PanelContext& context) {
   const float pitch = ImGui::GetTextLineHeightWithSpacing(), indent = 10 * context.scale;
   begin_rows_within("suggestions", ImGui::GetContentRegionAvail().y);
-  if (found_.empty())
-    dim_text(context, context.text("Nothing is found by these words.", "この言葉では見つかりません。"));
+  if (found_.empty()) dim_text(context, context.text(UiText::nothing_found));
   const auto enters = meant();
   std::optional<std::size_t> taken;
   for (std::size_t i = 0; i < found_.size(); ++i) {

@@ -4,8 +4,11 @@
 #include <algorithm>
 
 #include "app/editor/preferences.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+
+#include <imgui_stdlib.h>  // needs imgui.h before it
 
 namespace ryosen {
 
@@ -17,12 +20,17 @@ class KeysPanel : public Panel {
   ImVec2 size() const override { return {800, 540}; }
 
  private:
+  void draw_search(PanelContext& context);
   void draw_presets(PanelContext& context);
-  void draw_keys(PanelContext& context);
+  void draw_rows(PanelContext& context);
+  void draw_keys(PanelContext& context, const std::vector<KeyRow>& rows);
+  bool is_sought(std::string_view input, const Text& does) const;
+  std::vector<KeyRow> sought_keys(const PanelContext& context) const;
   void draw_question(PanelContext& context);
   void take(PanelContext& context, const std::string& chord);
   void rebind(PanelContext& context, bool swaps);
 
+  std::string typed_;   // the words that rows are sought by
   KeyRow asked_;        // which is to get another key, while it is asked for; its chord may be empty
   std::string wanted_;  // the key that was pressed although another command has it
   bool is_asking_ = false;
@@ -38,9 +46,29 @@ void pair_row(PanelContext& context, const char* chord, const char* help) {
 
 const InputPreset& preset_of(const PanelContext& context) { return input_presets()[context.session.input_preset]; }
 
-void draw_mouse(PanelContext& context) {
-  for (const MouseRow& row : mouse_table(preset_of(context)))
+void draw_mouse(PanelContext& context, const std::vector<MouseRow>& rows) {
+  for (const MouseRow& row : rows)
     pair_row(context, row.input.in(context.language()).c_str(), row.does.in(context.language()).c_str());
+}
+
+bool KeysPanel::is_sought(std::string_view input, const Text& does) const {
+  return has_words(folded(std::string(input) + " " + does.en + " " + does.ja), folded(typed_));
+}
+
+std::vector<KeyRow> KeysPanel::sought_keys(const PanelContext& context) const {
+  std::vector<KeyRow> rows = rows_without_key(preset_of(context), context.session.bindings);
+  for (KeyRow& row : key_table(preset_of(context), context.session.bindings)) rows.push_back(std::move(row));
+  std::erase_if(rows, [&](const KeyRow& row) { return !is_sought(row.chord, help_of_key(row)); });
+  return rows;
+}
+
+void KeysPanel::draw_search(PanelContext& context) {
+  if (ImGui::IsWindowAppearing()) {
+    typed_.clear();
+    ImGui::SetKeyboardFocusHere();
+  }
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##search", context.text(UiText::search_hint), &typed_);
 }
 
 void KeysPanel::draw_presets(PanelContext& context) {
@@ -60,10 +88,7 @@ void KeysPanel::draw_presets(PanelContext& context) {
 }
 
 // A press on a key asks for another one.
-void KeysPanel::draw_keys(PanelContext& context) {
-  std::vector<KeyRow> rows = key_table(preset_of(context), context.session.bindings);
-  const std::vector<KeyRow> without = rows_without_key(preset_of(context), context.session.bindings);
-  rows.insert(rows.begin(), without.begin(), without.end());
+void KeysPanel::draw_keys(PanelContext& context, const std::vector<KeyRow>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const KeyRow& row = rows[i];
     ImGui::PushID(static_cast<int>(i));
@@ -135,24 +160,33 @@ void KeysPanel::draw(PanelContext& context) {
   if (is_asking_ && !context.state.asks_for_key && wanted_.empty()) take(context, context.state.asked_key);
   draw_presets(context);
   draw_question(context);
-  const auto table = [&](const char* id, float help_share, auto fill) {
-    if (!ImGui::BeginTable(id, 2)) return;
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 1);
-    ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, help_share);
-    fill();
-    ImGui::EndTable();
+  draw_search(context);
+  begin_rows_within("rows", ImGui::GetContentRegionAvail().y);
+  draw_rows(context);
+  end_rows();
+}
+
+// The keys, and the mouse beside them.
+void KeysPanel::draw_rows(PanelContext& context) {
+  const std::vector<KeyRow> keys = sought_keys(context);
+  std::vector<MouseRow> mouse = mouse_table(preset_of(context));
+  std::erase_if(mouse, [&](const MouseRow& row) { return !is_sought(row.input.en + " " + row.input.ja, row.does); });
+  if (keys.empty() && mouse.empty()) return dim_text(context, context.text(UiText::nothing_found));
+  const float gap = 16 * context.scale, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  const auto part = [&](const char* id, UiText title, float help_share, auto fill) {
+    ImGui::BeginGroup();
+    dim_text(context, context.text(title));
+    if (ImGui::BeginTable(id, 2, 0, {half, 0})) {
+      ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthStretch, 1);
+      ImGui::TableSetupColumn("help", ImGuiTableColumnFlags_WidthStretch, help_share);
+      fill();
+      ImGui::EndTable();
+    }
+    ImGui::EndGroup();
   };
-  const float height = ImGui::GetContentRegionAvail().y;
-  const float half = ImGui::GetContentRegionAvail().x / 2 - 8 * context.scale;
-  begin_rows_within("keys", height, half);
-  dim_text(context, context.text(UiText::key));
-  table("keys", 2.4f, [&] { draw_keys(context); });
-  end_rows();
-  ImGui::SameLine(0, 16 * context.scale);
-  begin_rows_within("mouse", height, half);
-  dim_text(context, context.text(UiText::mouse));
-  table("mouse", 1, [&] { draw_mouse(context); });
-  end_rows();
+  if (!keys.empty()) part("keys", UiText::key, 2.4f, [&] { draw_keys(context, keys); });
+  if (!keys.empty() && !mouse.empty()) ImGui::SameLine(0, gap);
+  if (!mouse.empty()) part("mouse", UiText::mouse, 1, [&] { draw_mouse(context, mouse); });
 }
 
 }  // namespace

@@ -131,8 +131,9 @@ class Session {
   std::string asked_algorithm;          // whose values the panel of values asks for
   std::vector<LostSession> lost;        // as last listed
 
-  // What the pointer picks: what the tool applies to, else what `mode` says.
-  PickMode pointed_sort() const;
+  // What the pointer picks with these keys held: what the tool applies to, the edge whose loop is asked for, else what
+  // `mode` says.
+  PickMode pointed_sort(Modifiers modifiers = {}) const;
 
   // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
   double size_scale() const { return display_scale * ui_scale; }
@@ -361,7 +362,6 @@ class Session {
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
-  Edge edge_near(glm::dvec2 pixel);
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);

@@ -56,9 +56,10 @@ OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   return target;
 }
 
-PickMode Session::pointed_sort() const {
+PickMode Session::pointed_sort(Modifiers modifiers) const {
   if (!asked_line.empty()) return asked_for(asked_line).value_or(mode);
-  return pick_mode(find_op(tool), mode);
+  const OpInfo* const info = find_op(tool);
+  return !info && click_selects(modifiers) != ClickSelects::element ? PickMode::edge : pick_mode(info, mode);
 }
 
 void Session::point_at(glm::dvec2 pixel, Modifiers modifiers) {
@@ -133,7 +134,7 @@ void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
                     .halfedge = arrow->halfedge,
                     .face = arrow->on,
                     .place = 0.5 * (arrow->from + arrow->to)};
-  } else if (const auto picked = pick(pixel, pointed_sort())) {
+  } else if (const auto picked = pick(pixel, pointed_sort(modifiers))) {
     hover.picked = *picked;
   } else {
     return;
@@ -198,37 +199,14 @@ Outcome Session::apply_at(const OpTarget& target, const std::string& id) {
   return run(command_of(mesh(), op_at(mesh(), id, target)));
 }
 
-// The edge under the pointer, else the side of the face there that is nearest to it; none over the background.
-Edge Session::edge_near(glm::dvec2 pixel) {
-  if (const auto picked = pick(pixel, PickMode::edge)) return picked->element.edge();
-  const auto picked = pick(pixel, PickMode::face);
-  if (!picked) return {};
-  Edge nearest;
-  double least = 0;
-  const glm::dvec2 at = pixel - view_origin;
-  for (const Halfedge h : halfedges_around(mesh(), picked->element.face())) {
-    const auto a = project(camera, view, mesh().position(mesh().from(h)));
-    const auto b = project(camera, view, mesh().position(mesh().to(h)));
-    if (!a || !b) continue;
-    const glm::dvec2 along = b->pixel - a->pixel;
-    const double squared = std::max(glm::dot(along, along), 1e-30);
-    const double share = std::clamp(glm::dot(at - a->pixel, along) / squared, 0.0, 1.0);
-    const double distance = glm::length(at - a->pixel - share * along);
-    if (nearest && distance >= least) continue;
-    nearest = edge(h);
-    least = distance;
-  }
-  return nearest;
-}
-
 // The loop or the ring of that edge, whatever the mode.
 Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
-  const Edge at = edge_near(pixel);
-  if (!at) {
+  const auto picked = pick(pixel, PickMode::edge);
+  if (!picked) {
     if (!modifiers.shift) selection.clear();
     return {};
   }
-  const Element first(at);
+  const Element first = picked->element;
   Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
                                                                   : edge_loops(mesh(), {&first, 1});
   drop_hidden(found);

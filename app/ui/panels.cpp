@@ -124,10 +124,11 @@ Outcome PanelContext::run_from(const std::string& line, const std::string& panel
 Outcome PanelContext::click(const Navigation::Click& click) {
   Outcome outcome = session.click(click.pixel, session.tool, click.modifiers);
   // Of the mesh something is there, but nothing that can be selected now.
+  const PickMode pointed = session.pointed_sort(click.modifiers);
   const bool misses = outcome.done() && session.tool.empty() && session.selection.empty() &&
-                      outcome.performed.empty() && outcome.sentence.en.empty() && session.mode != PickMode::face;
+                      outcome.performed.empty() && outcome.sentence.en.empty() && pointed != PickMode::face;
   if (misses && session.pick(click.pixel, PickMode::face)) {
-    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(session.mode)];
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(pointed)];
     Outcome told;
     told.sentence = Text{std::string(sort.point_en), std::string(sort.point_ja)} +
                     Text{" 1 to 4 choose what a click selects: vertices, edges, faces, halfedges.",

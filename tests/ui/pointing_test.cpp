@@ -1,6 +1,7 @@
 // What the pointer is on, held against what is drawn; and clicks held against commands.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -139,6 +140,32 @@ TEST(pointing, picks_the_nearest_edge_that_is_seen) {
   }
   EXPECT_GT(hits, 200);
   EXPECT_GT(misses, 1000);
+}
+
+// With Alt too, whatever the mode: what is pointed at is what is selected, and no edge farther away.
+TEST(pointing, a_click_reaches_as_far_for_an_edge_as_one_for_its_loop) {
+  std::mt19937 random(11);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 400; ++i) {
+    const auto session = session_of("torus.off");
+    ASSERT_TRUE(session->run(i % 2 == 0 ? "mode edge" : "mode face").done());
+    const glm::dvec2 pixel(random() % 320u, random() % 240u);
+    const auto picked = session->pick(pixel, PickMode::edge);
+    (picked ? hits : misses) += 1;
+    session->point_at(pixel, {.alt = true});
+    ASSERT_EQ(session->hover().has_value(), picked.has_value()) << pixel.x << "," << pixel.y;
+    session->click(pixel, "", {.alt = true});
+    const Elements loop = session->selection;
+    ASSERT_EQ(!loop.empty(), picked.has_value()) << pixel.x << "," << pixel.y;
+    if (!picked) continue;
+    EXPECT_EQ(session->hover()->picked.element, picked->element);
+    EXPECT_NE(std::find(loop.begin(), loop.end(), picked->element), loop.end());
+    if (session->mode != PickMode::edge) continue;
+    session->click(pixel, "", {});
+    EXPECT_EQ(session->selection[0], picked->element);
+  }
+  EXPECT_GT(hits, 20);
+  EXPECT_GT(misses, 20);
 }
 
 TEST(pointing, a_click_does_what_the_command_on_the_edge_does) {

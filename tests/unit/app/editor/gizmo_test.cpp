@@ -219,7 +219,7 @@ TEST_F(GizmoTest, shift_and_an_axis_keep_a_movement_in_the_plane_across) {
 TEST_F(GizmoTest, alt_and_a_click_select_the_loop_or_ring_of_the_nearest_edge) {
   run({"gizmo off", "new", "torus", "frame all", "mode face", "select none"});
   int y = 50;
-  while (y < 700 && !session_->pick({640, y}, PickMode::face)) y += 10;
+  while (y < 700 && !session_->pick({640, y}, PickMode::edge)) y += 2;
   const std::string where = "640," + std::to_string(y);
   run({"press left " + where + " Alt", "release left " + where + " Alt"});
   const Elements loop = session_->selection;

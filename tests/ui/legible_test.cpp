@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/ui/style.h"
+#include "core/mesh/circulate.h"
 #include "core/ops/groups.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -203,6 +204,34 @@ TEST(legible, what_is_told_of_a_row_lies_beside_its_column) {
       EXPECT_LT(vertex.pos.y, test::window.height) << text;
     }
   }
+}
+
+// A window draws one frame for each event of a pointer that goes on moving.
+TEST(legible, what_is_said_beside_the_pointer_is_whole_in_the_first_frame_that_says_it) {
+  Laid laid("fan.obj");
+  Session& session = laid.session;
+  int told = 0;
+  for (const char* tool : {"tool collapse", "tool swap"}) {
+    ASSERT_TRUE(session.run(tool).done());
+    for (std::uint32_t i = 0; i < session.mesh().edge_slots(); ++i) {
+      const auto [a, b] = ends(session.mesh(), Edge(i));
+      const auto at =
+          project(session.camera, session.view, (session.mesh().position(a) + session.mesh().position(b)) / 2.0);
+      session.point_at(at->pixel + session.view_origin);
+      laid.frames(1);
+      const DrawnText first(laid.gui);
+      laid.frames(3);
+      const DrawnText later(laid.gui);
+      for (const Reason& reason : session.hover() ? session.hover()->preview.verdict.reasons : std::vector<Reason>()) {
+        const std::string end = Text(describe(session.mesh(), reason)).en;
+        EXPECT_EQ(first.last_place(end.substr(end.rfind(' '))), later.last_place(end.substr(end.rfind(' ')))) << end;
+        ++told;
+      }
+      session.point_away();
+      if (i % 2 == 0) laid.frames(1);  // it goes, and comes again
+    }
+  }
+  EXPECT_GT(told, 4);
 }
 
 double contrast(const ImVec4& a, const ImVec4& b) {

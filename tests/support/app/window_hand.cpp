@@ -84,6 +84,17 @@ WindowHand::OnFace WindowHand::on_a_face(int which) {
   return {};
 }
 
+WindowHand::OnVertex WindowHand::on_a_vertex(int which) {
+  const Mesh& m = session().mesh();
+  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
+    const glm::dvec2 pixel = pixel_of(m.position(Vertex(i)));
+    const auto picked = session().pick(pixel, PickMode::vertex);
+    if (picked && picked->element == Element(Vertex(i)) && which-- == 0) return {pixel, Vertex(i)};
+  }
+  ADD_FAILURE() << "no such vertex is seen";
+  return {};
+}
+
 std::pair<glm::dvec2, glm::dvec2> WindowHand::around_all() const {
   glm::dvec2 low(1e9), high(-1e9);
   for (const glm::dvec3& place : laid_->session.mesh().positions()) {

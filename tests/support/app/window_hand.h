@@ -44,6 +44,11 @@ class WindowHand : public RealWindow {
   };
   OnFace on_a_face(int which = 0);
   glm::dvec2 on_face() { return on_a_face().pixel; }
+  struct OnVertex {
+    glm::dvec2 pixel{0};
+    Vertex vertex;
+  };
+  OnVertex on_a_vertex(int which = 0);
   // Two corners of a box around all of the mesh, beside it.
   std::pair<glm::dvec2, glm::dvec2> around_all() const;
 

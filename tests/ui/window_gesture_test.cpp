@@ -66,8 +66,8 @@ TEST_F(WindowGesture, what_is_typed_goes_along_the_normal_or_an_axis_and_extrude
   take_back();
   xdotool("key e type 0.25");
   xdotool("key Return");
-  ASSERT_TRUE(has_faces(96 + 3)) << "E extrudes";
-  EXPECT_EQ(last().history, 1) << "one entry";
+  ASSERT_TRUE(is_at(1)) << "E extrudes, in one entry";
+  EXPECT_EQ(last().faces, 96 + 3);
   const Mesh extruded = saved();
   for (const Vertex v : corners) {
     EXPECT_TRUE(has_point(extruded, m.position(v)));

@@ -9,13 +9,9 @@ namespace ryosen::test {
 
 using namespace std::chrono_literals;
 
-namespace {
-
 bool is_installed(const char* program) {
   return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;
 }
-
-}  // namespace
 
 std::string words_of(glm::dvec2 pixel) {
   return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
@@ -42,13 +38,17 @@ void RealWindow::SetUp() {
   number_ = std::to_string(std::stoi(read_file(folder_.at("display"))));
 }
 
-void RealWindow::open(const std::string& mesh) {
-  editor_ = std::make_unique<Process>(
+std::unique_ptr<Process> RealWindow::started(const std::string& mesh, const std::string& log) const {
+  return std::make_unique<Process>(
       std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-      std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
+      std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at(log), "LC_ALL=C",
                                "XDG_STATE_HOME=" + state_.path().string(),
                                "XDG_CONFIG_HOME=" + config_.path().string()},
       "/dev/null", folder_.at("err"), current_.path().string());
+}
+
+void RealWindow::open(const std::string& mesh) {
+  editor_ = started(mesh, "frames");
   ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
 }
 

@@ -33,6 +33,8 @@ std::string words_of(glm::dvec2 pixel);
 // What xdotool does with all these keys held down meanwhile ("ctrl shift").
 std::string while_held(const std::string& keys, const std::string& words);
 
+bool is_installed(const char* program);
+
 // Skips its tests where Xvfb or xdotool are missing. The window is 1280 x 800, at the corner of the display.
 class RealWindow : public testing::Test {
  protected:
@@ -42,6 +44,8 @@ class RealWindow : public testing::Test {
 
   // Starts the editor, in a folder of its own, and waits for its first picture.
   void open(const std::string& mesh);
+  // Starts one and says its pictures in a file of this name in the folder.
+  std::unique_ptr<Process> started(const std::string& mesh, const std::string& log) const;
   // Opens the command window and runs a line there.
   void type(const std::string& line) const;
   void xdotool(const std::string& words) const;

@@ -121,8 +121,7 @@ class Gui {
   struct HeldModifiers {
     bool shift, ctrl;
   };
-  std::optional<HeldModifiers>
-      next_modifiers_;  // once a frame has seen those keys with the ones that they were pressed with
+  std::optional<HeldModifiers> next_modifiers_;  // once a frame has seen those keys with theirs
 };
 
 }  // namespace ryosen

@@ -1,5 +1,5 @@
-// Moving, turning, scaling and extruding by keys and pointer in the real window: axes, falloff, snapping, giving up; held
-// against the file that is saved.
+// Moving, turning, scaling and extruding by keys and pointer in the real window: axes, falloff, snapping, giving up;
+// held against the file that is saved.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
-// Each gesture of the hand in the real window: where on an edge, the table of input, selecting, operators on a selection,
-// moving; by mouse and keys, and what came of it in the picture's account and in the file that is saved.
+// Each gesture of the hand in the real window: where on an edge, the table of input, moving; by mouse and keys, and what
+// came of it in the picture's account and in the file that is saved.
 #include <glm/geometric.hpp>
 
 #include "core/mesh/circulate.h"
@@ -179,55 +179,6 @@ TEST_F(WindowHand, keys_delete_dissolve_weld_fill_and_hide_what_is_selected) {
   ASSERT_TRUE(has_selected(3));
   xdotool("mousemove 640 60 key f");
   ASSERT_TRUE(has_faces(96)) << "F fills the hole";
-}
-
-TEST_F(WindowHand, loops_rings_what_is_linked_and_neighbours_are_selected_by_keys) {
-  open_made({"grid", "--columns", "6", "--rows", "4"});
-  const auto selected_here = [&](const std::string& line) {
-    EXPECT_TRUE(session().run(line).done());
-    return static_cast<long>(session().selection.size());
-  };
-  const OnEdge at = on_edge(0.5, 7);
-  const std::string select = "select " + name_of(session().mesh(), at.edge),
-                    click = "mousemove " + words_of(at.pixel) + " click 1";
-  for (const auto& [key, line] : {std::pair("l", "select loop"), std::pair("shift+l", "select ring"),
-                                  std::pair("k", "select linked"), std::pair("plus", "select grow")}) {
-    selected_here("mode edge");
-    selected_here(select);
-    xdotool("key ctrl+shift+a key 2 " + click);
-    ASSERT_TRUE(has_selected(1));
-    xdotool(std::string("key ") + key);
-    const long expected = selected_here(line);
-    EXPECT_GT(expected, 1) << line;
-    EXPECT_TRUE(has_selected(expected)) << line << " by the key " << key << ": " << last().selected << ", not "
-                                        << expected;
-  }
-  xdotool("key minus");
-  const long fewer = selected_here("select shrink");
-  EXPECT_TRUE(has_selected(fewer)) << last().selected << ", not " << fewer;
-  xdotool("keydown alt " + click + " keyup alt");
-  selected_here(select);
-  EXPECT_TRUE(has_selected(selected_here("select loop"))) << "Alt and a click";
-}
-
-TEST_F(WindowHand, an_operator_on_a_selection_is_one_entry_and_leaves_what_it_refused) {
-  open_copy("torus.off");
-  xdotool("mousemove 640 60 key 3 key a");
-  ASSERT_TRUE(has_selected(96));
-  type("poke selected");
-  ASSERT_TRUE(has_faces(3 * 96));
-  EXPECT_EQ(last().history, 1);
-  xdotool("mousemove 640 60 key ctrl+z");
-  ASSERT_TRUE(has_faces(96));
-  xdotool("key 2 key a");
-  ASSERT_TRUE(has_selected(144));
-  type("collapse selected");
-  ASSERT_TRUE(is_at(1));
-  ASSERT_TRUE(session().run("mode edge").done() && session().run("select all").done());
-  ASSERT_TRUE(session().run("collapse selected").done());
-  EXPECT_EQ(last().faces, session().mesh().live().faces) << "as the command does it";
-  EXPECT_EQ(last().selected, static_cast<long>(session().selection.size()));
-  EXPECT_GT(last().selected, 0) << "what was refused stays selected";
 }
 
 TEST_F(WindowHand, typed_numbers_move_turn_and_scale_exactly_and_escape_costs_nothing) {

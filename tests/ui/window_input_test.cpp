@@ -128,7 +128,7 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twi
   }
 }
 
-// The handles of what the first click has selected come to lie under the second, farther from it than the pointer points.
+// The handles of what the first click has selected come to lie under the second, where that is beside it.
 TEST_F(WindowInputTest, a_double_click_sets_the_centre_through_a_handle_that_its_first_click_has_brought) {
   ASSERT_TRUE(session_.run("gizmo move").done());
   std::optional<glm::dvec2> at;

@@ -1,5 +1,5 @@
-// What keys and the right button do with a selection in the real window: welding, dividing and joining, faces, hiding; and
-// what they do in the other presets.
+// What keys and the right button do with a selection in the real window: welding, dividing and joining, faces, hiding;
+// and what they do in the other presets.
 #include <glm/geometric.hpp>
 #include <vector>
 

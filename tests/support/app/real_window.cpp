@@ -85,6 +85,8 @@ Frame RealWindow::last() const {
       frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
       word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first >> word >>
       frame.panel >> word >> frame.target.x >> frame.target.y >> frame.target.z;
+  line >> word >> std::ws;
+  std::getline(line, frame.said);
   return frame;
 }
 

@@ -26,6 +26,7 @@ struct Frame {
   std::string first;  // of what is selected
   std::string panel;  // over the view
   glm::dvec3 target{0};
+  std::string said;  // in English, of the last command
 };
 
 // "640 400", as xdotool takes a pixel.

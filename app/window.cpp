@@ -197,10 +197,12 @@ class Editor {
 
   void resize() {
     const Size size = window_.size();
+    const bool frames_anew = size != canvas_->size() && session_.is_framed();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
     session_.display_scale = window_.scale();
     gui_.place_view(session_, size);
+    if (frames_anew) session_.frame_all();
     input_.resize(size);
   }
 

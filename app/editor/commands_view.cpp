@@ -4,6 +4,7 @@
 
 #include "app/editor/camera_text.h"
 #include "app/editor/fly.h"
+#include "app/editor/framing.h"
 #include "app/editor/script.h"
 #include "core/view/named_views.h"
 
@@ -25,7 +26,7 @@ Outcome run_view(Session& session, Words arguments, std::string_view) {
     session.camera = turned_to(*view, session.camera);
     return {};
   }
-  Session::with_places_to_frame(session.mesh(), [&](auto places) {
+  with_places_to_frame(session.mesh(), [&](auto places) {
     session.camera = camera_of(*view, places, static_cast<double>(session.view.width) / session.view.height);
   });
   return {};

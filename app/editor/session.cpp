@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/editor/autosave.h"
+#include "app/editor/framing.h"
 #include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/editor/view_input.h"
@@ -56,7 +57,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  const Camera camera_then = framing(document->mesh(), first_camera());
+  const Camera camera_then = framing({&document->mesh()}, first_camera(), view);
   document->before_writing = [this] {
     preparation_.reset();
     trials_.let_write();
@@ -69,7 +70,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   surface_.reset();
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
-  camera = camera_then;
+  camera = framed_ = camera_then;
   aside_.reset();
   forget_derived();
   file_normals_ = FileNormals();
@@ -242,27 +243,6 @@ Picker& Session::picker() {
   return *picker_;
 }
 
-void Session::with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit) {
-  const auto has_edges = [&](std::uint32_t i) { return mesh.is_alive(Vertex(i)) && !mesh.is_isolated(Vertex(i)); };
-  std::uint32_t same = 0;
-  while (same < mesh.vertex_slots() && has_edges(same)) ++same;
-  if (same == mesh.vertex_slots()) return visit(mesh.positions());
-  std::vector<glm::dvec3> places, isolated;
-  places.reserve(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (mesh.is_alive(v)) (mesh.is_isolated(v) ? isolated : places).push_back(mesh.position(v));
-  }
-  visit(places.empty() ? isolated : places);
-}
-
-Camera Session::framing(const Mesh& mesh, const Camera& from) const {
-  Camera found = from;
-  with_places_to_frame(
-      mesh, [&](auto places) { found = fitted(from, places, static_cast<double>(view.width) / view.height); });
-  return found;
-}
-
 std::string Session::document_name() const {
   const std::string name = document_->path().filename().string();
   if (!name.empty() || is_at_start()) return name;
@@ -270,14 +250,8 @@ std::string Session::document_name() const {
 }
 
 void Session::frame_all() {
-  if (!beside_) {
-    camera = framing(mesh(), camera);
-    return;
-  }
-  std::vector<glm::dvec3> both;
-  for (const Mesh* const one : {&mesh(), &beside_->mesh()})
-    with_places_to_frame(*one, [&](auto places) { both.insert(both.end(), places.begin(), places.end()); });
-  camera = fitted(camera, both, static_cast<double>(view.width) / view.height);
+  camera = beside_ ? framing({&mesh(), &beside_->mesh()}, camera, view) : framing({&mesh()}, camera, view);
+  framed_ = camera;
 }
 
 Session::DrawnChanges Session::take_drawn_changes() {

@@ -325,9 +325,9 @@ class Session {
   // Replaces the document; resets selection, hover and log.
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
-  // Calls visit(positions for framing the view): of all vertices except isolated ones, unless there are no others.
-  static void with_places_to_frame(const Mesh& mesh, const std::function<void(std::span<const glm::dvec3>)>& visit);
   void frame_all();
+  // Whether the camera is where frame_all() has put it last.
+  bool is_framed() const { return framed_ == camera; }
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
@@ -361,7 +361,6 @@ class Session {
   bool needs_corner_normals() const {
     return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
   }
-  Camera framing(const Mesh& mesh, const Camera& from) const;
   void note_marks(const TouchedElements& touched);
   void note_mark(Marked marked);
   void update_map_values(std::size_t transaction);
@@ -418,6 +417,7 @@ class Session {
     std::vector<FacePair> pairs;
   };
   std::optional<Aside> aside_;
+  Camera framed_;
   std::optional<MapValues> map_values_;
   std::optional<MapRange> map_extent_;  // while the values are the same
   std::optional<BoundaryLoopCount> boundary_loops_;

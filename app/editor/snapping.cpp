@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "app/editor/framing.h"
 #include "core/mesh/names.h"
 
 namespace ryosen {
@@ -57,7 +58,7 @@ std::optional<SnapTarget> snap_target(Session& session, glm::dvec2 pixel, const 
 
 RoundStep step_of_ground(const Mesh& mesh) {
   glm::dvec3 size(0);
-  Session::with_places_to_frame(mesh, [&](std::span<const glm::dvec3> places) {
+  with_places_of_edges(mesh, [&](std::span<const glm::dvec3> places) {
     const Box box = bounds_of(places);
     size = box.highest - box.lowest;
   });

@@ -25,7 +25,8 @@ const char* at_letter(const char* end) {
 
 // No line begins with one of these.
 bool is_closing(std::string_view text) {
-  for (const std::string_view mark : {"、", "。", "）", "」"})
+  for (const std::string_view mark : {"、", "。", "）", "」", "：", "・", "！", "？", "ー", "々",
+                                      "っ", "ゃ", "ゅ", "ょ", "ッ", "ャ", "ュ", "ョ", "°",  "%"})
     if (text.starts_with(mark)) return true;
   return false;
 }

@@ -203,6 +203,25 @@ TEST_F(WindowTest, selects_and_converts_by_mouse_and_keys) {
   ASSERT_TRUE(has_selected(6)) << "all faces";
 }
 
+// Until the camera has been moved the mesh is whole in the view of any size.
+TEST_F(WindowTest, frames_the_mesh_anew_when_it_is_resized_before_anything_else) {
+  open(test::asset("torus.off"));
+  const glm::dvec3 eye = last().eye;
+  const auto resize = [&](const char* size) {
+    xdotool("search --sync --onlyvisible --name torus windowsize " + std::string(size));
+  };
+  resize("700 800");
+  ASSERT_TRUE(wait_for([&] { return glm::length(last().eye) > 1.05 * glm::length(eye); })) << "it is cut at both sides";
+  const glm::dvec3 narrow = last().eye;
+  xdotool("mousemove 350 400 click 4");
+  ASSERT_TRUE(wait_for([&] { return last().eye != narrow; }));
+  const glm::dvec3 mine = last().eye;
+  resize("1280 800");
+  xdotool("key a");
+  ASSERT_TRUE(wait_for([&] { return last().selected > 0; })) << "what came after the new size";
+  EXPECT_EQ(last().eye, mine) << "a view that was chosen stays";
+}
+
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");

@@ -34,6 +34,15 @@ TEST_F(WrappedText, ends_no_line_with_a_bracket_that_opens) {
   EXPECT_EQ(wrapped_size("稜線を消す（削除）", room).x, ImGui::CalcTextSize("稜線を消す").x) << "the bracket goes on";
 }
 
+TEST_F(WrappedText, begins_no_line_with_a_mark_that_closes) {
+  for (const std::string mark : {"°、", "%、", "ー", "っ", "：", "。"}) {
+    const std::string rest = "30" + mark + "と";
+    EXPECT_LE(wrapped_size(("角度は " + rest).c_str(), width("角度は 30")).x,
+              std::max(width("角度は "), width(rest.c_str())))
+        << rest << ": the number goes on with its mark";
+  }
+}
+
 TEST_F(WrappedText, leaves_latin_words_whole) {
   EXPECT_EQ(wrapped_size("平均曲率 1073.84、平均", width("平均曲率 1073.84")).x, width("1073.84、平均"))
       << "a number is not cut where a line may not begin behind it";

@@ -1,6 +1,8 @@
 #include "app/frame_log.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 
 #include "core/mesh/names.h"
@@ -20,6 +22,17 @@ std::string first_selected(const Session& session) {
 
 std::string over_the_view(const Session& session) { return session.open_panel.empty() ? "-" : session.open_panel; }
 
+std::string in_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::string words_of(const glm::dvec3& place) {
+  std::ostringstream words;
+  words << place.x << ' ' << place.y << ' ' << place.z;
+  return words.str();
+}
+
 }  // namespace
 
 FrameLog::FrameLog() {
@@ -34,14 +47,15 @@ void FrameLog::progress(double share) {
   if (log_.is_open()) log_ << "progress " << share << std::endl;
 }
 
-void FrameLog::frame(const Session& session, std::int64_t pixels, double took_ms) {
+void FrameLog::frame(const Session& session, const Text& said, std::int64_t pixels, double took_ms) {
   if (!log_.is_open()) return;
   const ElementCounts live = session.mesh().live();
   log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
-       << " eye " << session.camera.eye.x << ' ' << session.camera.eye.y << ' ' << session.camera.eye.z << " first "
-       << first_selected(session) << " panel " << over_the_view(session) << std::endl;
+       << " eye " << words_of(session.camera.eye) << " first " << first_selected(session) << " panel "
+       << over_the_view(session) << " target " << words_of(session.camera.target) << " said " << in_one_line(said.en)
+       << std::endl;
 }
 
 }  // namespace ryosen

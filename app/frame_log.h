@@ -16,8 +16,8 @@ class FrameLog {
   // With the panel that lies over the view meanwhile.
   void reading(const Session& session, const std::filesystem::path& file);
   void progress(double share);
-  // The pixels that were drawn, the time that took, and what is shown.
-  void frame(const Session& session, std::int64_t pixels, double took_ms);
+  // The pixels that were drawn, the time that took, what is shown, and what was said of the last command.
+  void frame(const Session& session, const Text& said, std::int64_t pixels, double took_ms);
 
  private:
   std::ofstream log_;

@@ -295,7 +295,7 @@ class Editor {
     glFinish();
     const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     glfw().swap_buffers(window_.handle());
-    log_.frame(session_, pixels, took_ms);
+    log_.frame(session_, gui_.said(), pixels, took_ms);
   }
 
   // The pixels that were drawn. While the picture is refined several parts are shown at once, unless something comes in:

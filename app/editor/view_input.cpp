@@ -70,7 +70,8 @@ Outcome ViewInput::let_go_of_handle(const Pointer& at) {
 }
 
 bool ViewInput::clicks_through(const HeldHandle& held) {
-  return (session_.selection.size() == 1 || held.modifiers.ctrl) && session_.pick(held.start, session_.pointed_sort());
+  return (session_.selection.size() == 1 || held.modifiers.ctrl) &&
+         session_.pick_to_select(held.start, session_.pointed_sort());
 }
 
 void ViewInput::give_up_drags() {

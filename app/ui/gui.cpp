@@ -132,6 +132,7 @@ void Gui::end_frame() {
   for (const int key : released_keys_) ImGui::GetIO().KeysDown[key] = false;
   unseen_keys_.clear();
   released_keys_.clear();
+  if (const auto next = std::exchange(next_modifiers_, std::nullopt)) modifiers(next->shift, next->ctrl);
 }
 
 void Gui::frame(Session& session, Size window, double seconds) {
@@ -247,6 +248,10 @@ void Gui::key(int imgui_key, bool is_down) {
 }
 
 void Gui::modifiers(bool shift, bool ctrl) {
+  if (!unseen_keys_.empty()) {
+    next_modifiers_ = {shift, ctrl};
+    return;
+  }
   ImGui::SetCurrentContext(imgui_);
   ImGui::GetIO().KeyShift = shift;
   ImGui::GetIO().KeyCtrl = ctrl;

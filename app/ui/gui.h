@@ -118,6 +118,10 @@ class Gui {
   bool is_down_[3] = {}, was_pressed_[3] = {};
   std::string laid_out_panel_;                 // that was open over the view in the last frame
   std::set<int> unseen_keys_, released_keys_;  // pressed since the last frame, and those already released
+  struct HeldModifiers {
+    bool shift, ctrl;
+  };
+  std::optional<HeldModifiers> next_modifiers_;  // once a frame has seen those keys with theirs
 };
 
 }  // namespace ryosen

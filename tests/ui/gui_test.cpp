@@ -152,6 +152,25 @@ TEST(gui, a_key_that_is_up_again_before_a_frame_is_seen) {
   EXPECT_FALSE(ImGui::GetIO().KeysDown[ImGuiKey_Enter]);
 }
 
+// All of Ctrl+A may come in while a frame is drawn.
+TEST(gui, a_key_keeps_the_modifiers_that_it_was_pressed_with_until_it_is_seen) {
+  Laid laid("torus.off");
+  ASSERT_TRUE(laid.session.run("panel command").done());
+  laid.frames(4);
+  laid.gui.text("split 0-1");
+  laid.frames(2);
+  ASSERT_EQ(test::DrawnText(laid.gui).count("split0-1"), 1u);
+  laid.gui.modifiers(false, true);
+  laid.gui.key(ImGuiKey_A, true);
+  laid.gui.key(ImGuiKey_A, false);
+  laid.gui.modifiers(false, false);
+  laid.frames(2);
+  EXPECT_FALSE(ImGui::GetIO().KeyCtrl);
+  laid.gui.text("u");
+  laid.frames(2);
+  EXPECT_EQ(test::DrawnText(laid.gui).count("split0-1"), 0u) << "nothing was selected in the field";
+}
+
 TEST(gui, asks_before_changes_are_lost) {
   Laid laid("torus.off");
   laid.gui.leave(laid.session, {true, {}});

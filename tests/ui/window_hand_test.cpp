@@ -1,105 +1,18 @@
-// Each gesture of the hand in the real window: where on an edge, the table of input, selecting, operators on a selection,
-// moving; by mouse and keys, and what came of it in the picture's account and in the file that is saved.
-#include <cmath>
-#include <glm/common.hpp>
+// Each gesture of the hand in the real window: where on an edge, the table of input, moving; by mouse and keys, and what
+// came of it in the picture's account and in the file that is saved.
 #include <glm/geometric.hpp>
-#include <optional>
 
-#include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
-#include "tests/support/app/laid.h"
-#include "tests/support/app/real_window.h"
+#include "tests/support/app/window_hand.h"
 
 namespace ryosen {
 namespace {
 
 using test::Frame;
-using test::wait_for;
+using test::WindowHand;
 using test::words_of;
-
-class WindowHand : public test::RealWindow {
- protected:
-  void open_copy(const std::string& asset) {
-    file_ = folder_.copy(test::asset(asset), asset);
-    was_ = test::read_file(file_);
-    open(file_);
-    // The same panels about the same file, to know where it shows what.
-    laid_ = std::make_unique<test::Laid>("cube.obj", Size{1280, 800});
-    ASSERT_TRUE(session().run("open " + file_).done());
-    laid_->gui.place_view(session(), {1280, 800});
-    session().frame_all();
-  }
-  Session& session() { return laid_->session; }
-
-  glm::dvec2 pixel_of(const glm::dvec3& place) {
-    return glm::round(project(session().camera, session().view, place)->pixel + session().view_origin);
-  }
-  // A place at a share of an edge that is seen and long on the screen.
-  struct OnEdge {
-    glm::dvec2 pixel{0};
-    Edge edge;
-    glm::dvec3 from{0}, to{0};
-  };
-  OnEdge on_edge(double share, int which = 0) {
-    const Mesh& m = session().mesh();
-    for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
-      const auto [a, b] = ends(m, Edge(i));
-      const glm::dvec3 from = m.position(a), to = m.position(b);
-      if (glm::distance(pixel_of(from), pixel_of(to)) < 60) continue;
-      const glm::dvec2 pixel = pixel_of(from + share * (to - from));
-      const auto picked = session().pick(pixel, PickMode::edge);
-      if (picked && picked->element == Element(Edge(i)) && which-- == 0) return {pixel, Edge(i), from, to};
-    }
-    ADD_FAILURE() << "no such edge is seen";
-    return {};
-  }
-  glm::dvec2 on_face() {
-    const Mesh& m = session().mesh();
-    for (std::uint32_t i = 0; i < m.face_slots(); ++i) {
-      glm::dvec3 middle(0);
-      for (const Vertex v : vertices_around(m, Face(i))) middle += m.position(v) / double(corner_count(m, Face(i)));
-      const auto picked = session().pick(pixel_of(middle), PickMode::face);
-      if (picked && picked->element == Element(Face(i))) return pixel_of(middle);
-    }
-    ADD_FAILURE() << "no face is seen";
-    return {};
-  }
-  // Two corners of a box around all of the mesh, beside it.
-  std::pair<glm::dvec2, glm::dvec2> around_all() {
-    glm::dvec2 low(1e9), high(-1e9);
-    for (const glm::dvec3& place : session().mesh().positions()) {
-      low = glm::min(low, pixel_of(place));
-      high = glm::max(high, pixel_of(place));
-    }
-    return {low - 6.0, high + 6.0};
-  }
-
-  bool has_selected(long n) {
-    return shows([n](const Frame& frame) { return frame.selected == n; });
-  }
-  bool is_at(long entry) {
-    return shows([entry](const Frame& frame) { return frame.history == entry; });
-  }
-  // The file as the editor writes it now.
-  Mesh saved() {
-    std::filesystem::remove(file_);
-    xdotool("key ctrl+s");
-    EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(file_); })) << "it was not saved";
-    auto document = Document::open(file_);
-    EXPECT_TRUE(document);
-    return document ? document.value()->mesh() : Mesh();
-  }
-  static bool has_point(const Mesh& m, const glm::dvec3& place, double within = 1e-9) {
-    for (const glm::dvec3& p : m.positions())
-      if (glm::distance(p, place) < within) return true;
-    return false;
-  }
-
-  std::string file_, was_;
-  std::unique_ptr<test::Laid> laid_;
-};
 
 TEST_F(WindowHand, a_split_is_where_the_pointer_is_and_a_collapse_goes_to_the_end_whose_third_it_is) {
   open_copy("cube.obj");
@@ -158,8 +71,8 @@ TEST_F(WindowHand, halfedges_are_clicked_walked_by_arrows_and_followed_by_links_
   walk("Down", m.counter_clockwise(h));
 
   // What stands behind the word in the panel.
-  laid_->frames(3);
-  const glm::dvec2 word = test::DrawnText(laid_->gui).place("twin" + name_of(m, twin(h)));
+  beside().frames(3);
+  const glm::dvec2 word = test::DrawnText(beside().gui).place("twin" + name_of(m, twin(h)));
   ASSERT_GT(word.x, 0) << "the panel has no such link";
   const double behind_the_word = 90;
   xdotool("mousemove " + words_of(word + glm::dvec2(behind_the_word, 0)) + " click 1");
@@ -228,20 +141,19 @@ TEST_F(WindowHand, drags_turn_pan_and_select_whatever_comes_behind_them_at_once)
 
 TEST_F(WindowHand, keys_delete_dissolve_weld_fill_and_hide_what_is_selected) {
   open_copy("torus.off");
-  const auto faces = [&](long n) { return shows([n](const Frame& frame) { return frame.faces == n; }); };
   const std::string face = words_of(on_face());
   xdotool("key 3 mousemove " + face + " click 1");
   ASSERT_TRUE(has_selected(1));
   xdotool("key x");
-  ASSERT_TRUE(faces(95)) << "X deletes";
+  ASSERT_TRUE(has_faces(95)) << "X deletes";
   EXPECT_EQ(last().history, 1);
   xdotool("key ctrl+z");
-  ASSERT_TRUE(faces(96));
+  ASSERT_TRUE(has_faces(96));
   EXPECT_TRUE(has_selected(1)) << "undo brings the selection back";
   xdotool("key Delete");
-  ASSERT_TRUE(faces(95)) << "Delete deletes";
+  ASSERT_TRUE(has_faces(95)) << "Delete deletes";
   xdotool("key ctrl+z");
-  ASSERT_TRUE(faces(96));
+  ASSERT_TRUE(has_faces(96));
   ASSERT_TRUE(has_selected(1));
   xdotool("key h");
   ASSERT_TRUE(has_selected(0)) << "H hides it";
@@ -250,9 +162,9 @@ TEST_F(WindowHand, keys_delete_dissolve_weld_fill_and_hide_what_is_selected) {
   xdotool("key 2 mousemove " + words_of(edge.pixel) + " click 1");
   ASSERT_TRUE(has_selected(1));
   xdotool("key shift+x");
-  ASSERT_TRUE(faces(95)) << "Shift+X dissolves the edge";
+  ASSERT_TRUE(has_faces(95)) << "Shift+X dissolves the edge";
   xdotool("key ctrl+z");
-  ASSERT_TRUE(faces(96));
+  ASSERT_TRUE(has_faces(96));
   // A vertex of a hole's two sides: the hole is made by deleting a face, and filled again.
   xdotool("key 3 mousemove " + face + " click 1");
   ASSERT_TRUE(has_selected(1));
@@ -261,67 +173,12 @@ TEST_F(WindowHand, keys_delete_dissolve_weld_fill_and_hide_what_is_selected) {
   xdotool("key ctrl+shift+a");
   ASSERT_TRUE(has_selected(0)) << "the handles of the selection would be clicked";
   xdotool("key 3 mousemove " + face + " click 1 key x");
-  ASSERT_TRUE(faces(95));
+  ASSERT_TRUE(has_faces(95));
   xdotool("key 2");
   type("select boundary_loop");
   ASSERT_TRUE(has_selected(3));
   xdotool("mousemove 640 60 key f");
-  ASSERT_TRUE(faces(96)) << "F fills the hole";
-}
-
-TEST_F(WindowHand, loops_rings_what_is_linked_and_neighbours_are_selected_by_keys) {
-  file_ = folder_.at("grid.obj");
-  ASSERT_EQ(test::run_program({"grid", "-o", file_, "--columns", "6", "--rows", "4"}).exit_code, 0);
-  open(file_);
-  laid_ = std::make_unique<test::Laid>("cube.obj", Size{1280, 800});
-  ASSERT_TRUE(session().run("open " + file_).done());
-  laid_->gui.place_view(session(), {1280, 800});
-  session().frame_all();
-  const auto selected_here = [&](const std::string& line) {
-    EXPECT_TRUE(session().run(line).done());
-    return static_cast<long>(session().selection.size());
-  };
-  const OnEdge at = on_edge(0.5, 7);
-  const std::string select = "select " + name_of(session().mesh(), at.edge),
-                    click = "mousemove " + words_of(at.pixel) + " click 1";
-  for (const auto& [key, line] : {std::pair("l", "select loop"), std::pair("shift+l", "select ring"),
-                                  std::pair("k", "select linked"), std::pair("plus", "select grow")}) {
-    selected_here("mode edge");
-    selected_here(select);
-    xdotool("key ctrl+shift+a key 2 " + click);
-    ASSERT_TRUE(has_selected(1));
-    xdotool(std::string("key ") + key);
-    const long expected = selected_here(line);
-    EXPECT_GT(expected, 1) << line;
-    EXPECT_TRUE(has_selected(expected)) << line << " by the key " << key << ": " << last().selected << ", not "
-                                        << expected;
-  }
-  xdotool("key minus");
-  const long fewer = selected_here("select shrink");
-  EXPECT_TRUE(has_selected(fewer)) << last().selected << ", not " << fewer;
-  xdotool("keydown alt " + click + " keyup alt");
-  selected_here(select);
-  EXPECT_TRUE(has_selected(selected_here("select loop"))) << "Alt and a click";
-}
-
-TEST_F(WindowHand, an_operator_on_a_selection_is_one_entry_and_leaves_what_it_refused) {
-  open_copy("torus.off");
-  xdotool("mousemove 640 60 key 3 key a");
-  ASSERT_TRUE(has_selected(96));
-  type("poke selected");
-  ASSERT_TRUE(shows([](const Frame& frame) { return frame.faces == 3 * 96; }));
-  EXPECT_EQ(last().history, 1);
-  xdotool("mousemove 640 60 key ctrl+z");
-  ASSERT_TRUE(shows([](const Frame& frame) { return frame.faces == 96; }));
-  xdotool("key 2 key a");
-  ASSERT_TRUE(has_selected(144));
-  type("collapse selected");
-  ASSERT_TRUE(is_at(1));
-  ASSERT_TRUE(session().run("mode edge").done() && session().run("select all").done());
-  ASSERT_TRUE(session().run("collapse selected").done());
-  EXPECT_EQ(last().faces, session().mesh().live().faces) << "as the command does it";
-  EXPECT_EQ(last().selected, static_cast<long>(session().selection.size()));
-  EXPECT_GT(last().selected, 0) << "what was refused stays selected";
+  ASSERT_TRUE(has_faces(96)) << "F fills the hole";
 }
 
 TEST_F(WindowHand, typed_numbers_move_turn_and_scale_exactly_and_escape_costs_nothing) {

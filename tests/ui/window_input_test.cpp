@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "app/editor/commands.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -125,6 +126,28 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twi
     EXPECT_EQ(session_.document().position() > before, edits);
     now_s_ += 10;
   }
+}
+
+// The handles of what the first click has selected come to lie under the second, where that is beside it.
+TEST_F(WindowInputTest, a_double_click_sets_the_centre_through_a_handle_that_its_first_click_has_brought) {
+  ASSERT_TRUE(session_.run("gizmo move").done());
+  std::optional<glm::dvec2> at;
+  for (int y = 100; y < window.height - 100 && !at; y += 5)
+    for (int x = 300; x < window.width - 300 && !at; x += 5) {
+      const glm::dvec2 pixel(x, y);
+      if (session_.pick(pixel, PickMode::edge) || !session_.pick_to_select(pixel, PickMode::edge)) continue;
+      session_.click(pixel, "");
+      if (session_.handle_at(pixel, {})) at = pixel;
+      session_.selection.clear();
+    }
+  ASSERT_TRUE(at);
+  const glm::dvec3 target = session_.camera.target;
+  for (int click = 1; click <= 2; ++click) {
+    press(*at);
+    release(*at);
+    EXPECT_EQ(session_.selection.size(), 1u);
+  }
+  EXPECT_NE(session_.camera.target, target);
 }
 
 TEST_F(WindowInputTest, a_key_between_two_clicks_makes_them_two) {

@@ -14,11 +14,12 @@
 namespace ryosen::test {
 
 Process::Process(std::vector<std::string> arguments, const std::vector<std::string>& environment,
-                 const std::string& output, const std::string& errors) {
+                 const std::string& output, const std::string& errors, const std::string& folder) {
   id_ = fork();
   if (id_ != 0) return;
   for (const std::string& variable : environment) putenv(strdup(variable.c_str()));
   if (!freopen(output.c_str(), "w", stdout) || !freopen(errors.c_str(), "w", stderr)) _exit(126);
+  if (!folder.empty() && chdir(folder.c_str()) != 0) _exit(126);
   for (const int each : {SIGINT, SIGTERM, SIGHUP}) signal(each, SIG_DFL);
   std::vector<char*> words;
   for (std::string& word : arguments) words.push_back(word.data());
@@ -35,7 +36,9 @@ bool Process::is_over() { return is_over_ || (is_over_ = wait4(id_, &status_, WN
 
 std::chrono::duration<double> Process::processor_time() {
   if (is_over()) {
-    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
     return std::chrono::duration<double>(seconds(usage_.ru_utime) + seconds(usage_.ru_stime));
   }
   clockid_t clock{};

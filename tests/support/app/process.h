@@ -16,9 +16,11 @@ namespace ryosen::test {
 class Process {
  public:
   // `environment` holds NAME=VALUE beside what the test has; stdout and stderr go to the files. An interrupt, a
-  // request to terminate and a hang-up reach it even where the test was started to ignore them.
+  // request to terminate and a hang-up reach it even where the test was started to ignore them. It runs in the folder,
+  // in that of the test where there is none.
   explicit Process(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
-                   const std::string& output = "/dev/null", const std::string& errors = "/dev/null");
+                   const std::string& output = "/dev/null", const std::string& errors = "/dev/null",
+                   const std::string& folder = {});
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

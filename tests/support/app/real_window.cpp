@@ -9,16 +9,22 @@ namespace ryosen::test {
 
 using namespace std::chrono_literals;
 
-namespace {
-
 bool is_installed(const char* program) {
   return std::system(("command -v " + std::string(program) + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-}  // namespace
-
 std::string words_of(glm::dvec2 pixel) {
   return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
+}
+
+std::string while_held(const std::string& keys, const std::string& words) {
+  std::istringstream held(keys);
+  std::string down, up, key;
+  while (held >> key) {
+    down += "keydown " + key + " ";
+    up += " keyup " + key;
+  }
+  return down + words + up;
 }
 
 void RealWindow::SetUp() {
@@ -32,13 +38,17 @@ void RealWindow::SetUp() {
   number_ = std::to_string(std::stoi(read_file(folder_.at("display"))));
 }
 
-void RealWindow::open(const std::string& mesh) {
-  editor_ = std::make_unique<Process>(
+std::unique_ptr<Process> RealWindow::started(const std::string& mesh, const std::string& log) const {
+  return std::make_unique<Process>(
       std::vector<std::string>{RYOSEN_PROGRAM, mesh},
-      std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at("frames"), "LC_ALL=C",
+      std::vector<std::string>{"DISPLAY=:" + number_, "RYOSEN_FRAME_LOG=" + folder_.at(log), "LC_ALL=C",
                                "XDG_STATE_HOME=" + state_.path().string(),
                                "XDG_CONFIG_HOME=" + config_.path().string()},
-      "/dev/null", folder_.at("err"));
+      "/dev/null", folder_.at("err"), current_.path().string());
+}
+
+void RealWindow::open(const std::string& mesh) {
+  editor_ = started(mesh, "frames");
   ASSERT_TRUE(wait_for([&] { return last().number > 0; })) << "no picture appeared";
 }
 
@@ -56,15 +66,10 @@ void RealWindow::xdotool(const std::string& words) const {
 }
 
 void RealWindow::drag(glm::dvec2 from, glm::dvec2 to, const std::string& keys, int button) const {
-  std::istringstream held(keys);
-  std::string down, up, key;
-  while (held >> key) {
-    down += " keydown " + key;
-    up += " keyup " + key;
-  }
   const std::string which = std::to_string(button);
-  xdotool("mousemove " + words_of(from) + down + " mousedown " + which + " mousemove " +
-          words_of(from * 0.5 + to * 0.5) + " mousemove " + words_of(to) + " mouseup " + which + up);
+  xdotool("mousemove " + words_of(from) + " " +
+          while_held(keys, "mousedown " + which + " mousemove " + words_of(from * 0.5 + to * 0.5) + " mousemove " +
+                               words_of(to) + " mouseup " + which));
 }
 
 Frame RealWindow::last() const {
@@ -79,7 +84,9 @@ Frame RealWindow::last() const {
   line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
       frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
       word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first >> word >>
-      frame.panel;
+      frame.panel >> word >> frame.target.x >> frame.target.y >> frame.target.z;
+  line >> word >> std::ws;
+  std::getline(line, frame.said);
   return frame;
 }
 

@@ -1,0 +1,63 @@
+// What changes with the pointer has a room of its own in the column: nothing else moves there.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/mesh/circulate.h"
+#include "tests/support/app/drawn_text.h"
+#include "tests/support/app/laid.h"
+
+namespace ryosen {
+namespace {
+
+// All over the view, and on each edge.
+std::vector<glm::dvec2> places_to_point(const Session& session) {
+  std::vector<glm::dvec2> pixels;
+  for (int row = 1; row < 6; ++row)
+    for (int column = 1; column < 8; ++column)
+      pixels.push_back(session.view_origin +
+                       glm::dvec2(session.view.width * column / 8, session.view.height * row / 6));
+  const Mesh& m = session.mesh();
+  for (std::uint32_t i = 0; i < std::min(m.edge_slots(), 40u); ++i) {
+    const auto [a, b] = ends(m, Edge(i));
+    const auto at = project(session.camera, session.view, 0.5 * (m.position(a) + m.position(b)));
+    if (at) pixels.push_back(at->pixel + session.view_origin);
+  }
+  return pixels;
+}
+
+TEST(pointer_column, stays_where_it_is_over_what_is_refused_what_is_legal_and_nothing) {
+  std::map<std::string, int> seen;
+  for (const char* const file : {"tetrahedron.off", "moebius.off"})
+    for (const char* const tool : {"collapse", "swap", "split", "none"}) {
+      SCOPED_TRACE(std::string(file) + " " + tool);
+      test::Laid laid(file, {1280, 800});
+      Session& session = laid.session;
+      ASSERT_TRUE(session.run("mode edge").done() && session.run(std::string("tool ") + tool).done());
+      const auto places = [&] {
+        const test::DrawnText drawn(laid.gui);
+        std::vector<glm::dvec2> all;
+        for (const char* const title : {"Undo", "Inspector", "Problems", "History", "Formsofthesource", "Totals"})
+          all.push_back(drawn.place(title));
+        return all;
+      };
+      laid.frames(3);
+      const std::vector<glm::dvec2> first = places();
+      for (const glm::dvec2& place : first) ASSERT_GT(place.x, 0);
+      for (const glm::dvec2& pixel : places_to_point(session)) {
+        laid.gui.pointer(pixel);
+        session.point_at(pixel);
+        const auto& hover = session.hover();
+        ++seen[!hover ? "nothing" : !hover->op ? "an element" : hover->preview.verdict.legal() ? "legal" : "refused"];
+        for (int frame = 0; frame < 2; ++frame) {
+          laid.frames(1);
+          ASSERT_EQ(places(), first) << "at " << pixel.x << "," << pixel.y << ", frame " << frame;
+        }
+      }
+    }
+  for (const char* const sort : {"nothing", "an element", "legal", "refused"}) EXPECT_GT(seen[sort], 10) << sort;
+}
+
+}  // namespace
+}  // namespace ryosen

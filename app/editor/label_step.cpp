@@ -43,8 +43,9 @@ void add_step(Session& session, std::vector<Label>& labels) {
   const Text caption = step ? step->caption : Text{player.call(), player.call()};
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
   int row = 0;
-  const double left = session.covered_px.x + margin_px;
-  const double room = session.view.width - session.covered_px.x - session.covered_px.y - 2 * margin_px;
+  const double scale = session.size_scale();
+  const double left = session.covered_px.x / scale + margin_px;
+  const double room = (session.view.width - session.covered_px.x - session.covered_px.y) / scale - 2 * margin_px;
   for (std::string& line : broken_lines(number + caption.in(session.language), room))
     labels.push_back({.text = std::move(line),
                       .priority = legend_priority,

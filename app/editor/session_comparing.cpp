@@ -34,6 +34,7 @@ Session* Session::beside() {
   Session& other = *beside_;
   other.camera = camera;
   other.settings = settings;
+  other.language = language;
   other.shown = shown;
   other.colouring = colouring;
   other.crease_deg = crease_deg;

@@ -93,7 +93,7 @@ std::vector<ViewSwitch>& switch_rows() {
       {.id = "xray",
        .help_en = "lets one see and pick through the surface",
        .help_ja = "面を透かして、裏側の要素も見えて選べるようにする",
-       .values = {{"off", "No X-ray", "透視表示なし"}, {"on", "X-ray", "透視表示"}},
+       .values = {{"off", "No X-ray", "透過表示なし"}, {"on", "X-ray", "透過表示"}},
        .value = setting<&ViewSettings::xray>,
        .set = set_setting<&ViewSettings::xray>,
        .chord = "Z",

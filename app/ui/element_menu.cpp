@@ -95,9 +95,19 @@ std::string title(PanelContext& context) {
 
 }  // namespace
 
+// With a corner at the pointer, so that it is on no entry, where there is more room.
+void open_at_pointer(PanelContext& context) {
+  ImGui::OpenPopup("##element");
+  const ImVec2 all = ImGui::GetIO().DisplaySize, at = ImGui::GetIO().MousePos;
+  const bool goes_left = at.x > 0.7f * all.x, goes_up = at.y > 0.5f * all.y;
+  context.state.menu_room_px = std::max(goes_up ? at.y : all.y - at.y, 1.f);
+  ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {goes_left ? 1.f : 0.f, goes_up ? 1.f : 0.f});
+}
+
 void draw_element_menu(PanelContext& context) {
-  if (std::exchange(context.state.opens_menu, false))
-    ImGui::OpenPopup("##element");  // at the pointer, within the window
+  if (std::exchange(context.state.opens_menu, false)) open_at_pointer(context);
+  // Where that is too little it is scrolled.
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, context.state.menu_room_px});
   if (!ImGui::BeginPopup("##element")) return;
   dim_text(context, title(context).c_str());
   ImGui::Separator();

@@ -48,6 +48,7 @@ struct GuiState {
   float saved_px = 0;         // that its panels have saved by that
   bool closes_menus = false;  // in the next frame
   bool opens_menu = false;    // that of what is selected, in the next frame
+  float menu_room_px = 1;     // its height at most
   bool asks_for_key = false;  // the next key goes there:
   std::string asked_key;      // its chord
   bool shows_japanese = false;  // a panel has Japanese words to show, whatever the language

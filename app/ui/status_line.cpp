@@ -53,6 +53,9 @@ Text counted(const Selection& selection) {
 
 std::vector<Hint> hints_of(const PanelContext& context) {
   if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
+  if (context.session.band)
+    return {{context.text("Release", "離す"), context.text("select what is inside", "囲んだものを選択")},
+            {"Esc", context.text("give up", "中止")}};
   const auto drag = [&](MouseButton button) -> std::string {
     const auto armed = context.session.armed_gesture;
     if (armed && button == MouseButton::left)

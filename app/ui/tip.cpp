@@ -55,10 +55,11 @@ void tip_shown(std::string_view text) {
         {goes_right ? panel.Pos.x + panel.Size.x + gap : panel.Pos.x - gap, hangs ? first.y : last.y}, 0,
         {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
   }
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also of what is faded
   ImGui::BeginTooltip();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   wrapped_text(text, width);
-  ImGui::PopStyleVar();
+  ImGui::PopStyleVar(2);
   ImGui::EndTooltip();
 }
 

@@ -145,7 +145,8 @@ Outcome WindowInput::key_up(const std::string& chord) {
 
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
-  if (!find_key(chord, input_presets()[0], session_.bindings) && !is_panel_key(chord) && !gui_.wants_chord(session_))
+  if (!find_key(chord, input_presets()[0], session_.bindings) && !is_panel_key(chord) && !session_.gesture() &&
+      !gui_.wants_chord(session_))
     return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
   if (Outcome then = let_key_go(chord, input_presets()[0]); chord == lone_key) outcome = std::move(then);

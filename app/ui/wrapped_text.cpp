@@ -58,6 +58,10 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
     while (before > begin && is_latin(*before) && is_latin(before[-1]))
       --before;  // a word or number goes on as a whole
   }
+  // ImGui ends lines behind the points of numbers and, where there is no blank before, within words.
+  const char* word = before;
+  while (word > begin && word < end && is_latin(*word) && is_latin(word[-1]) && word[-1] != '|') --word;
+  if (word > begin) before = word;
   while (before > begin && is_opening({at_letter(before), static_cast<std::size_t>(before - at_letter(before))}))
     before = at_letter(before);
   return before > begin ? before : at;

@@ -52,7 +52,7 @@ constexpr std::array built_in{
                  .legend_en = "Faces with the same vertices as an earlier one.",
                  .legend_ja = "前の面と同じ頂点を持つ面。",
                  .kinds = {Kind::duplicate_face},
-                 .looks = {0xBBBBBB, 0x666666, LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
+                 .looks = {0xEDEDED, 0x666666, LineStyle::dash_dot, 2.5f, PointShape::square, 4.5f},
                  .tint = FaceTint{FacePattern::chessboard, 0.8f},
                  .tier = 4},
     HighlightRow{.id = "intersecting",

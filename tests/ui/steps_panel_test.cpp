@@ -151,6 +151,25 @@ TEST_F(StepsPanelTest, marks_and_labels_are_in_the_view) {
   EXPECT_TRUE(has_caption);
 }
 
+// Whole at any scale: each line has room in the view.
+TEST_F(StepsPanelTest, the_words_of_a_step_have_lines_that_fit) {
+  ASSERT_TRUE(say("steps hull").done());
+  ASSERT_TRUE(say("steps at 4").done());
+  for (const double scale : {1.0, 2.0}) {
+    session.display_scale = scale;
+    std::vector<Label> labels;
+    add_step(session, labels);
+    std::string all;
+    for (const Label& label : labels) {
+      if (!label.begins_there) continue;
+      all += label.text;
+      EXPECT_LT(scale * (7.8 * static_cast<double>(label.text.size()) + label.shift_px.x), session.view.width)
+          << label.text;
+    }
+    EXPECT_NE(all.find(session.player->step()->caption.en), std::string::npos) << all;
+  }
+}
+
 TEST_F(StepsPanelTest, a_halfedge_is_an_arrow_in_its_face_and_not_its_edge) {
   ASSERT_TRUE(say("steps walk v0").done());
   std::size_t arrows = 0;

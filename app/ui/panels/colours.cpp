@@ -148,8 +148,10 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
     const float tall = std::max(2 * context.scale, height * static_cast<float>(bars_[i]) / static_cast<float>(most));
     const double value =
         std::lerp(range.low, range.high, (static_cast<double>(i) + 0.5) / static_cast<double>(bar_count));
-    list->AddRectFilled({x, at.y + height - tall}, {x + std::max(1.f, step - 1), at.y + height},
-                        colour_of(*map, range, value));
+    const ImVec2 top{x, at.y + height - tall}, foot{x + std::max(1.f, step - 1), at.y + height};
+    list->AddRectFilled(top, foot, colour_of(*map, range, value));
+    // Where the colour is that of the panel, the outline shows the bar.
+    list->AddRect(top, foot, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   }
   list->AddLine({at.x, at.y + height}, {at.x + width, at.y + height}, ImGui::GetColorU32(ImGuiCol_TextDisabled));
   follow_drag(context, at.x, width);

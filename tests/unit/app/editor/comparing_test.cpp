@@ -93,6 +93,14 @@ TEST(comparing, points_at_either_mesh_and_works_on_the_open_one_alone) {
   EXPECT_FALSE(session.hover());
 }
 
+TEST(comparing, both_halves_speak_one_language) {
+  Session session(opened("cube.obj"));
+  session.place_view({800, 600}, {0, 0});
+  ASSERT_TRUE(session.run("compare " + test::asset("torus.off")).done());
+  ASSERT_TRUE(session.run("language ja").done());
+  EXPECT_EQ(session.beside()->language, Language::japanese);
+}
+
 TEST(comparing, the_wheel_goes_to_what_is_under_the_pointer_in_either_half) {
   Session session(opened("cube.obj"));
   session.place_view({800, 600}, {0, 0});

@@ -321,14 +321,12 @@ TEST_F(WindowTest, keeps_what_the_user_prefers_for_the_next_time) {
     return std::filesystem::exists(file) && test::read_file(file).find(line) != std::string::npos;
   };
   open(mesh);
-  type("bind Ctrl+K split 0-1");
+  say("bind Ctrl+K split 0-1");
   ASSERT_TRUE(wait_for([&] { return kept("preferences", "bind Ctrl+K split 0-1\n"); }));
-  std::this_thread::sleep_for(300ms);  // until the command window has closed
-  type("panel totals off");
+  say("panel totals off");
   ASSERT_TRUE(wait_for([&] { return kept("layout", "panel totals off\n"); }));
   EXPECT_TRUE(kept("recent", mesh));
-  std::this_thread::sleep_for(300ms);
-  type("axes off");
+  say("axes off");
   ASSERT_TRUE(wait_for([&] { return kept("preferences", "axes off\n"); }));
   xdotool("mousemove 640 400 key ctrl+q");
   ASSERT_TRUE(wait_for([&] { return editor_->is_over(); }));

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
-#include <thread>
 
 namespace ryosen::test {
 
@@ -53,12 +52,15 @@ void RealWindow::open(const std::string& mesh) {
 }
 
 void RealWindow::type(const std::string& line) const {
-  const long before = last().number;
   xdotool("mousemove 640 400 key F3");
-  ASSERT_TRUE(wait_for([&] { return last().number > before; })) << "the command window did not open";
-  std::this_thread::sleep_for(300ms);  // until its field has the keys
-  xdotool("type --delay 20 '" + line + "'");
+  ASSERT_TRUE(wait_for([&] { return last().panel == "command"; })) << "the command window did not open";
+  xdotool("type '" + line + "'");
   xdotool("key Return");
+}
+
+void RealWindow::say(const std::string& line) const {
+  type(line);
+  ASSERT_TRUE(wait_for([&] { return last().panel == "-"; })) << "refused: " << line;
 }
 
 void RealWindow::xdotool(const std::string& words) const {

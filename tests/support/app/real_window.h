@@ -49,6 +49,8 @@ class RealWindow : public testing::Test {
   std::unique_ptr<Process> started(const std::string& mesh, const std::string& log) const;
   // Opens the command window and runs a line there.
   void type(const std::string& line) const;
+  // The same, until that has closed: the line is carried out, and does not take long.
+  void say(const std::string& line) const;
   void xdotool(const std::string& words) const;
   // The pointer goes there and the button down, and both somewhere else; with keys held down meanwhile.
   void drag(glm::dvec2 from, glm::dvec2 to, const std::string& keys = "", int button = 1) const;

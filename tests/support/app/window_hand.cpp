@@ -43,11 +43,6 @@ Camera WindowHand::camera() const {
   return seen;
 }
 
-void WindowHand::say(const std::string& line) {
-  type(line);
-  ASSERT_TRUE(shows([](const Frame& frame) { return frame.panel == "-"; })) << "refused: " << line;
-}
-
 void WindowHand::click(glm::dvec2 pixel, const std::string& keys, int button) const {
   xdotool("mousemove " + words_of(pixel) + " " + while_held(keys, "click " + std::to_string(button)));
 }

@@ -23,8 +23,6 @@ class WindowHand : public RealWindow {
   // The camera of the window, as the picture says.
   Camera camera() const;
 
-  // Runs a line in the command window, which closes then.
-  void say(const std::string& line);
   // A click there, with keys held down meanwhile.
   void click(glm::dvec2 pixel, const std::string& keys = "", int button = 1) const;
 

@@ -95,13 +95,15 @@ std::string title(PanelContext& context) {
 
 }  // namespace
 
-// With a corner at the pointer, so that it is on no entry, where there is more room.
+// Above or below the pointer, which is on no entry then, and beside it where the window is wide.
 void open_at_pointer(PanelContext& context) {
   ImGui::OpenPopup("##element");
   const ImVec2 all = ImGui::GetIO().DisplaySize, at = ImGui::GetIO().MousePos;
-  const bool goes_left = at.x > 0.7f * all.x, goes_up = at.y > 0.5f * all.y;
-  context.state.menu_room_px = std::max(goes_up ? at.y : all.y - at.y, 1.f);
-  ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {goes_left ? 1.f : 0.f, goes_up ? 1.f : 0.f});
+  const bool is_wide = all.x > 60 * ImGui::GetFontSize(), goes_up = at.y > 0.5f * all.y;
+  const float across = !is_wide ? at.x / all.x : at.x > 0.7f * all.x ? 1.f : 0.f;
+  const float border = ImGui::GetStyle().DisplaySafeAreaPadding.y;
+  context.state.menu_room_px = std::max((goes_up ? at.y : all.y - at.y) - border, 1.f);
+  ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {across, goes_up ? 1.f : 0.f});
 }
 
 void draw_element_menu(PanelContext& context) {

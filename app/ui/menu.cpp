@@ -299,7 +299,8 @@ void draw_menu(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {room.spacing, ImGui::GetStyle().ItemSpacing.y});
     // Below the bar, where it is scrolled if it is long.
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {all.x, all.y - ImGui::GetWindowHeight()});
+    const float border = ImGui::GetStyle().DisplaySafeAreaPadding.y;
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {all.x, all.y - ImGui::GetWindowHeight() - border});
     const bool is_open = ImGui::BeginMenu(title_of(menu_bar[i]));
     ImGui::PopStyleVar();
     if (!is_open) continue;

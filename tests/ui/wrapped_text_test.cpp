@@ -44,8 +44,9 @@ TEST_F(WrappedText, begins_no_line_with_a_mark_that_closes) {
 }
 
 TEST_F(WrappedText, ends_no_line_behind_the_point_of_a_number_where_no_blank_is_before) {
-  EXPECT_EQ(wrapped_size("平均は0.000000です", width("平均は0.000")).x, width("0.000000で"));
-  EXPECT_EQ(lines("平均は0.000000です", width("平均は0.000")), 2);
+  const float room = width("平均は0.00000");
+  EXPECT_EQ(wrapped_size("平均は0.000000です", room).x, width("0.000000です"));
+  EXPECT_EQ(lines("平均は0.000000です", room), 2);
 }
 
 TEST_F(WrappedText, leaves_latin_words_whole) {

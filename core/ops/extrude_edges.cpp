@@ -17,7 +17,6 @@
 #include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
 #include "core/ops/lines/arguments.h"
-#include "core/ops/make_face.h"
 #include "core/ops/rules/attach_face.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
@@ -47,13 +46,23 @@ std::vector<Halfedge> sides_of(const Mesh& m, std::span<const Halfedge> edges) {
   return sides;
 }
 
-// Out of a face across one of its sides and in its plane, as long as the side.
-glm::dvec3 way_out(const Mesh& m, Halfedge side) {
-  if (m.is_outside(side)) return {};
+glm::dvec3 normal_of(const Mesh& m, Face f) {
   FacePolygon polygon;
-  polygon.read(m, m.face(side));
-  if (!polygon.is_finite()) return {};
-  return glm::cross(m.position(m.to(side)) - m.position(m.from(side)), polygon_normal(polygon.keyhole_walk()));
+  polygon.read(m, f);
+  return polygon.is_finite() ? polygon_normal(polygon.keyhole_walk()) : glm::dvec3(0);
+}
+
+// The sum of the ways out of faces across their sides, each in the plane of its face and as long as the side.
+glm::dvec3 way_out(const Mesh& m, std::span<const Halfedge> sides) {
+  std::unordered_map<Face, glm::dvec3> normals;
+  glm::dvec3 sum(0);
+  for (Halfedge side : sides) {
+    if (m.is_outside(side)) continue;
+    const auto [normal, is_new] = normals.try_emplace(m.face(side));
+    if (is_new) normal->second = normal_of(m, m.face(side));
+    sum += glm::cross(m.position(m.to(side)) - m.position(m.from(side)), normal->second);
+  }
+  return sum;
 }
 
 // The vector area of the loop that edges make when they run like this; of an open chain, with its ends joined.
@@ -77,17 +86,26 @@ bool has_face(const Mesh& m, Vertex p) {
   });
 }
 
-// After each quad the surface is as reading would give it, which may have parted and joined edges around it: sides are
-// known by their faces and points.
+// Quads are put on the free sides of edges and of each other where there are any, else beside them on vertices of their
+// own: which of these belong together is found when all are there.
 class ExtrudedEdges {
  public:
   ExtrudedEdges(Edit& edit, std::span<const Halfedge> sides, const glm::dvec3& by)
       : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit) {
-    for (Halfedge side : sides) named_.push_back({m_.face(side), end_at(m_.from(side)), end_at(m_.to(side))});
+    for (Halfedge side : sides) named_.push_back({side, end_at(m_.from(side)), end_at(m_.to(side))});
   }
 
   OpEffect run() {
     for (const Named& named : named_) make_quad(named);
+    std::vector<Vertex> points;
+    for (auto& each : beside_) {
+      std::vector<Vertex>& copies = each.second;
+      for_each_copy(m_, each.first, [&](Vertex copy) { copies.push_back(copy); });
+      link_copies(edit_, copies);
+    }
+    for (const auto& [p, top] : tops_) points.insert(points.end(), {p, top});
+    std::sort(points.begin(), points.end());
+    sheets_.settle(points);
     return sheets_.finish();
   }
 
@@ -96,7 +114,7 @@ class ExtrudedEdges {
     Vertex point, top;
   };
   struct Named {
-    Face face;  // none at a wire
+    Halfedge side;
     End from, to;
   };
 
@@ -111,33 +129,31 @@ class ExtrudedEdges {
     return {p, at->second};
   }
 
-  Halfedge side_of(const Named& named) const {
-    for (Halfedge sheet : sheets_between(m_, named.from.point, named.to.point))
-      for (Halfedge side : {sheet, twin(sheet)})
-        if (m_.face(side) == named.face && (named.face || m_.is_wire(edge(side)))) return side;
-    return {};
-  }
-
   void make_quad(const Named& named) {
-    const Halfedge side = side_of(named);
-    const std::array<std::vector<std::uint32_t>, 2> values = values_at(side);
-    const auto& [face, a, b] = named;
+    const Face face = m_.face(named.side);
+    const std::array<std::vector<std::uint32_t>, 2> values = values_at(named.side);
+    const auto& [side, a, b] = named;
     std::array<Vertex, 4> corners{b.point, a.point, a.top, b.top};
     if (!face) corners = {a.point, b.point, b.top, a.top};
-    const bool is_open = MakeFace{{corners.begin(), corners.end()}}.check(m_).legal();
-    const Face quad = is_open ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
+    const bool is_free = !is_shared(side) && !has_quad(corners[1], corners[2]) && !has_quad(corners[3], corners[0]);
+    if (is_free) rises_.insert({{corners[1], corners[2]}, {corners[3], corners[0]}});
+    const Face quad = is_free ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
     if (face) copy_face_values(edit_, face, quad);
+    std::size_t corner = 0;
     for (Halfedge h : halfedges_around(m_, quad)) {
-      const Vertex p = point(m_, m_.from(h));
-      set_values(h, values[p == b.point || p == b.top]);
+      const bool is_at_b = corner == 0 || corner == 3;
+      set_values(h, values[is_at_b]);
+      ++corner;
     }
-    sheets_.settle(corners);
   }
+  // Whether several faces have an edge on points.
+  bool is_shared(Halfedge side) const { return point_edge(m_, side).faces() > 1; }
+  // Whether one of those on free sides runs up or down there.
+  bool has_quad(Vertex from, Vertex to) const { return rises_.contains({from, to}); }
 
-  // A quad on copies of the points, to be settled.
   Face put_beside(Halfedge side, std::array<Vertex, 4> corners) {
     if (m_.is_wire(edge(side))) sheets_.remove_edge(side);
-    for (Vertex& v : corners) v = copy_without_edges(v);
+    for (Vertex& v : corners) v = vertex_without_edges(v);
     std::array<Halfedge, 4> sides;
     for (std::size_t i = 0; i < 4; ++i) sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
     const Face quad = edit_.add_face(sides[0]);
@@ -151,11 +167,12 @@ class ExtrudedEdges {
     sheets_.changed(quad);
     return quad;
   }
-  Vertex copy_without_edges(Vertex v) {
-    if (m_.is_isolated(v)) return v;
-    const Vertex copy = edit_.add_vertex(m_.position(v));
-    blend_vertex_values(edit_, v, v, 0, copy);
-    join_copies(edit_, v, copy);
+  // To be a copy of the point, where it is another.
+  Vertex vertex_without_edges(Vertex p) {
+    if (m_.is_isolated(p)) return p;
+    const Vertex copy = edit_.add_vertex(m_.position(p));
+    blend_vertex_values(edit_, p, p, 0, copy);
+    beside_[p].push_back(copy);
     return copy;
   }
 
@@ -183,6 +200,8 @@ class ExtrudedEdges {
   Sheets sheets_;
   std::unordered_map<Vertex, Vertex> tops_;  // by point
   std::vector<Named> named_;
+  std::set<std::pair<Vertex, Vertex>> rises_;
+  std::map<Vertex, std::vector<Vertex>> beside_;  // by point, to be its copies
 };
 
 }  // namespace
@@ -221,12 +240,9 @@ glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
   if (offset) return *offset;
   const std::vector<Halfedge> sides = sides_of(mesh, edges);
   constexpr double rounding = 1e-12;
-  glm::dvec3 out(0);
+  const glm::dvec3 out = way_out(mesh, sides);
   double length = 0;
-  for (Halfedge side : sides) {
-    out += way_out(mesh, side);
-    length += glm::distance(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)));
-  }
+  for (Halfedge side : sides) length += glm::distance(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)));
   if (!is_finite(out) || !(length > 0) || !is_finite(glm::dvec3(length))) return glm::dvec3(0);
   glm::dvec3 direction = unit_or_zero(out, rounding * length);
   if (direction == glm::dvec3(0)) direction = unit_or_zero(area_of_loop(mesh, sides), rounding * length * length);

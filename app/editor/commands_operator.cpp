@@ -56,10 +56,10 @@ Text kinds_taken(const OpInfo& op) {
 // question". As it stands where it asks for something else.
 Text in_words(std::string_view syntax) {
   struct Kind {
-    const char *one, *many, *ja;
+    const char *one, *many, *ja, *counter_ja;
     int wanted = 0;
   };
-  Kind vertices{"vertex", "vertices", "頂点"}, edges{"edge", "edges", "稜線"}, faces{"face", "faces", "面"};
+  Kind vertices{"vertex", "vertices", "頂点", "個"}, edges{"edge", "edges", "稜線", "本"}, faces{"face", "faces", "面", "個"};
   bool may_be_more = false, may_name_face = false, may_name_sides = false;
   for (const std::string_view word : split_words(syntax)) {
     if (word == "..." || word == "...]")
@@ -83,7 +83,7 @@ Text in_words(std::string_view syntax) {
   if (n < 1 || n > 3 || vertices.wanted + edges.wanted + faces.wanted != n)
     return {std::string(syntax), std::string(syntax)};
   Text told{std::string(numbers[n]) + " " + (n == 1 ? kind.one : kind.many),
-            std::string(kind.ja) + "を " + std::to_string(n) + " 個"};
+            std::string(kind.ja) + "を " + std::to_string(n) + " " + kind.counter_ja};
   if (may_be_more) told = told + Text{" or more", "以上"};
   if (n > 1) told = told + Text{", in order", "、この順に"};
   if (may_name_face)

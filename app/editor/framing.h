@@ -15,7 +15,7 @@ using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
 // Calls visit(places) of the vertices that have edges, or of all where none has. O(n).
 void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
 
-// The same with isolated vertices up to four diagonals of their box from its middle, so that the mesh takes a quarter of
+// The same with isolated vertices up to four diagonals of their box from its middle, so that the mesh takes an eighth of
 // the view at least: one that a scanner left in a corner of its room would make it a dot.
 void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
 

@@ -66,10 +66,15 @@ Outcome Session::begin_pull() {
   const ColumnLengths before = mesh().lengths();
   const Outcome outcome = document_->try_out(*extrusion.op);
   if (!outcome.done()) return outcome;
-  Elements moved = faces.empty() ? new_edges_of_new_points(mesh(), before) : faces;
-  begin_gesture_with(PointTransform::Kind::move, moved);
-  gesturing_->pull = {std::move(line), "0", {}, new_faces(gesturing_->touched.faces, before), std::move(moved)};
-  if (!faces.empty()) gesture_key("N");
+  const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
+  begin_gesture_with(PointTransform::Kind::move, faces.empty() ? made : faces);
+  gesturing_->pull = {std::move(line), "0", {}, new_faces(gesturing_->touched.faces, before), made};
+  if (!faces.empty()) {
+    gesture_key("N");
+  } else {
+    selection = gesturing_->pull->selected;  // until the trial ends
+    show_gesture();                          // without what has no extent yet
+  }
   return outcome;
 }
 

@@ -93,18 +93,24 @@ std::string title(PanelContext& context) {
   return std::to_string(selection.size()) + context.text(" selected", " 個を選択中");
 }
 
-}  // namespace
-
-// Above or below the pointer, which is on no entry then, and beside it where the window is wide.
+// Beside the pointer, or where there is no room above or below it: it is on no entry then.
 void open_at_pointer(PanelContext& context) {
   ImGui::OpenPopup("##element");
   const ImVec2 all = ImGui::GetIO().DisplaySize, at = ImGui::GetIO().MousePos;
-  const bool is_wide = all.x > 60 * ImGui::GetFontSize(), goes_up = at.y > 0.5f * all.y;
-  const float across = !is_wide ? at.x / all.x : at.x > 0.7f * all.x ? 1.f : 0.f;
-  const float border = ImGui::GetStyle().DisplaySafeAreaPadding.y;
+  const float wide = 28 * ImGui::GetFontSize(), border = ImGui::GetStyle().DisplaySafeAreaPadding.y, gap = 2;
+  const bool goes_right = at.x + gap + wide <= all.x, goes_left = !goes_right && at.x - gap >= wide;
+  if (goes_right || goes_left) {
+    context.state.menu_room_px = all.y - 2 * border;
+    ImGui::SetNextWindowPos({goes_right ? at.x + gap : at.x - gap, at.y}, ImGuiCond_Appearing,
+                            {goes_right ? 0.f : 1.f, at.y / all.y});
+    return;
+  }
+  const bool goes_up = at.y > 0.5f * all.y;
   context.state.menu_room_px = std::max((goes_up ? at.y : all.y - at.y) - border, 1.f);
-  ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {across, goes_up ? 1.f : 0.f});
+  ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {at.x / all.x, goes_up ? 1.f : 0.f});
 }
+
+}  // namespace
 
 void draw_element_menu(PanelContext& context) {
   if (std::exchange(context.state.opens_menu, false)) open_at_pointer(context);

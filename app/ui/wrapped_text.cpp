@@ -25,8 +25,9 @@ const char* at_letter(const char* end) {
 
 // No line begins with one of these.
 bool is_closing(std::string_view text) {
-  for (const std::string_view mark : {"、", "。", "）", "」", "：", "・", "！", "？", "ー", "々",
-                                      "っ", "ゃ", "ゅ", "ょ", "ッ", "ャ", "ュ", "ョ", "°",  "%"})
+  for (const std::string_view mark :
+       {"、", "。", "）", "」", "：", "・", "！", "？", "ー", "々", "っ", "ゃ", "ゅ", "ょ", "ッ",
+        "ャ", "ュ", "ョ", "ァ", "ィ", "ゥ", "ェ", "ォ", "ぁ", "ぃ", "ぅ", "ぇ", "ぉ", "°",  "%"})
     if (text.starts_with(mark)) return true;
   return false;
 }

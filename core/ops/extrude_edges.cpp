@@ -18,6 +18,7 @@
 #include "core/mesh/face_polygon.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/rules/attach_face.h"
+#include "core/ops/rules/edge_sides.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/pinch.h"
@@ -25,26 +26,6 @@
 namespace ryosen {
 
 namespace {
-
-// The side of a face along an edge between two points: that of the halfedge, of its twin, else of another sheet. The
-// halfedge itself where there are but wires.
-Halfedge side_of(const Mesh& m, Halfedge h) {
-  if (!m.is_outside(h)) return h;
-  if (!m.is_outside(twin(h))) return twin(h);
-  for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
-    for (Halfedge side : {sheet, twin(sheet)})
-      if (!m.is_outside(side)) return side;
-  return h;
-}
-
-// One side for each edge, in the order in which they are named first.
-std::vector<Halfedge> sides_of(const Mesh& m, std::span<const Halfedge> edges) {
-  std::vector<Halfedge> sides;
-  std::set<std::pair<Vertex, Vertex>> met;
-  for (Halfedge h : edges)
-    if (met.insert(std::minmax(point(m, m.from(h)), point(m, m.to(h)))).second) sides.push_back(side_of(m, h));
-  return sides;
-}
 
 glm::dvec3 normal_of(const Mesh& m, Face f) {
   FacePolygon polygon;
@@ -67,7 +48,11 @@ glm::dvec3 way_out(const Mesh& m, std::span<const Halfedge> sides) {
 
 // The vector area of the loop that edges make when they run like this; of an open chain, with its ends joined.
 glm::dvec3 area_of_loop(const Mesh& m, std::span<const Halfedge> sides) {
-  const glm::dvec3 about = m.position(m.from(sides[0]));
+  std::set<Vertex> ends;
+  for (Halfedge h : sides) ends.insert(point(m, m.to(h)));
+  const auto first =
+      std::find_if(sides.begin(), sides.end(), [&](Halfedge h) { return !ends.contains(point(m, m.from(h))); });
+  const glm::dvec3 about = m.position(m.from(first == sides.end() ? sides[0] : *first));
   glm::dvec3 sum(0);
   for (Halfedge h : sides) sum += glm::cross(m.position(m.from(h)) - about, m.position(m.to(h)) - about);
   return 0.5 * sum;
@@ -152,8 +137,11 @@ class ExtrudedEdges {
   bool has_quad(Vertex from, Vertex to) const { return rises_.contains({from, to}); }
 
   Face put_beside(Halfedge side, std::array<Vertex, 4> corners) {
-    if (m_.is_wire(edge(side))) sheets_.remove_edge(side);
-    for (Vertex& v : corners) v = vertex_without_edges(v);
+    const std::array<Vertex, 2> of_wire{m_.from(side), m_.to(side)};
+    const bool is_wire = m_.is_wire(edge(side));
+    if (is_wire) sheets_.remove_edge(side);
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = is_wire && i < 2 && m_.is_isolated(of_wire[i]) ? of_wire[i] : vertex_without_edges(corners[i]);
     std::array<Halfedge, 4> sides;
     for (std::size_t i = 0; i < 4; ++i) sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
     const Face quad = edit_.add_face(sides[0]);
@@ -209,7 +197,10 @@ class ExtrudedEdges {
 Parsed<ExtrudeEdges> ExtrudeEdges::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
   ExtrudeEdges op;
-  const auto is_movement = [&] { return in.peek().find(',') != std::string::npos || parse_double(in.peek()); };
+  const auto is_movement = [&] {
+    return in.peek().find(',') != std::string::npos || in.peek().find('-', 1) == std::string::npos ||
+           parse_double(in.peek());
+  };
   do op.edges.push_back(in.halfedge());
   while (!in.failed() && !in.at_end() && !is_movement());
   const std::string argument(in.peek());
@@ -238,13 +229,15 @@ std::string ExtrudeEdges::command(const Mesh& mesh) const {
 
 glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
   if (offset) return *offset;
+  if (distance == 0.0) return glm::dvec3(0);
   const std::vector<Halfedge> sides = sides_of(mesh, edges);
-  constexpr double rounding = 1e-12;
+  // Places in files have few digits, so that ways that cancel out leave more than the rounding of doubles.
+  constexpr double of_files = 1e-5, rounding = 1e-12;
   const glm::dvec3 out = way_out(mesh, sides);
   double length = 0;
   for (Halfedge side : sides) length += glm::distance(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)));
   if (!is_finite(out) || !(length > 0) || !is_finite(glm::dvec3(length))) return glm::dvec3(0);
-  glm::dvec3 direction = unit_or_zero(out, rounding * length);
+  glm::dvec3 direction = unit_or_zero(out, of_files * length);
   if (direction == glm::dvec3(0)) direction = unit_or_zero(area_of_loop(mesh, sides), rounding * length * length);
   const glm::dvec3 by = distance.value_or(length / static_cast<double>(sides.size())) * direction;
   return is_finite(by) ? by : glm::dvec3(0);

@@ -202,7 +202,7 @@ class Comparison {
     compare(op, keeps_equal ? Outcomes{outcome} : Outcomes());
   }
 
-  // A bridge goes nowhere. What runs beside edges with faces and has none itself may take either direction.
+  // A bridge goes nowhere. What has faces on both sides or none may run either way.
   void extrude_edges(const ExtrudeEdges& op) {
     std::vector<std::vector<Pair>> ways{{}};
     std::set<Pair> met;
@@ -215,10 +215,11 @@ class Comparison {
         if (!faces.insert(face).second) return compare(op, {});
         directions.push_back(is_forward ? Pair(a, b) : Pair(b, a));
       }
-      if (directions.empty() || !mesh_.is_outside(h))
-        directions = {{a, b}};
-      else if (!mesh_.is_outside(twin(h)))
-        directions = {{b, a}};
+      const bool has_left = !mesh_.is_outside(h), has_right = !mesh_.is_outside(twin(h));
+      if (has_left != has_right)
+        directions = {has_left ? Pair(a, b) : Pair(b, a)};
+      else
+        directions = {{a, b}, {b, a}};
       std::vector<std::vector<Pair>> longer;
       for (const std::vector<Pair>& way : ways)
         for (const Pair& direction : directions) {

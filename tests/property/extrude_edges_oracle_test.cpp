@@ -54,23 +54,26 @@ class SetsOfEdges {
     return std::minmax({a, b});
   }
 
-  // As the sides of faces run: those of the halfedge, else of its twin.
-  static std::vector<Pair> sides_of(const Mesh& mesh, const std::vector<Halfedge>& named) {
+  // As the sides of faces run: that of the one face, else either way, which the quad tells.
+  static std::vector<Pair> sides_of(const Mesh& before, const std::vector<Halfedge>& named, const Mesh& after) {
     std::vector<Pair> sides;
     std::set<Pair> met;
     for (Halfedge h : named) {
-      if (!met.insert(pair_of(mesh, h)).second) continue;
-      const Halfedge side = mesh.is_outside(h) && !mesh.is_outside(twin(h)) ? twin(h) : h;
-      sides.emplace_back(static_cast<int>(point(mesh, mesh.from(side)).index),
-                         static_cast<int>(point(mesh, mesh.to(side)).index));
+      if (!met.insert(pair_of(before, h)).second) continue;
+      Halfedge side = before.is_outside(h) ? twin(h) : h;
+      if (before.is_outside(side) || !before.is_outside(twin(side))) {
+        const Face quad(before.face_slots() + static_cast<std::uint32_t>(sides.size()));
+        const bool is_along = point(after, after.from(after.halfedge(quad))) == point(before, before.from(side));
+        if (is_along != before.is_outside(side)) side = twin(side);
+      }
+      sides.emplace_back(static_cast<int>(point(before, before.from(side)).index),
+                         static_cast<int>(point(before, before.to(side)).index));
     }
     return sides;
   }
 
   void compare(const Mesh& before, const Complex& points, const std::vector<Halfedge>& named) {
     const ExtrudeEdges op{named, {}, glm::dvec3(0.25, -0.5, 2)};
-    const std::vector<Pair> sides = sides_of(before, named);
-    const Complex expected = oracle::with_extruded_edges(points, sides);
     const std::string name = command_of(before, op) + " on " + to_text(points);
     ASSERT_TRUE(check(before, op).legal()) << name;
     ++extruded_;
@@ -80,6 +83,8 @@ class SetsOfEdges {
       apply_and_prove(mesh, op);
     }
     ASSERT_EQ(differs_from_reading(mesh), "") << name;
+    const std::vector<Pair> sides = sides_of(before, named, mesh);
+    const Complex expected = oracle::with_extruded_edges(points, sides);
     const auto old = static_cast<int>(before.vertex_slots());
     ASSERT_EQ(renamed(oracle::on_points(complex_of(mesh)), old), renamed(expected, old)) << name;
     const ElementCounts was = counts_on_points(before), is = counts_on_points(mesh);
@@ -129,6 +134,9 @@ TEST(extrude_edges_oracle, every_set_of_edges_where_wires_are) {
   all.all_sets(with_wires(make_mesh({{0, 1, 2}}, 5), {"0 3", "3 4 0-3", "4 1 3-4"}));
   all.all_sets(with_wires(make_mesh({{0, 1, 2}, {0, 3, 4}}, 7), {"0 5 1-0", "5 6 0-5"}));
   all.all_sets(with_wires(make_mesh(bow_tie(), 7), {"5 6"}));
+  Mesh behind_fan = with_wires(make_mesh({{0, 1, 2}, {0, 2, 3}}, 5), {"0 4"});  // the wire is on a copy when it closes
+  apply_and_prove(behind_fan, "make_face 0 3 1");
+  all.all_sets(behind_fan);
 }
 
 TEST(extrude_edges_oracle, sets_of_edges_of_random_meshes) {

@@ -35,7 +35,7 @@ TEST_F(WrappedText, ends_no_line_with_a_bracket_that_opens) {
 }
 
 TEST_F(WrappedText, begins_no_line_with_a_mark_that_closes) {
-  for (const std::string mark : {"°、", "%、", "ー", "っ", "：", "。"}) {
+  for (const std::string mark : {"°、", "%、", "ー", "っ", "ァ", "：", "。"}) {
     const std::string rest = "30" + mark + "と";
     EXPECT_LE(wrapped_size(("角度は " + rest).c_str(), width("角度は 30")).x,
               std::max(width("角度は "), width(rest.c_str())))

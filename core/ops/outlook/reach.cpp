@@ -29,7 +29,7 @@ bool reaches_further(const Mesh& m, const AnyOp& op, std::size_t most) {
   const Halfedge h = halfedge_of(op);
   if (!is_there(m, h)) return false;
   if (is_longer_cycle(m, h, most) || is_longer_cycle(m, twin(h), most)) return true;
-  return std::holds_alternative<CollapseEdge>(op) &&
+  return (std::holds_alternative<CollapseEdge>(op) || std::holds_alternative<ExtrudeEdges>(op)) &&
          (has_higher_valence(m, m.from(h), most) || has_higher_valence(m, m.to(h), most));
 }
 

@@ -325,9 +325,13 @@ TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) 
   const std::string edge = name_of(session_->mesh(), Edge(0)), select = "select " + edge;
   run({"mode edge", select.c_str(), "key E"});
   ASSERT_TRUE(session_->gesture());
+  ASSERT_EQ(session_->selection.size(), 1u);
+  EXPECT_NE(name_of(session_->mesh(), session_->selection[0]), edge) << "what moves";
+  EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has moved yet";
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
+  EXPECT_EQ(session_->selection, Elements{Edge(0)});
   run({"key E", "key Z", "key 2", "key Enter"});
   ASSERT_EQ(session_->document().history().size(), 1u);
   EXPECT_EQ(session_->document().history()[0].command, "extrude_edges " + edge + " 0,0,2");

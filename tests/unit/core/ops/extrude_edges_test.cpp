@@ -67,6 +67,49 @@ TEST(extrude_edges, an_edge_between_two_faces_gets_a_third) {
   EXPECT_EQ(compute_figures(mesh)[ProblemKind::nonmanifold_edge], 1u);
 }
 
+// However they are named, and the numbers of whose points come first.
+TEST(extrude_edges, chains_and_loops_run_on_where_they_may) {
+  for (const char* loop : {"0-1 1-3 3-2 2-0", "0-1 0-2 1-3 2-3", "2-3 0-1 0-2 1-3"}) {
+    Mesh box = make_mesh(cube());
+    apply_and_prove(box, std::string("extrude_edges ") + loop + " 0,0,1");
+    EXPECT_EQ(compute_figures(box)[ProblemKind::misoriented_edge], 0u) << loop;
+    EXPECT_EQ(compute_figures(box).faces, 10u) << loop;
+  }
+  for (const char* named : {"0-1 1-2 2-3", "2-3 1-2 0-1", "1-2 1-0 2-3", "3-2 0-1 2-1"}) {
+    Mesh wires = make_mesh({}, 4);
+    for (const char* wire : {"make_edge 0 1", "make_edge 1 2 0-1", "make_edge 2 3 1-2"}) apply_and_prove(wires, wire);
+    apply_and_prove(wires, std::string("extrude_edges ") + named + " 0,0,1");
+    EXPECT_EQ(compute_figures(wires)[ProblemKind::misoriented_edge], 0u) << named;
+    EXPECT_EQ(compute_figures(wires).components, 1u) << named;
+  }
+}
+
+TEST(extrude_edges, the_way_along_the_normal_does_not_depend_on_the_order_of_names) {
+  IndexedMesh source;
+  source.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  source.face_offsets = {0};
+  Mesh mesh = from_indexed(source);
+  for (const char* wire : {"make_edge 0 1", "make_edge 1 2 0-1"}) apply_and_prove(mesh, wire);
+  EXPECT_EQ(std::get<ExtrudeEdges>(op_of(mesh, "extrude_edges 0-1 1-2 1")).movement(mesh), glm::dvec3(0, 0, 1));
+  EXPECT_EQ(std::get<ExtrudeEdges>(op_of(mesh, "extrude_edges 1-2 0-1 1")).movement(mesh), glm::dvec3(0, 0, 1));
+}
+
+// A hole in a plate that leans, with places of as many digits as files have.
+TEST(extrude_edges, around_a_hole_what_rounding_leaves_of_the_ways_out_is_no_way) {
+  IndexedMesh source = indexed({{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+  const auto rounded = [](double x) { return std::round(x * 1e6) / 1e6; };
+  const glm::dvec3 u = glm::normalize(glm::dvec3(3, 1, 2)), v = glm::normalize(glm::cross(u, glm::dvec3(1, -2, 5)));
+  const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double size = i < 4 ? 3 : 1, from = i < 4 ? 0 : 1;
+    const glm::dvec3 p = (from + size * corners[i % 4][0]) * u + (from + size * corners[i % 4][1]) * v;
+    source.positions[i] = {rounded(p.x), rounded(p.y), rounded(p.z)};
+  }
+  const Mesh mesh = from_indexed(source);
+  const glm::dvec3 by = std::get<ExtrudeEdges>(op_of(mesh, "extrude_edges 4-5 5-6 6-7 7-4 1")).movement(mesh);
+  EXPECT_NEAR(std::abs(glm::dot(by, glm::normalize(glm::cross(u, v)))), 1, 1e-4);
+}
+
 // More than two quads stand on the edge that rises from the point where they meet.
 TEST(extrude_edges, wires_that_branch_rise_as_a_book) {
   Mesh mesh = make_mesh({}, 4);
@@ -126,6 +169,8 @@ TEST(extrude_edges, parse_errors) {
   EXPECT_EQ(parse_error(mesh, "extrude_edges 0-1 nan"), NameError::malformed);
   EXPECT_EQ(parse_error(mesh, "extrude_edges 0-9"), NameError::never_existed);
   EXPECT_EQ(parse_error(mesh, "extrude_edges 0-1 1e400"), NameError::malformed);
+  EXPECT_TRUE(parse_line(mesh, "extrude_edges 0-1 1e400").sentence.en.starts_with("'1e400' is not understood"))
+      << "no name of an edge";
 }
 
 TEST(extrude_edges, says_a_line_that_does_the_same) {

@@ -221,7 +221,7 @@ Parsed<ExtrudeEdges> ExtrudeEdges::parse(const Mesh& mesh, std::span<const std::
 
 std::string ExtrudeEdges::command(const Mesh& mesh) const {
   std::string text(info.id);
-  for (Halfedge h : edges) text += " " + name_to_choose(mesh, h);
+  for (Halfedge h : edges) text += " " + (is_there(mesh, h) ? name_to_choose(mesh, h) : name_of(mesh, h));
   if (offset) return text + " " + format_place(*offset);
   if (distance) text += " " + format_double(*distance);
   return text;

@@ -10,6 +10,7 @@
 #include "app/cli/visible.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/measure_text.h"
+#include "app/editor/script.h"
 #include "app/editor/words.h"
 #include "core/algo/measure/other_surface.h"
 #include "core/highlights/map_values.h"

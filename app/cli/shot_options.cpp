@@ -6,6 +6,7 @@
 #include "app/cli/outputs.h"
 #include "app/editor/camera_text.h"
 #include "app/editor/script.h"
+#include "app/editor/words.h"
 #include "core/highlights/highlight_table.h"
 #include "core/view/named_views.h"
 

@@ -11,6 +11,7 @@
 #include "app/editor/playing.h"
 #include "app/editor/view_switches.h"
 #include "app/ui/headless.h"
+#include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 #include "core/ops/all.h"
 

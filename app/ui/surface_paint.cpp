@@ -7,6 +7,7 @@
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "render/colour.h"
 
 namespace ryosen {
 

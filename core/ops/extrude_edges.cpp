@@ -76,7 +76,7 @@ bool has_face(const Mesh& m, Vertex p) {
 class ExtrudedEdges {
  public:
   ExtrudedEdges(Edit& edit, std::span<const Halfedge> sides, const glm::dvec3& by)
-      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit) {
+      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit), corners_(edit), attributes_(corner_attributes(m_)) {
     for (Halfedge side : sides) named_.push_back({side, end_at(m_.from(side)), end_at(m_.to(side))});
   }
 
@@ -166,26 +166,25 @@ class ExtrudedEdges {
 
   // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old surface.
   std::array<std::vector<std::uint32_t>, 2> values_at(Halfedge side) {
-    const std::vector<CornerAttribute> attributes = corner_attributes(m_);
-    const CornerWriter corners(edit_);
     std::array<std::vector<std::uint32_t>, 2> values;
-    for (std::size_t k = 0; k < attributes.size(); ++k) {
+    for (std::size_t k = 0; k < attributes_.size(); ++k) {
       const bool has_none = m_.is_outside(side) ||
-                            m_.attributes()[attributes[k].index_column].name == std::string(attribute_names::normal);
-      values[0].push_back(has_none ? no_index : corners.index(k, side));
-      values[1].push_back(has_none ? no_index : corners.index(k, m_.next(side)));
+                            m_.attributes()[attributes_[k].index_column].name == std::string(attribute_names::normal);
+      values[0].push_back(has_none ? no_index : corners_.index(k, side));
+      values[1].push_back(has_none ? no_index : corners_.index(k, m_.next(side)));
     }
     return values;
   }
   void set_values(Halfedge corner, const std::vector<std::uint32_t>& values) {
-    CornerWriter corners(edit_);
-    for (std::size_t k = 0; k < values.size(); ++k) corners.set(k, corner, values[k]);
+    for (std::size_t k = 0; k < values.size(); ++k) corners_.set(k, corner, values[k]);
   }
 
   Edit& edit_;
   const Mesh& m_;
   const glm::dvec3 by_;
   Sheets sheets_;
+  CornerWriter corners_;
+  const std::vector<CornerAttribute> attributes_;
   std::unordered_map<Vertex, Vertex> tops_;  // by point
   std::vector<Named> named_;
   std::set<std::pair<Vertex, Vertex>> rises_;

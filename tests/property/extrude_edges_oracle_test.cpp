@@ -86,26 +86,14 @@ class SetsOfEdges {
     const std::vector<Pair> sides = sides_of(before, named, mesh);
     const Complex expected = oracle::with_extruded_edges(points, sides);
     const auto old = static_cast<int>(before.vertex_slots());
-    ASSERT_EQ(renamed(oracle::on_points(complex_of(mesh)), old), renamed(expected, old)) << name;
+    ASSERT_EQ(oracle::faces_with_new_points_in_order(oracle::on_points(complex_of(mesh)), old),
+              oracle::faces_with_new_points_in_order(expected, old))
+        << name;
     const ElementCounts was = counts_on_points(before), is = counts_on_points(mesh);
     const std::size_t tops = expected.live.size() - points.live.size();
     EXPECT_EQ(is.vertices - was.vertices, tops) << name;
     EXPECT_EQ(is.edges - was.edges, tops + sides.size()) << name;
     EXPECT_EQ(is.faces - was.faces, sides.size()) << name;
-  }
-
-  // The new points in the order in which faces meet them, as those of the kernel.
-  static std::vector<Corners> renamed(const Complex& complex, int old) {
-    std::map<int, int> names;
-    std::vector<Corners> faces;
-    for (const auto& loops : complex.faces) {
-      EXPECT_EQ(loops.size(), 1u);
-      faces.push_back(loops.at(0));
-      for (int& v : faces.back())
-        if (v >= old) v = old + names.emplace(v, names.size()).first->second;
-      faces.back() = oracle::rotated(faces.back());
-    }
-    return faces;
   }
 
   std::size_t extruded_ = 0;

@@ -67,25 +67,13 @@ class SetsOfFaces {
     expect_list(before, mesh, expected, name);
   }
 
-  // The new points in the order in which faces meet them, as those of the kernel.
-  static std::vector<Corners> renamed(const Complex& complex, int old) {
-    std::map<int, int> names;
-    std::vector<Corners> faces;
-    for (const auto& loops : complex.faces) {
-      EXPECT_EQ(loops.size(), 1u);
-      faces.push_back(loops.at(0));
-      for (int& v : faces.back())
-        if (v >= old) v = old + names.emplace(v, names.size()).first->second;
-      faces.back() = oracle::rotated(faces.back());
-    }
-    return faces;
-  }
-
   static void expect_list(const Mesh& before, const Mesh& mesh, const oracle::Extruded& expected,
                           const std::string& name) {
     const int old = static_cast<int>(before.vertex_slots());
     const Complex found = oracle::on_points(complex_of(mesh));
-    ASSERT_EQ(renamed(found, old), renamed(expected.after, old)) << name;
+    ASSERT_EQ(oracle::faces_with_new_points_in_order(found, old),
+              oracle::faces_with_new_points_in_order(expected.after, old))
+        << name;
     const ElementCounts was = counts_on_points(before), is = counts_on_points(mesh);
     EXPECT_EQ(is.vertices - was.vertices, static_cast<std::uint32_t>(expected.points)) << name;
     EXPECT_EQ(is.edges - was.edges, static_cast<std::uint32_t>(expected.walls + expected.border_points)) << name;

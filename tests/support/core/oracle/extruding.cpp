@@ -1,5 +1,7 @@
 #include "tests/support/core/oracle/extruding.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -84,6 +86,19 @@ Complex with_extruded_edges(const Complex& points, const std::vector<Pair>& side
     });
   }
   return after;
+}
+
+std::vector<Corners> faces_with_new_points_in_order(const Complex& complex, int old) {
+  std::map<int, int> names;
+  std::vector<Corners> faces;
+  for (const auto& loops : complex.faces) {
+    EXPECT_EQ(loops.size(), 1u);
+    faces.push_back(loops.at(0));
+    for (int& v : faces.back())
+      if (v >= old) v = old + names.emplace(v, names.size()).first->second;
+    faces.back() = rotated(faces.back());
+  }
+  return faces;
 }
 
 }  // namespace ryosen::oracle

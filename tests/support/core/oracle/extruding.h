@@ -20,4 +20,7 @@ Extruded extruded(const Complex& points, std::vector<int> faces);
 // numbered from the end on, as the sides meet them.
 Complex with_extruded_edges(const Complex& points, const std::vector<Pair>& sides);
 
+// The faces, each of one loop, with the points from `old` on named in the order in which the faces meet them.
+std::vector<Corners> faces_with_new_points_in_order(const Complex& complex, int old);
+
 }  // namespace ryosen::oracle

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "core/algo/simplify/simplifier.h"
 #include "core/algo/simplify/simplify.h"
+#include "core/algo/simplify/simplifier.h"
 #include "core/io/formats.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/simplified.h"

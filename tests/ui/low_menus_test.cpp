@@ -1,0 +1,62 @@
+// Menus in a window that is too low for them: whole or scrolled within it, and away from the pointer.
+#include <gtest/gtest.h>
+#include <imgui_internal.h>  // where menus lie
+
+#include <cmath>
+
+#include "app/editor/menu_bar.h"
+#include "app/ui/window_input.h"
+#include "tests/support/app/laid.h"
+#include "tests/support/app/real_window.h"
+
+namespace ryosen {
+namespace {
+
+class LowMenus : public testing::Test, protected test::Laid {
+ protected:
+  static constexpr Size low{640, 480};
+  LowMenus() : Laid("cube.obj", low) { input_.resize(low); }
+  // Of the popup that is open.
+  static ImRect popup() {
+    const ImGuiWindow* const window = GImGui->OpenPopupStack.back().Window;
+    return window ? window->Rect() : ImRect();
+  }
+
+  WindowInput input_{gui, session, {}, [this] { frames(4); }};
+};
+
+TEST_F(LowMenus, lie_below_the_bar_and_are_scrolled) {
+  for (const MenuRow& row : menu_bar) {
+    ASSERT_TRUE(session.run("menu " + std::string(row.id)).done()) << row.id;
+    frames(5);
+    ASSERT_GT(GImGui->OpenPopupStack.Size, 0) << row.id;
+    EXPECT_GE(popup().Min.y, ImGui::FindWindowByName("##MainMenuBar")->Rect().Max.y - 1) << row.id;
+    EXPECT_LE(popup().Max.y, low.height) << row.id;
+    gui.close_menus();
+    frames(3);
+  }
+}
+
+TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {
+  ASSERT_TRUE(session.run("mode face").done());
+  for (const glm::dvec2 pixel :
+       {glm::dvec2(320, 120), glm::dvec2(320, 300), glm::dvec2(480, 380), glm::dvec2(560, 90)}) {
+    input_.press(MouseButton::right, {pixel});
+    input_.release(MouseButton::right, {pixel});
+    frames(5);
+    ASSERT_GT(GImGui->OpenPopupStack.Size, 0);
+    const ImRect menu = popup();
+    const std::string place =
+        test::words_of({menu.Min.x, menu.Min.y}) + " to " + test::words_of({menu.Max.x, menu.Max.y});
+    EXPECT_TRUE(menu.Min.x >= 0 && menu.Min.y >= 0 && menu.Max.x <= low.width && menu.Max.y <= low.height) << place;
+    const auto is_at = [](double edge, double at) { return std::abs(edge - at) <= 2; };
+    EXPECT_TRUE(is_at(menu.Min.x, pixel.x) || is_at(menu.Max.x, pixel.x) || is_at(menu.Min.y, pixel.y) ||
+                is_at(menu.Max.y, pixel.y))
+        << place << ", " << test::words_of(pixel);
+    gui.close_menus();
+    frames(3);
+  }
+}
+
+}  // namespace
+}  // namespace ryosen

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/editor/palette.h"
+#include "app/editor/words.h"
 #include "app/ui/style.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/groups.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/script.h"
 #include "core/mesh/copies.h"

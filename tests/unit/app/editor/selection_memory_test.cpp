@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "core/algo/algorithms.h"
 #include "core/mesh/circulate.h"

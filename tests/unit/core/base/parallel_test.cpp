@@ -1,5 +1,6 @@
 #include "core/base/parallel.h"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -7,6 +8,7 @@
 #include <chrono>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 namespace ryosen {
 namespace {

@@ -1,5 +1,7 @@
 #include "core/hull/convex_hull.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -110,7 +110,7 @@ Points points_of(int kind, std::size_t count, std::mt19937& random) {
 
 TEST(hull_extent, is_that_of_trying_all) {
   std::mt19937 random(1);
-  const int rounds = is_long_run() ? 4000 : 40;
+  const int rounds = test::is_long_run() ? 4000 : 40;
   for (int round = 0; round < rounds; ++round)
     for (int kind = 0; kind < 8; ++kind) {
       SCOPED_TRACE(std::to_string(kind) + " " + std::to_string(round));

@@ -1,5 +1,7 @@
 #include "core/hull/hull_steps.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/vec2.hpp>
 #include <random>
 
 #include "core/analysis/euler_poincare.h"

@@ -1,5 +1,7 @@
 #include "core/io/stl_facets.h"
 
+#include <gtest/gtest.h>
+
 #include <limits>
 #include <random>
 

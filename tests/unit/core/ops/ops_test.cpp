@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "core/analysis/invariants.h"
 #include "core/indexed/from_indexed.h"
 #include "core/mesh/circulate.h"

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "core/io/formats.h"
 #include "core/mesh/attribute.h"
 #include "core/mesh/circulate.h"

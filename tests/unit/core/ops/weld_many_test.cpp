@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/analysis/invariants.h"
+#include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/each.h"
 #include "core/ops/rules/sheets.h"

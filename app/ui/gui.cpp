@@ -128,7 +128,7 @@ void Gui::begin_frame(Size window, double seconds) {
 
 void Gui::end_frame() {
   ImGui::Render();
-  whole_lines_.keep(*ImGui::GetDrawData());
+  whole_lines_.keep(*ImGui::GetDrawData(), columns_.scrolled());
   for (const int key : released_keys_) ImGui::GetIO().KeysDown[key] = false;
   unseen_keys_.clear();
   released_keys_.clear();

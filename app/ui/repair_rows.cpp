@@ -19,50 +19,61 @@ RepairRows::Fields& RepairRows::fields_of(const AlgorithmRow& row) {
 
 namespace {
 
-// As much of it as a tooltip has room for without covering the view.
-std::string brief(PanelContext& context, const RepairReport& report) {
-  constexpr std::size_t most_lines = 8;
-  const Mesh& mesh = context.session.mesh();
-  const float line = ImGui::GetTextLineHeightWithSpacing(), width = 22 * ImGui::GetFontSize();
-  for (std::size_t told_parts = report.findings.size() + report.left.size();; --told_parts) {
-    const std::string text = told(report, mesh, told_parts).in(context.language());
-    if (told_parts < 3 || wrapped_size(text, width).y < (most_lines + 0.5f) * line) return text;
+// What a trial found out: all of it, or so many of its parts that it fits into so many lines; at least two parts.
+std::string brief(PanelContext& context, const RepairReport& report, float width_px, std::size_t most_lines) {
+  const Text begin = report.fault ? Text() : Text{"Trial: ", "結果の見込み："};
+  for (std::size_t parts = std::max<std::size_t>(report.findings.size() + report.left.size(), 2);; --parts) {
+    std::string text = (begin + told(report, context.session.mesh(), parts)).in(context.language());
+    if (parts == 2 || lines_of(text, width_px) <= most_lines) return text;
   }
+}
+
+// The same where it fits, else only how much changes and is left.
+std::string brief_or_numbers(PanelContext& context, const RepairReport& report, float width_px,
+                             std::size_t most_lines) {
+  const std::string some = brief(context, report, width_px, most_lines);
+  if (report.fault || lines_of(some, width_px) <= most_lines) return some;
+  const Text begin{"Trial: ", "結果の見込み："};
+  const std::string text = (begin + in_short(report)).in(context.language());
+  return lines_of(text, width_px) <= most_lines ? text : (begin + counted(report)).in(context.language());
+}
+
+constexpr std::size_t row_lines = 3, tip_lines = 8;
+
+// As high whatever it says, so that what is below stays where it is.
+void draw_row_text(const ImVec4& colour, const std::string& text) {
+  const ImVec2 begin = ImGui::GetCursorPos();
+  coloured_text(colour, fitted_lines(text, ImGui::GetContentRegionAvail().x, row_lines).c_str());
+  const float pitch = ImGui::GetTextLineHeightWithSpacing(), gap = ImGui::GetStyle().ItemSpacing.y;
+  ImGui::SetCursorPos({begin.x, begin.y + row_lines * pitch - gap});
+  ImGui::Dummy({0, 0});
 }
 
 }  // namespace
 
-// One line, so that what is below stays where it is; all of it beside the button that is pointed at.
+// More of it beside the button that is pointed at.
 void RepairRows::draw_report(PanelContext& context, const std::string& line, const char* name, const char* help,
                              bool is_mended) {
-  const ImVec2 begin = ImGui::GetItemRectMin(), below = ImGui::GetCursorScreenPos();
-  const ImVec2 end{begin.x + ImGui::GetContentRegionAvail().x, below.y + ImGui::GetTextLineHeight()};
+  const float width = ImGui::GetContentRegionAvail().x, pitch = ImGui::GetTextLineHeightWithSpacing();
+  const ImVec2 begin = ImGui::GetItemRectMin();
+  const ImVec2 end{begin.x + width, ImGui::GetCursorScreenPos().y + row_lines * pitch};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
   const RepairReport* report = nullptr;
-  const Text trial{"Trial: ", "結果の見込み："};
   const bool is_asked = !is_mended && (is_pointed || !context.session.is_dear_to_try());
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
   if (is_mended) said = {"Nothing is left to mend.", "直すものは残っていません。"};
   if (is_asked) {
     wants_trial_ = true;
     report = tried(context.session, line);
-    if (report) {
-      said = told(*report, context.session.mesh());
-      if (!report->fault) said = trial + said;
-    } else {
-      const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
-      const std::string n = std::to_string(percent);
-      said = {"Trying it on a copy: " + n + " %", "写しで試しています：" + n + " %"};
-    }
+    const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
+    const std::string n = std::to_string(percent);
+    said = {"Trying it on a copy: " + n + " %", "写しで試しています：" + n + " %"};
   }
-  const std::string& sentence = said.in(context.language());
-  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-  ImGui::TextUnformatted(fitted(sentence, ImGui::GetContentRegionAvail().x).c_str());
-  ImGui::PopStyleColor();
+  const std::string asked = said.in(context.language());
+  draw_row_text(context.colours().dim, report ? brief_or_numbers(context, *report, width, row_lines) : asked);
   ImGui::EndGroup();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  const std::string whole =
-      report && !report->fault ? trial.in(context.language()) + brief(context, *report) : sentence;
+  const std::string whole = report ? brief(context, *report, 22 * ImGui::GetFontSize(), tip_lines) : asked;
   tip_shown(std::string(name) + "\n" + help + "\n\n" + whole);
 }
 
@@ -113,9 +124,7 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, boo
     draw_report(context, line, name, help, is_mended);
   } else {
     const std::string fault = read.sentence.in(context.language());
-    ImGui::PushStyleColor(ImGuiCol_Text, context.colours().warning);
-    ImGui::TextUnformatted(fitted(fault, ImGui::GetContentRegionAvail().x).c_str());
-    ImGui::PopStyleColor();
+    draw_row_text(context.colours().warning, fault);
     ImGui::EndGroup();
     tip(std::string(name) + "\n" + help + "\n\n" + fault, ImGuiHoveredFlags_AllowWhenDisabled);
   }
@@ -142,8 +151,9 @@ bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
 bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
   const std::string line = "repair " + std::string(default_repairs);
   const char* const name = context.text("Repair all", "まとめて修復");
-  std::string help = context.text("Does all repairs that keep every place and the faces on them, again until nothing changes: ",
-                                  "形状を保つ修復を、変化がなくなるまで繰り返します：");
+  std::string help =
+      context.text("Does all repairs that keep every place and the faces on them, again until nothing changes: ",
+                   "形状を保つ修復を、変化がなくなるまで繰り返します：");
   bool is_first = true;
   for (const RecipeStep& step : read_repairs(default_repairs).call.steps) {
     if (!std::exchange(is_first, false)) help += context.text(", ", "、");

@@ -49,6 +49,18 @@ void draw_border(PanelContext& context, PanelPlace side, const PixelRect& column
   ImGui::End();
 }
 
+// The names of the windows: the columns, and what lies over the upper end of one.
+struct ColumnNames {
+  const char *column, *covering;
+};
+constexpr ColumnNames names[2] = {{"##left", "##left/held"}, {"##right", "##right/held"}};
+
+// Of the window that is drawn.
+SeenPart seen_part(const ColumnNames& of, float covered_px) {
+  const float top = ImGui::GetWindowPos().y, border = ImGui::GetStyle().WindowBorderSize;
+  return {of.column, of.covering, top + covered_px, top + ImGui::GetWindowSize().y - border};
+}
+
 bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) {
   return row.place != PanelPlace::over && context.session.layout.side_of(row) == side && context.session.is_shown(row);
 }
@@ -87,8 +99,9 @@ void SideColumns::show_wanted(PanelContext& context, float begin, float height, 
   wanted_begin_ = wanted_end_ = -1;
 }
 
-// The first one stays in view where the column is scrolled, if it is one that is held and leaves room enough.
-void SideColumns::draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels) {
+// The first one stays in view where the column is scrolled, if it is one that is held and leaves room enough. Returns how
+// much it covers.
+float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels) {
   float& held_px = held_px_[side == PanelPlace::left ? 0 : 1];
   const float first = ImGui::GetCursorPosY();
   OwnPanel* over = nullptr;
@@ -104,10 +117,12 @@ void SideColumns::draw_panels(PanelContext& context, PanelPlace side, float heig
       draw_framed(context, own, HeaderClick::folds);
       if (own.row.at_first == PanelAtFirst::held) held_px = ImGui::GetCursorPosY() - begin;
     }
-    if (is_held) kept_px = held_px;
+    if (is_held) kept_px = first + held_px;
     if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
   }
-  if (over) draw_over(context, *over, first, held_px);
+  if (!over) return 0;
+  draw_over(context, *over, first, held_px);
+  return first + held_px;
 }
 
 void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Areas& areas,
@@ -121,12 +136,14 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
   ImGui::SetNextWindowSize({static_cast<float>(area.width()) - border, static_cast<float>(area.height())});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * context.scale, 4 * context.scale});
-  ImGui::Begin(is_left ? "##left" : "##right", nullptr, column_flags);
+  const ColumnNames& own_names = names[is_left ? 0 : 1];
+  ImGui::Begin(own_names.column, nullptr, column_flags);
   ImGui::PopStyleVar(2);
   bool& is_tight = is_tight_[is_left ? 0 : 1];
   context.state.is_tight = is_tight;
   context.state.saved_px = 0;
-  draw_panels(context, side, static_cast<float>(area.height()), panels);
+  const float covered_px = draw_panels(context, side, static_cast<float>(area.height()), panels);
+  if (ImGui::GetScrollMaxY() > 0) scrolled_.push_back(seen_part(own_names, covered_px));
   // By what the whole would need, so that it does not come and go. What leaves no room for a scroll bar is wrapped anew
   // where there is one, and may need some lines fewer without it.
   const float whole = ImGui::GetCursorPosY() + context.state.saved_px, height = static_cast<float>(area.height());
@@ -163,6 +180,7 @@ void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::ve
   draw_framed(context, *own, HeaderClick::closes);
   flyout_at_ = ImGui::GetWindowPos();
   flyout_size_ = ImGui::GetWindowSize();
+  if (ImGui::GetScrollMaxY() > 0) scrolled_.push_back(seen_part({"##flyout", ""}, 0));
   ImGui::End();
 }
 
@@ -170,6 +188,7 @@ void SideColumns::draw(PanelContext& context, const Areas& areas, std::vector<Ow
   // Behind a tab a panel is shown by being opened.
   if (std::string& wanted = context.session.layout.wanted; areas.has_tabs && !wanted.empty())
     context.session.layout.flyout = std::exchange(wanted, {});
+  scrolled_.clear();
   draw_column(context, PanelPlace::left, areas, panels);
   draw_column(context, PanelPlace::right, areas, panels);
   draw_flyout(context, areas, panels);

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "app/ui/areas.h"
 #include "app/ui/panel_frame.h"
+#include "app/ui/whole_lines.h"
 
 namespace ryosen {
 
@@ -15,16 +17,19 @@ class SideColumns {
   void draw(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
   // How much of the view's width the panel that a tab has opened covers, at its left and at its right.
   glm::dvec2 covered_px(const PixelRect& view) const;
+  // What is seen of those that scroll, in the last frame.
+  std::span<const SeenPart> scrolled() const { return scrolled_; }
   // Whether that panel lies over a pixel.
   bool covers(glm::dvec2 pixel) const;
 
  private:
   void draw_column(PanelContext& context, PanelPlace side, const Areas& areas, std::vector<OwnPanel>& panels);
   void draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px);
-  void draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels);
+  float draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels);
   void show_wanted(PanelContext& context, float begin, float height, float kept_px);
   void draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);
 
+  std::vector<SeenPart> scrolled_;
   float held_px_[2] = {};                       // how high the panel is that stays in view
   bool is_tight_[2] = {};                       // the left and the right column, as they were in the last frame
   ImVec2 flyout_at_{0, 0}, flyout_size_{0, 0};  // of the last frame

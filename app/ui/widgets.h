@@ -14,8 +14,9 @@ namespace ryosen {
 void wrapped_text(const char* text);
 // The same at a width.
 void wrapped_text(std::string_view text, float width_px);
-// How large that would be.
+// How large that would be, and how many lines.
 ImVec2 wrapped_size(std::string_view text, float width_px);
+std::size_t lines_of(std::string_view text, float width_px);
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
 // A dim label and a value in two columns, the second at `column` font heights or after a longer label.
@@ -46,6 +47,8 @@ void list_of_rows(const char* id, std::size_t count, std::size_t most, const std
 // A text, or as much of it as is no wider, with an ellipsis.
 std::string fitted(std::string_view text, float width_px);
 std::string fitted_at_word(std::string_view text, float width_px);
+// The same in so many lines.
+std::string fitted_lines(std::string_view text, float width_px, std::size_t most);
 // A line of text that fits the panel, up to a word, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
 

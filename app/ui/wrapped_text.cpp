@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "app/ui/letters.h"
 #include "app/ui/widgets.h"
@@ -109,6 +110,20 @@ ImVec2 wrapped_size(std::string_view text, float width_px) {
     size = {std::max(size.x, line.x), size.y + line.y + ImGui::GetStyle().ItemSpacing.y};
   });
   return size;
+}
+
+std::size_t lines_of(std::string_view text, float width_px) {
+  std::size_t lines = 0;
+  for_each_line(text, width_px, [&](const char*, const char*) { ++lines; });
+  return lines;
+}
+
+std::string fitted_lines(std::string_view text, float width_px, std::size_t most) {
+  std::vector<const char*> begins;
+  for_each_line(text, width_px, [&](const char* begin, const char*) { begins.push_back(begin); });
+  if (begins.size() <= most) return std::string(text);
+  const std::string_view last = text.substr(static_cast<std::size_t>(begins[most - 1] - text.data()));
+  return std::string(text.substr(0, text.size() - last.size())) + fitted_at_word(last, width_px);
 }
 
 bool wrapped_row(PanelContext& context, std::string_view text, bool is_active, float width_px) {

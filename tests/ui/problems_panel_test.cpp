@@ -17,7 +17,7 @@ using test::DrawnText;
 
 class ProblemsPanel : public testing::Test, protected test::Laid {
  protected:
-  ProblemsPanel() : Laid("cube.obj") {}
+  ProblemsPanel() : Laid("cube.obj", test::tall_window) {}
 
   // Unfolds the row of a kind with so many findings.
   void unfold(const std::string& row) { click(DrawnText(gui).place(row)); }
@@ -72,6 +72,17 @@ TEST_F(ProblemsPanel, a_repair_says_before_the_click_what_it_would_change_and_le
   EXPECT_TRUE(is_drawn("2holeswerefilledby4triangles"));
 }
 
+// In three lines: all of it, fewer of its parts, or how much it is.
+TEST_F(ProblemsPanel, what_a_trial_found_out_is_told_in_whole_sentences) {
+  open("bow_tie.obj");
+  EXPECT_TRUE(is_drawn("Trial:Onepointwasaddedtotakethesurfaceapartat1place."));
+  open("seam.obj");
+  EXPECT_TRUE(is_drawn("Trial:Nothingwaschanged.2problemsareleft."));
+  gui.pointer(place("Trial:"));
+  frames(3);
+  EXPECT_TRUE(is_drawn("Trial:Nothingwaschanged.Left:Boundaryloop:")) << "more of it beside the pointer";
+}
+
 TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
   open("seam.obj");
   unfold("2boundaryloops");
@@ -111,7 +122,7 @@ TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs)
   std::size_t repaired = 0;
   for (const char* file : {"fin.obj", "hanging_pair.obj", "misoriented.obj", "bow_tie.obj", "duplicate_face.obj",
                            "collinear.obj", "isolated_vertex.obj"}) {
-    test::Laid laid(file);
+    test::Laid laid(file, test::tall_window);
     for (const ProblemRow& row : problem_table()) {
       for (std::size_t count = 1; count < 10; ++count) {
         std::string name = std::to_string(count) + row.name_of(count).en;
@@ -120,7 +131,7 @@ TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs)
       }
     }
     const glm::dvec2 header = DrawnText(laid.gui).place("Problems");
-    for (double y = 16; y < 460; y += 7) {
+    for (double y = 16; y < 560; y += 7) {
       laid.gui.pointer({500, 400});
       laid.open(file);
       const glm::dvec2 at{1060, header.y + y};

@@ -162,6 +162,9 @@ TEST_F(WindowCamera, a_problem_of_the_list_is_flown_to_and_its_loop_selected_wit
     return picked && picked->element == Element(e);
   };
   beside().frames(3);
+  const glm::dvec2 header = test::DrawnText(beside().gui).place("Inspector");
+  click(header);  // folds it: room for the list below
+  beside().click(header);
   const glm::dvec2 kind = test::DrawnText(beside().gui).place("1boundaryloop");
   ASSERT_GT(kind.x, 0);
   click(kind);

@@ -155,7 +155,7 @@ Text names_of(std::span<const Element> elements, const Mesh& mesh) {
   return names;
 }
 
-Text counted(std::span<const Element> elements) {
+Text counted_elements(std::span<const Element> elements) {
   switch (elements.front().kind) {
     case Element::Kind::vertex:
       return count_text(elements.size(), "one vertex", "# vertices", "頂点 # 個");
@@ -171,7 +171,7 @@ Text told_with_subject(const LeftForReason& left, const Mesh& mesh) {
   if (left.names_them) return told(left, mesh);
   const Text names = names_of(left.elements, mesh);
   const Text named = names.en.empty() ? Text() : Text{" (", "（"} + names + Text{")", "）"};
-  return counted(left.elements) + named + Text{": ", "："} + left.reason;
+  return counted_elements(left.elements) + named + Text{": ", "："} + left.reason;
 }
 
 // The first so many, and the number of the others.
@@ -189,6 +189,21 @@ Text told(const LeftForReason& left, const Mesh& mesh) {
   const std::string n = std::to_string(left.elements.size());
   const Text between = names.en.empty() ? Text() : Text{": ", "："};
   return left.reason + Text{" (" + n, "（" + n} + between + names + Text{")", "）"};
+}
+
+Text in_short(const RepairReport& report) {
+  std::size_t left = 0;
+  for (const LeftForReason& one : report.left) left += one.elements.size();
+  Text text = report.text;
+  if (left > 0)
+    add_text(text, count_text(left, "One problem is left.", "# problems are left.", "問題が # 件残ります。"));
+  return text;
+}
+
+Text counted(const RepairReport& report) {
+  RepairReport only_numbers{report.changed, {"No change.", "変更なし。"}, {}, report.left, {}};
+  if (report.changed > 0) only_numbers.text = count_text(report.changed, "One change.", "# changes.", "変更 # 件。");
+  return in_short(only_numbers);
 }
 
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most) {

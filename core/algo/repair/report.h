@@ -37,6 +37,10 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
 // Of the numbers that change and the reasons why something is left so many are told, at least one of each, the rest is
 // counted.
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::string::npos);
+// Without what becomes of the findings: "One face was deleted. 5 problems are left."
+Text in_short(const RepairReport& report);
+// Only how much: "3 changes. 5 problems are left."
+Text counted(const RepairReport& report);
 // "REASON (2: v12, v15)"
 Text told(const LeftForReason& left, const Mesh& mesh);
 

@@ -21,9 +21,24 @@ TEST(repair_report, counts_what_it_does_not_tell) {
   const Mesh mesh;
   EXPECT_EQ(told(report, mesh).en.find("more"), std::string::npos);
   const std::string some = told(report, mesh, 6).en, few = told(report, mesh, 0).en;
-  EXPECT_NE(some.find("one vertex: reason A; one vertex: reason B; one vertex: reason C; and one more."), std::string::npos) << some;
+  EXPECT_NE(some.find("one vertex: reason A; one vertex: reason B; one vertex: reason C; and one more."),
+            std::string::npos)
+      << some;
   EXPECT_NE(few.find(", and 2 more. Left: one vertex: reason A; and 3 more."), std::string::npos) << few;
   EXPECT_NE(told(report, mesh, 0).ja.find("ほか 3 件"), std::string::npos) << told(report, mesh, 0).ja;
+}
+
+TEST(repair_report, says_in_a_few_words_how_much) {
+  RepairReport report = long_report();
+  EXPECT_EQ(in_short(report).en, "Done. 4 problems are left.");
+  EXPECT_EQ(counted(report).en, "No change. 4 problems are left.");
+  report.changed = 3;
+  report.left.resize(1);
+  EXPECT_EQ(counted(report).en, "3 changes. One problem is left.");
+  EXPECT_EQ(counted(report).ja, "変更 3 件。問題が 1 件残ります。");
+  report.left.clear();
+  report.changed = 1;
+  EXPECT_EQ(counted(report).en, "One change.");
 }
 
 }  // namespace

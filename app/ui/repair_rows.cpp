@@ -35,7 +35,7 @@ std::string brief_or_numbers(PanelContext& context, const RepairReport& report, 
   if (report.fault || lines_of(some, width_px) <= most_lines) return some;
   const Text begin{"Trial: ", "結果の見込み："};
   const std::string text = (begin + in_short(report)).in(context.language());
-  return lines_of(text, width_px) <= most_lines ? text : (begin + counted(report)).in(context.language());
+  return lines_of(text, width_px) <= most_lines ? text : (begin + in_numbers(report)).in(context.language());
 }
 
 constexpr std::size_t row_lines = 3, tip_lines = 8;

@@ -200,7 +200,7 @@ Text in_short(const RepairReport& report) {
   return text;
 }
 
-Text counted(const RepairReport& report) {
+Text in_numbers(const RepairReport& report) {
   RepairReport only_numbers{report.changed, {"No change.", "変更なし。"}, {}, report.left, {}};
   if (report.changed > 0) only_numbers.text = count_text(report.changed, "One change.", "# changes.", "変更 # 件。");
   return in_short(only_numbers);

@@ -40,7 +40,7 @@ Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::
 // Without what becomes of the findings: "One face was deleted. 5 problems are left."
 Text in_short(const RepairReport& report);
 // Only how much: "3 changes. 5 problems are left."
-Text counted(const RepairReport& report);
+Text in_numbers(const RepairReport& report);
 // "REASON (2: v12, v15)"
 Text told(const LeftForReason& left, const Mesh& mesh);
 

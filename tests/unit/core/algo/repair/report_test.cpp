@@ -31,14 +31,14 @@ TEST(repair_report, counts_what_it_does_not_tell) {
 TEST(repair_report, says_in_a_few_words_how_much) {
   RepairReport report = long_report();
   EXPECT_EQ(in_short(report).en, "Done. 4 problems are left.");
-  EXPECT_EQ(counted(report).en, "No change. 4 problems are left.");
+  EXPECT_EQ(in_numbers(report).en, "No change. 4 problems are left.");
   report.changed = 3;
   report.left.resize(1);
-  EXPECT_EQ(counted(report).en, "3 changes. One problem is left.");
-  EXPECT_EQ(counted(report).ja, "変更 3 件。問題が 1 件残ります。");
+  EXPECT_EQ(in_numbers(report).en, "3 changes. One problem is left.");
+  EXPECT_EQ(in_numbers(report).ja, "変更 3 件。問題が 1 件残ります。");
   report.left.clear();
   report.changed = 1;
-  EXPECT_EQ(counted(report).en, "One change.");
+  EXPECT_EQ(in_numbers(report).en, "One change.");
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ Outcome Session::begin_pull() {
   if (!outcome.done()) return outcome;
   const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
   begin_gesture_with(PointTransform::Kind::move, faces.empty() ? made : faces);
+  gesturing_->transform.call(info_of(*extrusion.op));
   gesturing_->pull = {std::move(line), "0", {}, new_faces(gesturing_->touched.faces, before), made};
   if (!faces.empty()) {
     gesture_key("N");
@@ -101,6 +102,7 @@ Outcome Session::begin_split() {
   const Halfedge h = split.halfedge;
   const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
   begin_gesture_with(PointTransform::Kind::move, {made});
+  gesturing_->transform.call(SplitEdge::info);
   gesturing_->pull = {line, format_double(split.along), place};
   return outcome;
 }

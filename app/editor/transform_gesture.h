@@ -11,6 +11,7 @@
 #include "core/algo/transform/moved_points.h"
 #include "core/algo/transform/point_transform.h"
 #include "core/mesh/touched.h"
+#include "core/ops/op.h"
 #include "core/pick/picker.h"
 #include "core/view/camera.h"
 #include "core/view/round_step.h"
@@ -64,8 +65,9 @@ class TransformGesture {
   // How far it moves everything alike; none where it does something else.
   std::optional<glm::dvec3> movement() const;
   bool is_movement() const { return kind_ == PointTransform::Kind::move; }
-  // "Move X 0.25, falloff 0.5"
+  // "Move X 0.25, falloff 0.5"; a movement that is part of an operator is called by its name.
   Text told() const;
+  void call(const OpInfo& op) { called_ = {std::string(op.name_en), std::string(op.name_ja)}; }
   const Elements& elements() const { return elements_; }
   bool has_falloff() const { return falloff_ > 0; }
   double falloff() const { return falloff_; }
@@ -91,6 +93,7 @@ class TransformGesture {
   void choose_axis(const Mesh& mesh, char letter, bool in_plane);
 
   PointTransform::Kind kind_;
+  Text called_{"Move", "移動"};  // of a movement
   Elements elements_;
   std::vector<Vertex> points_;
   std::vector<MovedPoint> moved_;

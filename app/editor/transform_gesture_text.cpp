@@ -72,7 +72,7 @@ Text TransformGesture::told() const {
       const std::string amount = axis_ && !is_in_plane_
                                      ? short_text(glm::dot(by, *axis_))
                                      : short_text(by.x) + ", " + short_text(by.y) + ", " + short_text(by.z);
-      text = {"Move" + letter + " " + amount, "移動" + letter + " " + amount};
+      text = {called_.en + letter + " " + amount, called_.ja + letter + " " + amount};
       break;
     }
     case PointTransform::Kind::turn: {

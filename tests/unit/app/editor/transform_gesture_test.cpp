@@ -122,6 +122,20 @@ TEST_F(GestureTest, lists_faces_that_it_flattens_until_it_is_given_up) {
   EXPECT_EQ(flat_faces(*session_), 0u);
 }
 
+TEST_F(GestureTest, a_movement_of_what_an_operator_makes_is_called_by_its_name) {
+  session_->set_document(std::move(Document::open(test::asset("cube.obj"))).value());
+  const auto told = [&] { return session_->gesture()->told(); };
+  run({"select f0", "move 600,300", "key E", "key 1"});
+  EXPECT_EQ(told().en, "Extrude faces N 1 [1]");
+  EXPECT_EQ(told().ja, "面の押し出し N 1 [1]");
+  run({"key Escape", "select 0-1", "key E"});
+  EXPECT_TRUE(told().en.starts_with("Extrude edges ")) << told().en;
+  run({"key Escape", "gesture split"});
+  EXPECT_TRUE(told().en.starts_with("Split edge ")) << told().en;
+  run({"key Escape", "key G"});
+  EXPECT_TRUE(told().en.starts_with("Move ")) << told().en;
+}
+
 TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
   const glm::dvec3 held = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
   run({"move 740,280"});

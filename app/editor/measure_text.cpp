@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
 
 namespace ryosen {
 
@@ -92,3 +93,12 @@ Text measured_text(const Mesh& mesh, std::span<const Element> elements) {
 }
 
 }  // namespace ryosen
+std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements) {
+  constexpr std::size_t most = 3;  // as measurements between elements have
+  std::string names;
+  for (const Element& e : elements.first(std::min(elements.size(), most)))
+    names += (names.empty() ? "" : " ") + name_of(mesh, e);
+  if (elements.size() > most) names += " +" + std::to_string(elements.size() - most);
+  return names;
+}
+

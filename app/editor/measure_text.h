@@ -16,6 +16,8 @@ Text text_of(const Measurement& found);
 Text text_of(const ColourMap& map, const MapFigures& figures);
 // The same as it is shown: the numbers in one notation, as the ends of a legend.
 Text short_text_of(const ColourMap& map, const MapFigures& figures);
+// "v1 v5": what was measured, the first few of many.
+std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements);
 // Of elements as they are now; that one of them is gone, where that is so.
 Text measured_text(const Mesh& mesh, std::span<const Element> elements);
 

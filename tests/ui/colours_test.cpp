@@ -1,6 +1,7 @@
 // The panel of colour maps: its histogram is a tool to select with.
 #include <gtest/gtest.h>
 
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen::test {
@@ -40,6 +41,16 @@ TEST_F(ColoursPanelTest, a_drag_over_the_histogram_selects_what_lies_in_its_rang
   for (const Element& e : session.selection) EXPECT_EQ(e.kind, Element::Kind::face);
   drag(0.3, 0.6, in_histogram);
   EXPECT_TRUE(session.selection.empty()) << "nothing lies between";
+}
+
+TEST_F(ColoursPanelTest, each_measurement_names_what_was_measured) {
+  ASSERT_TRUE(session.run("colours off").done());
+  ASSERT_TRUE(session.run("measure v0 v1").done());
+  ASSERT_TRUE(session.run("measure 1-2").done());
+  frames(4);
+  const DrawnText drawn(gui);
+  EXPECT_EQ(drawn.count("v0v1distance1"), 1u);
+  EXPECT_EQ(drawn.count("1-2length1"), 1u);
 }
 
 }  // namespace

@@ -180,7 +180,8 @@ void ColoursPanel::draw_measures(PanelContext& context) {
   if (session.measures.empty()) return;
   ImGui::Separator();
   for (const Elements& measured : session.measures)
-    wrapped_text(measured_text(session.mesh(), measured).in(context.language()).c_str());
+    labelled(context, names_of_measured(session.mesh(), measured).c_str(),
+             measured_text(session.mesh(), measured).in(context.language()));
   if (ImGui::Button(context.text("Clear measures", "計測を消す"))) context.run("measure clear");
 }
 

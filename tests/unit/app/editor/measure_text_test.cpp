@@ -5,6 +5,8 @@
 #include <array>
 
 #include "core/highlights/colour_maps.h"
+#include "core/mesh/circulate.h"
+#include "tests/support/core/shapes.h"
 
 namespace ryosen {
 namespace {
@@ -33,6 +35,15 @@ TEST(short_text_of, a_map_has_one_notation_for_all_its_figures) {
   const MapFigures figures{.count = 9, .lowest = 0.25, .highest = 1, .mean = 2.0 / 3, .median = 1};
   const std::string text = short_text_of(*find_colour_map("edge_length"), figures).en;
   EXPECT_NE(text.find(": 0.2500 to 1.0000, mean 0.6667, median 1.0000, of 9"), std::string::npos) << text;
+}
+
+TEST(names_of_measured, are_those_of_the_kernel_and_of_many_the_first) {
+  const Mesh mesh = test::make_mesh(test::cube());
+  const std::vector<Element> few{Vertex(1), find_halfedge(mesh, Vertex(1), Vertex(0)), Face(3)};
+  EXPECT_EQ(names_of_measured(mesh, few), "v1 1-0 f3");
+  std::vector<Element> many(few);
+  many.resize(12, Face(0));
+  EXPECT_EQ(names_of_measured(mesh, many), "v1 1-0 f3 +9");
 }
 
 }  // namespace

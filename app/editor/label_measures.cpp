@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "app/editor/labels.h"
 #include "app/editor/measure_text.h"
@@ -45,7 +44,6 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
   const auto [map, range] = *session.colouring;
   const MapRange extent = session.map_extent();
-  const int steps = range.low < range.high ? 7 : 1;
   const glm::dvec2 corner(0, session.view.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),
@@ -56,9 +54,9 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
                       .least_width_px = ground ? width_px : 0,
                       .ground = ground});
   };
-  std::vector<double> values;
-  for (int i = 0; i < steps; ++i) values.push_back(std::lerp(range.low, range.high, i / std::max(steps - 1.0, 1.0)));
-  const std::vector<std::string> numbers = numbers_alike(values);
+  const std::vector<double> values = legend_values(*map, range, 7);
+  const std::vector<std::string> numbers = numbers_of(*map, values);
+  const int steps = static_cast<int>(values.size());
   for (int i = 0; i < steps; ++i) {
     const double value = values[i];
     const bool is_more = i == 0 ? extent.low < range.low : i == steps - 1 && extent.high > range.high;

@@ -46,6 +46,28 @@ std::vector<std::string> numbers_alike(std::span<const double> values) {
   return texts;
 }
 
+std::vector<std::string> numbers_of(const ColourMap& map, std::span<const double> values) {
+  std::vector<std::string> numbers = numbers_alike(values);
+  if (!map.is_count) return numbers;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] == std::round(values[i])) numbers[i] = std::to_string(std::llround(values[i]));
+  return numbers;
+}
+
+std::vector<double> legend_values(const ColourMap& map, MapRange range, std::size_t most) {
+  const MapRange whole{std::ceil(range.low), std::floor(range.high)};
+  const bool is_count = map.is_count && whole.low <= whole.high;
+  const auto [low, high] = is_count ? whole : range;
+  std::vector<double> values;
+  const double widest = static_cast<double>(most) - 1;
+  const double parts = !(low < high) ? 0 : is_count ? std::min(widest, high - low) : widest;
+  for (double i = 0; i <= parts; ++i) {
+    const double value = std::lerp(low, high, i / std::max(parts, 1.0));
+    values.push_back(is_count ? std::round(value) : value);
+  }
+  return values;
+}
+
 Text text_of(const Measurement& found) {
   Text text;
   for (const MeasuredValue& each : found.values) {
@@ -79,9 +101,18 @@ Text text_of(const ColourMap& map, const MapFigures& figures) {
 
 Text short_text_of(const ColourMap& map, const MapFigures& figures) {
   std::vector<std::string> values =
-      numbers_alike(std::array{figures.lowest, figures.highest, figures.mean, figures.median});
+      numbers_of(map, std::array{figures.lowest, figures.highest, figures.mean, figures.median});
   for (std::string& value : values) value += sign_of(map.unit);
   return figures_text(map, figures, values);
+}
+
+std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements) {
+  constexpr std::size_t most = 3;  // as measurements between elements have
+  std::string names;
+  for (const Element& e : elements.first(std::min(elements.size(), most)))
+    names += (names.empty() ? "" : " ") + name_of(mesh, e);
+  if (elements.size() > most) names += " +" + std::to_string(elements.size() - most);
+  return names;
 }
 
 Text measured_text(const Mesh& mesh, std::span<const Element> elements) {
@@ -93,12 +124,3 @@ Text measured_text(const Mesh& mesh, std::span<const Element> elements) {
 }
 
 }  // namespace ryosen
-std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements) {
-  constexpr std::size_t most = 3;  // as measurements between elements have
-  std::string names;
-  for (const Element& e : elements.first(std::min(elements.size(), most)))
-    names += (names.empty() ? "" : " ") + name_of(mesh, e);
-  if (elements.size() > most) names += " +" + std::to_string(elements.size() - most);
-  return names;
-}
-

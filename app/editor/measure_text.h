@@ -16,6 +16,11 @@ Text text_of(const Measurement& found);
 Text text_of(const ColourMap& map, const MapFigures& figures);
 // The same as it is shown: the numbers in one notation, as the ends of a legend.
 Text short_text_of(const ColourMap& map, const MapFigures& figures);
+// The numbers of values of a map, likewise; those of a map of counts that are whole are written so.
+std::vector<std::string> numbers_of(const ColourMap& map, std::span<const double> values);
+// The values that a legend names, at most so many: evenly from the low end to the high one; of a map of counts whole, as far
+// as there are any in the range.
+std::vector<double> legend_values(const ColourMap& map, MapRange range, std::size_t most);
 // "v1 v5": what was measured, the first few of many.
 std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements);
 // Of elements as they are now; that one of them is gone, where that is so.

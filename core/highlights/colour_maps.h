@@ -28,6 +28,7 @@ struct ColourMap {
   MapUnit unit = MapUnit::none;
   MapScale scale = MapScale::linear;
   double middle = 0;
+  bool is_count = false;  // its values are whole numbers
   // Asked about live elements of one sort; NaN: there is none. An edge or vertex that is several in the kernel answers for
   // one only, see ProblemRow. What it looks at beyond its element and those that meet it says the last, as in HighlightRow.
   double (*vertex)(Neighbourhood&, Vertex) = nullptr;

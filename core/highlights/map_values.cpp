@@ -141,6 +141,7 @@ MapRange first_range(const ColourMap& map, const MapFigures& figures) {
   MapRange range{figures.percentile_5, figures.percentile_95};
   if (range.low - figures.lowest < 0.02 * width) range.low = figures.lowest;
   if (figures.highest - range.high < 0.02 * width) range.high = figures.highest;
+  if (map.is_count) range = {std::floor(range.low), std::ceil(range.high)};  // percentiles lie between values
   return about_middle(map, range);
 }
 

@@ -43,6 +43,19 @@ TEST_F(ColoursPanelTest, a_drag_over_the_histogram_selects_what_lies_in_its_rang
   EXPECT_TRUE(session.selection.empty()) << "nothing lies between";
 }
 
+TEST_F(ColoursPanelTest, a_map_of_counts_has_a_bar_for_each_value) {
+  ASSERT_TRUE(session.run("colours valence").done());  // 3 to 4, as far on both sides of 6: 3 to 9
+  frames(4);
+  drag(0.07, 0.07, 110);
+  EXPECT_EQ(session.log().size(), 1u) << "only the poke";
+  EXPECT_EQ(session.selected_names().size(), 4u) << "of three edges: those that the poke leaves";
+  drag(0.2, 0.2, 110);
+  EXPECT_EQ(session.selected_names().size(), 5u);
+  drag(0.2, 0.07, 110);
+  EXPECT_EQ(session.selected_names().size(), 9u);
+  EXPECT_EQ(DrawnText(gui).count("3.0"), 0u);
+}
+
 TEST_F(ColoursPanelTest, each_measurement_names_what_was_measured) {
   ASSERT_TRUE(session.run("colours off").done());
   ASSERT_TRUE(session.run("measure v0 v1").done());

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "app/editor/measure_text.h"
 #include "app/ui/panels.h"
@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t bar_count = 48;
+constexpr std::size_t most_bars = 48;
 
 class ColoursPanel : public Panel {
  public:
@@ -21,16 +21,20 @@ class ColoursPanel : public Panel {
  private:
   void draw_choice(PanelContext& context);
   void draw_legend(PanelContext& context);
+  void draw_ticks(PanelContext& context, ImVec2 at, float width);
   void draw_histogram(PanelContext& context);
   void draw_figures(PanelContext& context);
   void draw_range(PanelContext& context);
   void follow_drag(PanelContext& context, float left, float width);
+  double edge_of(std::size_t bar) const;
+  MapRange held_by(std::size_t first, std::size_t last) const;
   void draw_measures(PanelContext& context);
   void count_again(Session& session);
 
   std::optional<Colouring> counted_;  // of these bars, at this revision of this document
   std::uint64_t counted_serial_ = 0, counted_revision_ = 0;
   std::vector<std::uint32_t> bars_;
+  MapRange span_;  // from the first to the last one
   MapFigures figures_;
   float figures_height_ = 0;                                      // the most that they have taken
   std::pair<const ColourMap*, float> figures_place_{nullptr, 0};  // of this map, in this width
@@ -45,8 +49,15 @@ void ColoursPanel::count_again(Session& session) {
   const std::uint64_t serial = session.document().serial(), revision = session.document().revision();
   if (counted_ == session.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
   const MapValues& values = session.map_values();
-  bars_ = histogram(values.all(), session.colouring->range, bar_count, Outside::at_the_ends);
+  span_ = session.colouring->range;
+  double bars = most_bars;
+  if (values.map().is_count) {  // a bar for each value, as far as they have room
+    span_ = {std::floor(span_.low) - 0.5, std::ceil(span_.high) + 0.5};
+    bars = std::min(bars, span_.high - span_.low);
+  }
+  bars_ = histogram(values.all(), span_, static_cast<std::size_t>(bars), Outside::at_the_ends);
   figures_ = figures_of(values.all());
+  if (grabbed_ && *grabbed_ >= bars_.size()) grabbed_.reset();
   counted_ = session.colouring;
   counted_serial_ = serial;
   counted_revision_ = revision;
@@ -76,54 +87,76 @@ void ColoursPanel::draw_legend(PanelContext& context) {
   const int steps = std::max(1, static_cast<int>(width));
   for (int i = 0; i < steps; ++i) {
     const float x = at.x + static_cast<float>(i);
-    const double value = std::lerp(range.low, range.high, (i + 0.5) / steps);
+    const double value = std::lerp(span_.low, span_.high, (i + 0.5) / steps);
     list->AddRectFilled({x, at.y}, {x + 1, at.y + height}, colour_of(*map, range, value));
   }
   ImGui::Dummy({width, height});
-  const std::vector<std::string> numbers =
-      numbers_alike(std::array{range.low, std::midpoint(range.low, range.high), range.high});
-  const auto words = [&](std::size_t i, const char* sign = "") {
-    return sign + numbers[i] + std::string(sign_of(map->unit));
-  };
-  const auto room = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
-  const auto tick = [&](const std::string& text, float share) {
-    list->AddText({at.x + share * (width - room(text)), at.y + height}, ImGui::GetColorU32(ImGuiCol_Text),
-                  text.c_str());
-  };
-  const std::string low = words(0, figures_.lowest < range.low ? "< " : ""), middle = words(1),
-                    high = words(2, figures_.highest > range.high ? "> " : "");
-  tick(low, 0);
-  const float gap = 6 * context.scale, beside = (width - room(middle)) / 2 - gap;
-  if (room(low) <= beside && room(high) <= beside) tick(middle, 0.5f);
-  tick(high, 1);
+  draw_ticks(context, {at.x, at.y + height}, width);
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+}
+
+void ColoursPanel::draw_ticks(PanelContext& context, ImVec2 at, float width) {
+  const auto [map, range] = *context.session.colouring;
+  const std::vector<double> values = legend_values(*map, range, 3);
+  const std::vector<std::string> numbers = numbers_of(*map, values);
+  struct Tick {
+    std::string text;
+    float begin, end;
+  };
+  std::vector<Tick> ticks;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool is_low = i == 0 && figures_.lowest < range.low;
+    const bool is_high = i > 0 && i + 1 == values.size() && figures_.highest > range.high;
+    const std::string text = (is_low ? "< " : is_high ? "> " : "") + numbers[i] + std::string(sign_of(map->unit));
+    const double extent = span_.high - span_.low;
+    const float place = width * static_cast<float>(extent > 0 ? (values[i] - span_.low) / extent : 0.5);
+    const float room = ImGui::CalcTextSize(text.c_str()).x;
+    const float begin = std::max(std::min(place - room / 2, width - room), 0.f);
+    ticks.push_back({text, begin, begin + room});
+  }
+  // The middle one where there is room between the ends.
+  const float gap = 6 * context.scale;
+  if (ticks.size() == 3 && (ticks[0].end + gap > ticks[1].begin || ticks[1].end + gap > ticks[2].begin))
+    ticks.erase(ticks.begin() + 1);
+  for (const Tick& tick : ticks)
+    ImGui::GetWindowDrawList()->AddText({at.x + tick.begin, at.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                                        tick.text.c_str());
+}
+
+// The bars at the ends hold what lies beyond the range too.
+double ColoursPanel::edge_of(std::size_t bar) const {
+  if (bar == 0) return std::min(span_.low, figures_.lowest);
+  if (bar == bars_.size()) return std::max(span_.high, figures_.highest);
+  return std::lerp(span_.low, span_.high, static_cast<double>(bar) / static_cast<double>(bars_.size()));
+}
+
+// The lowest and the highest value that these bars may hold.
+MapRange ColoursPanel::held_by(std::size_t first, std::size_t last) const {
+  const double low = edge_of(first), end = edge_of(last + 1);
+  const double high = last + 1 == bars_.size() ? end : std::nextafter(end, span_.low);
+  return counted_->map->is_count ? MapRange{std::ceil(low), std::floor(high)} : MapRange{low, high};
 }
 
 void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
   const ColourMap* const map = context.session.colouring->map;
-  const MapRange range = context.session.colouring->range;
-  // The bars at the ends hold what lies beyond the range too.
-  const auto edge_of = [&](std::size_t bar) {
-    if (bar == 0) return std::min(range.low, figures_.lowest);
-    if (bar == bar_count) return std::max(range.high, figures_.highest);
-    return std::lerp(range.low, range.high, static_cast<double>(bar) / static_cast<double>(bar_count));
-  };
   const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.f, 0.9999f);
-  const auto bar = static_cast<std::size_t>(share * static_cast<float>(bar_count));
+  const auto bar = static_cast<std::size_t>(share * static_cast<float>(bars_.size()));
   if (ImGui::IsItemActivated()) grabbed_ = bar;
   const bool is_hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const std::size_t first = std::min(bar, grabbed_.value_or(bar)), last = std::max(bar, grabbed_.value_or(bar));
   std::uint64_t count = 0;
   for (std::size_t i = first; i <= last; ++i) count += bars_[i];
-  const std::vector<std::string> ends = numbers_alike(std::array{edge_of(first), edge_of(last + 1)});
-  if (is_hovered)
-    ImGui::SetTooltip("%s .. %s%s: %s", ends[0].c_str(), ends[1].c_str(), std::string(sign_of(map->unit)).c_str(),
+  const MapRange held = held_by(first, last);
+  if (is_hovered) {
+    const std::vector<std::string> ends = numbers_of(*map, std::array{held.low, held.high});
+    const std::string both = ends[0] == ends[1] ? ends[0] : ends[0] + " .. " + ends[1];
+    ImGui::SetTooltip("%s%s: %s", both.c_str(), std::string(sign_of(map->unit)).c_str(),
                       grouped(static_cast<std::int64_t>(count)).c_str());
+  }
   if (!ImGui::IsItemDeactivated() || !grabbed_) return;
   grabbed_.reset();
   char line[160];
-  const double end = last + 1 == bar_count ? edge_of(bar_count) : std::nextafter(edge_of(last + 1), range.low);
-  std::snprintf(line, sizeof line, "select by %s %.17g %.17g", std::string(map->id).c_str(), edge_of(first), end);
+  std::snprintf(line, sizeof line, "select by %s %.17g %.17g", std::string(map->id).c_str(), held.low, held.high);
   context.run(line);
 }
 
@@ -134,11 +167,11 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
   const float width = ImGui::GetContentRegionAvail().x, height = 64 * context.scale;
   ImGui::InvisibleButton("histogram", {width, height});
   const std::uint32_t most = std::max(1u, *std::max_element(bars_.begin(), bars_.end()));
-  const float step = width / static_cast<float>(bar_count), pointer = ImGui::GetIO().MousePos.x;
+  const auto bars = static_cast<float>(bars_.size());
+  const float step = width / bars, pointer = ImGui::GetIO().MousePos.x;
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const auto under =
-      static_cast<std::size_t>(std::clamp((pointer - at.x) / step, 0.f, static_cast<float>(bar_count - 1)));
-  for (std::size_t i = 0; i < bar_count; ++i) {
+  const auto under = static_cast<std::size_t>(std::clamp((pointer - at.x) / step, 0.f, bars - 1));
+  for (std::size_t i = 0; i < bars_.size(); ++i) {
     const float x = at.x + static_cast<float>(i) * step;
     const bool is_marked = grabbed_ ? i >= std::min(under, *grabbed_) && i <= std::max(under, *grabbed_)
                                     : ImGui::IsItemHovered() && i == under;
@@ -146,8 +179,7 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
       list->AddRectFilled({x, at.y}, {x + step, at.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBgHovered));
     if (bars_[i] == 0) continue;
     const float tall = std::max(2 * context.scale, height * static_cast<float>(bars_[i]) / static_cast<float>(most));
-    const double value =
-        std::lerp(range.low, range.high, (static_cast<double>(i) + 0.5) / static_cast<double>(bar_count));
+    const double value = std::lerp(span_.low, span_.high, (static_cast<double>(i) + 0.5) / bars);
     const ImVec2 top{x, at.y + height - tall}, foot{x + std::max(1.f, step - 1), at.y + height};
     list->AddRectFilled(top, foot, colour_of(*map, range, value));
     // Where the colour is that of the panel, the outline shows the bar.

@@ -37,6 +37,27 @@ TEST(short_text_of, a_map_has_one_notation_for_all_its_figures) {
   EXPECT_NE(text.find(": 0.2500 to 1.0000, mean 0.6667, median 1.0000, of 9"), std::string::npos) << text;
 }
 
+TEST(legend_values, of_counts_are_whole_and_each_is_there_once) {
+  const ColourMap &counts = *find_colour_map("valence"), &lengths = *find_colour_map("edge_length");
+  using Values = std::vector<double>;
+  EXPECT_EQ(legend_values(lengths, {3, 6}, 3), (Values{3, 4.5, 6}));
+  EXPECT_EQ(legend_values(lengths, {3, 3}, 7), (Values{3}));
+  EXPECT_EQ(legend_values(counts, {3, 6}, 7), (Values{3, 4, 5, 6}));
+  EXPECT_EQ(legend_values(counts, {3, 6}, 3), (Values{3, 5, 6}));
+  EXPECT_EQ(legend_values(counts, {3, 103}, 3), (Values{3, 53, 103}));
+  EXPECT_EQ(legend_values(counts, {2.5, 4.75}, 7), (Values{3, 4})) << "within a range that was typed";
+  EXPECT_EQ(legend_values(counts, {4, 4}, 7), (Values{4}));
+  EXPECT_EQ(legend_values(counts, {3.25, 3.75}, 3), (Values{3.25, 3.5, 3.75})) << "there is no whole one";
+}
+
+TEST(short_text_of, counts_that_are_whole_have_no_decimals) {
+  const MapFigures figures{.count = 9, .lowest = 3, .highest = 9, .mean = 5.98, .median = 6};
+  for (const char* id : {"valence", "sides"}) {
+    const std::string text = short_text_of(*find_colour_map(id), figures).en;
+    EXPECT_NE(text.find(": 3 to 9, mean 5.98, median 6, of 9"), std::string::npos) << text;
+  }
+}
+
 TEST(names_of_measured, are_those_of_the_kernel_and_of_many_the_first) {
   const Mesh mesh = test::make_mesh(test::cube());
   const std::vector<Element> few{Vertex(1), find_halfedge(mesh, Vertex(1), Vertex(0)), Face(3)};

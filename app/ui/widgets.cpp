@@ -78,10 +78,10 @@ bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSel
   return clicked;
 }
 
-bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px) {
+bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px, float below_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = row_pitch(context) - ImGui::GetStyle().ItemSpacing.y;
-  const bool clicked = marked_row(context, is_active, height);
+  const bool clicked = marked_row(context, is_active, height + below_px);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = at.y + std::floor((height - ImGui::GetFontSize()) / 2);
   const float begin = at.x + 10 * context.scale;

@@ -25,9 +25,10 @@ void labelled(PanelContext& context, const char* label, const std::string& value
 bool link(PanelContext& context, const char* text);
 // Links to elements, wrapped at the panel's edge; a click selects one. True when one was clicked.
 bool element_links(PanelContext& context, const std::vector<Element>& elements);
-// A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it; true when
-// clicked.
-bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0);
+// A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it, and goes on
+// below for what else belongs to it; true when clicked.
+bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0,
+         float below_px = 0);
 // What lies below the texts of such a row, so high: marked, or lit where the pointer is; true when clicked.
 bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSelectableFlags flags = 0);
 // A row with a text that is wrapped at a width, a dot before its first line, and how many lines that takes.

@@ -299,6 +299,19 @@ TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_non
   EXPECT_FALSE(gui.said().en.empty());
 }
 
+// The row of an entry is both of its lines.
+TEST_F(MenuKeys, an_entry_of_the_palette_is_taken_by_a_click_on_its_second_line_too) {
+  for (const char* typed : {"curvature", "colours mean_curvature"}) {  // among others, and alone with its whole help
+    ASSERT_TRUE(session.run("colours off").done());
+    press("F3");
+    write(typed);
+    ASSERT_TRUE(shows("Howmuchthesurfacebends")) << typed;
+    click(DrawnText(gui).last_place("Howmuchthesurfacebends"));
+    ASSERT_TRUE(session.colouring) << typed << ": " << gui.said().en;
+    EXPECT_EQ(session.colouring->map->id, "mean_curvature");
+  }
+}
+
 TEST_F(MenuKeys, the_palette_measures_what_is_selected) {
   ASSERT_TRUE(session.run("select 0-1").done());
   for (const char* typed : {"measure", "measure sel"}) {

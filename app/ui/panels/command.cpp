@@ -27,7 +27,8 @@ class CommandPanel : public Panel {
   void follow_keys(ImGuiInputTextCallbackData& data);
   void find();
   bool draw_entry(PanelContext& context, std::size_t i, bool is_marked);
-  void draw_help(PanelContext& context, const PaletteEntry& entry, bool is_whole);
+  static std::vector<std::string> help_of(PanelContext& context, const PaletteEntry& entry, bool is_whole);
+  static void draw_help(PanelContext& context, const std::vector<std::string>& parts, bool is_whole);
   void draw_found(PanelContext& context);
   void draw_refusal(PanelContext& context);
   // The first word.
@@ -116,19 +117,25 @@ void CommandPanel::type(std::string line) {
 }
 
 // Below its name: on one line, or to its end behind how the line is written.
-void CommandPanel::draw_help(PanelContext& context, const PaletteEntry& entry, bool is_whole) {
+std::vector<std::string> CommandPanel::help_of(PanelContext& context, const PaletteEntry& entry, bool is_whole) {
   const std::string& help = entry.help.in(context.language());
+  std::vector<std::string> parts;
+  if (is_whole && !entry.syntax.empty()) parts.push_back(entry.line + " " + entry.syntax);
+  parts.push_back(is_whole ? help : beyond_name(help, entry.name.in(context.language())));
+  std::erase(parts, "");
+  return parts;
+}
+
+void CommandPanel::draw_help(PanelContext& context, const std::vector<std::string>& parts, bool is_whole) {
   if (is_whole) {
-    if (!entry.syntax.empty()) dim_text(context, (entry.line + " " + entry.syntax).c_str());
-    if (!help.empty()) dim_text(context, help.c_str());
+    for (const std::string& part : parts) dim_text(context, part.c_str());
     return;
   }
-  const std::string more = beyond_name(help, entry.name.in(context.language()));
-  if (more.empty()) return;
+  if (parts.empty()) return;
   const float top = ImGui::GetCursorPosY(), indent = 10 * context.scale;
   ImGui::Indent(indent);
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-  fitted_text(more, ImGui::GetContentRegionAvail().x);
+  fitted_text(parts[0], ImGui::GetContentRegionAvail().x);
   ImGui::PopStyleColor();
   ImGui::Unindent(indent);
   ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
@@ -143,14 +150,19 @@ bool CommandPanel::draw_entry(PanelContext& context, std::size_t i, bool is_mark
   const std::string usage = entry.syntax.empty() || is_whole ? entry.line : entry.line + " " + entry.syntax;
   const std::string shown = is_named ? name : usage;
   const std::string right = is_named ? usage : chord_of(context.session, entry.line);
-  const float top = ImGui::GetCursorPosY();
+  const std::vector<std::string> help = help_of(context, entry, is_whole);
+  const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x;
+  float below = 0;
+  for (const std::string& part : help)
+    below += is_whole ? wrapped_size(part, width).y + ImGui::GetStyle().ItemSpacing.y
+                      : ImGui::GetTextLineHeightWithSpacing();
   rows_.row_of_text();
   ImGui::PushID(entry.line.c_str());
-  const bool taken = row(context, shown.c_str(), right.c_str(), is_marked);
+  const bool taken = row(context, shown.c_str(), right.c_str(), is_marked, 0, below);
   ImGui::PopID();
   if (chosen_ == static_cast<int>(i) && std::exchange(scrolls_, false)) ImGui::SetScrollHereY();
   ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
-  draw_help(context, entry, is_whole);
+  draw_help(context, help, is_whole);
   return taken;
 }
 

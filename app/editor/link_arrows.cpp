@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::size_t most_of_one = 200;
 
-Text link_text(const char* en, const char* ja, Element to) {
-  const std::string name = to.index == no_index ? "" : " " + slot_name(to);
-  return {en + name, ja + name};
+Text link_text(const char* en, const char* ja, const std::string& name) {
+  const std::string behind = name.empty() ? "" : " " + name;
+  return {en + behind, ja + behind};
 }
 
 // The arrows of one selected element.
@@ -37,13 +37,13 @@ class LinksOf {
   const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
 
   void arrow(Halfedge h, LinkRole role, const char* en, const char* ja) {
-    if (auto made = make_.of(h, role, link_text(en, ja, h))) arrows_.push_back(std::move(*made));
+    if (auto made = make_.of(h, role, link_text(en, ja, name_of(m_, h)))) arrows_.push_back(std::move(*made));
   }
   void arrow_to(const glm::dvec3& from, const glm::dvec3& to, LinkRole role, Face on, Text label) {
     arrows_.push_back({from, to, role, {}, on, {}, false, std::move(label)});
   }
   void mark(Vertex v, const char* en, const char* ja) {
-    arrow_to(place(v), place(v), LinkRole::vertex, {}, link_text(en, ja, v));
+    arrow_to(place(v), place(v), LinkRole::vertex, {}, link_text(en, ja, slot_name(v)));
   }
 
   void add(Halfedge h) {
@@ -55,7 +55,7 @@ class LinksOf {
     const Face f = m_.face(h);
     if (f) {
       const glm::dvec3 middle = 0.5 * (place(m_.from(h)) + place(m_.to(h)));
-      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text("face", "面", f));
+      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text("face", "面", slot_name(f)));
     }
     if (!back) arrow(n, LinkRole::next, turns ? "next, prev" : "next", turns ? "次・前" : "次");
     if (!turns && p != t) arrow(p, LinkRole::prev, "prev", "前");
@@ -77,13 +77,14 @@ class LinksOf {
                              Side{t, "right", "右", "right next", "右の次", "right prev", "右の前"}}) {
       const Face f = m_.face(side.h);
       if (!f) continue;
-      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text(side.en, side.ja, f));
+      arrow_to(middle, middle_of(m_, f), LinkRole::face, f, link_text(side.en, side.ja, slot_name(f)));
       wing(m_.next(side.h), side.next_en, side.next_ja);
       wing(m_.prev(side.h), side.prev_en, side.prev_ja);
     }
   }
   void wing(Halfedge h, const char* en, const char* ja) {
-    if (auto made = make_.of(h, LinkRole::wing, link_text(en, ja, edge(h)))) arrows_.push_back(std::move(*made));
+    if (auto made = make_.of(h, LinkRole::wing, link_text(en, ja, name_of(m_, edge(h)))))
+      arrows_.push_back(std::move(*made));
   }
 
   void add(Vertex v) {
@@ -103,8 +104,7 @@ class LinksOf {
 
   void add(Face f) {
     const glm::dvec3 middle = middle_of(m_, f);
-    arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {},
-             link_text("normal", "法線", Face()));
+    arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {}, link_text("normal", "法線", ""));
     add_loop(m_.halfedge(f), LinkRole::around, true);
     for (const Halfedge inner : forms::inner_loops(m_, f)) add_loop(inner, LinkRole::ring, false);
   }

@@ -44,13 +44,17 @@ bool link(PanelContext& context, const char* text) {
   return clicked;
 }
 
+std::string link_name(const Mesh& mesh, const Element& element) {
+  return element.kind == Element::Kind::halfedge ? name_and_slot(mesh, element) : name_of(mesh, element);
+}
+
 bool element_links(PanelContext& context, const std::vector<Element>& elements) {
   constexpr std::size_t most = 24;
   const float right_edge = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
   const float gap = ImGui::GetFontSize() * 0.6f;
   std::string chosen;
   for (std::size_t i = 0; i < std::min(elements.size(), most); ++i) {
-    const std::string name = name_of(context.session.mesh(), elements[i]);
+    const std::string name = link_name(context.session.mesh(), elements[i]);
     ImGui::PushID(static_cast<int>(i));
     if (i > 0 && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(name.c_str()).x < right_edge)
       ImGui::SameLine(0, gap);

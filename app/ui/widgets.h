@@ -23,6 +23,8 @@ void dim_text(PanelContext& context, const char* text);
 void labelled(PanelContext& context, const char* label, const std::string& value, float column = 5);
 // A row that looks and acts like a link; true when clicked.
 bool link(PanelContext& context, const char* text);
+// What a link to an element says: its name, of a halfedge its slot too, as 0-1 alone would mean its edge.
+std::string link_name(const Mesh& mesh, const Element& element);
 // Links to elements, wrapped at the panel's edge; a click selects one. True when one was clicked.
 bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it, and goes on

@@ -147,6 +147,11 @@ std::string slot_name(Element element) {
   return letters[static_cast<std::size_t>(element.kind)] + std::to_string(element.index);
 }
 
+std::string name_and_slot(const Mesh& m, Element element) {
+  const std::string name = name_of(m, element), slot = slot_name(element);
+  return name == slot ? name : name + " (" + slot + ")";
+}
+
 std::string name_to_select(const Mesh& m, Element element) {
   return element.kind == Element::Kind::halfedge ? "h" + number(element.index) : name_of(m, element);
 }

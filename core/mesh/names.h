@@ -18,6 +18,8 @@ namespace ryosen {
 std::string name_of(const Mesh& mesh, Element element);
 // As name_of, but a halfedge by its slot (h12), where 3-7 would mean its edge.
 std::string name_to_select(const Mesh& mesh, Element element);
+// The name and behind it the slot, where that is another one: 12-88 (h12).
+std::string name_and_slot(const Mesh& mesh, Element element);
 // By its slot alone: v7 h12 e6 f3, also of a dead element.
 std::string slot_name(Element element);
 // A name that distinguishes a vertex from the other copies of its point: v7@f5 if it has copies and a face, its own

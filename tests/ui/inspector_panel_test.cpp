@@ -72,6 +72,21 @@ TEST_F(InspectorPanel, what_is_said_of_several_elements_stands_whole_below_the_n
   }
 }
 
+// As commands name it, and behind it the number in the view.
+TEST_F(InspectorPanel, a_halfedge_has_its_name_and_its_number_wherever_it_is_told) {
+  const Mesh& mesh = session.mesh();
+  const Halfedge h = mesh.halfedge(Face(0)), next = mesh.next(h);
+  const auto told = [&](Halfedge each) { return name_of(mesh, each) + "(" + slot_name(each) + ")"; };
+  ASSERT_TRUE(gui.run(session, "select " + slot_name(h)).done());
+  frames(3);
+  const std::string all =
+      told(h) + "from" + slot_name(mesh.from(h)) + "to" + slot_name(mesh.to(h)) + "next" + told(next);
+  EXPECT_EQ(drawn(all.c_str()), 1u) << all;
+  ASSERT_TRUE(gui.run(session, "select " + slot_name(edge(h))).done());
+  EXPECT_EQ(drawn((name_of(mesh, edge(h)) + "(" + slot_name(edge(h)) + ")").c_str()), 1u);
+  EXPECT_EQ(drawn(told(twin(h)).c_str()), 1u) << "its halves";
+}
+
 TEST_F(InspectorPanel, what_to_point_at_is_what_the_tool_applies_to) {
   for (const auto& [line, text] : {std::pair("tool collapse", "Point at an edge."),
                                    {"tool poke", "Point at a face."},

@@ -162,7 +162,7 @@ TEST_F(LinksTest, of_a_halfedge_are_its_links) {
                                  {LinkRole::twin, twin(h)}}) {
     ASSERT_NE(find(role), nullptr);
     EXPECT_EQ(find(role)->halfedge, to);
-    EXPECT_NE(find(role)->label.en.find("h" + std::to_string(to.index)), std::string::npos);
+    EXPECT_TRUE(find(role)->label.en.ends_with(" " + name_of(m, to))) << find(role)->label.en;
     EXPECT_NE(find(role)->label.ja, find(role)->label.en);
   }
   EXPECT_EQ(find(LinkRole::vertex)->from, m.position(m.from(h)));
@@ -201,6 +201,23 @@ TEST_F(LinksTest, of_edges_vertices_and_faces_are_what_they_store) {
   const LinkArrow* const normal = find(LinkRole::normal);
   ASSERT_NE(normal, nullptr);
   EXPECT_LT((normal->to - normal->from).z, 0) << "the bottom looks down";
+}
+
+// As the inspector and commands do; behind what the link is nothing else can be meant.
+TEST_F(LinksTest, name_halfedges_and_edges_by_their_points) {
+  open("cube.obj", {"mode halfedge"});
+  const Mesh& m = session_.mesh();
+  const Halfedge h = m.halfedge(Face(0));
+  session_.selection = {h};
+  const auto label = [&](LinkRole role) { return find(role)->label; };
+  EXPECT_EQ(label(LinkRole::itself).en, "halfedge " + name_of(m, h));
+  EXPECT_EQ(label(LinkRole::next).en, "next " + name_of(m, m.next(h)));
+  EXPECT_EQ(label(LinkRole::twin).ja, "対 " + name_of(m, twin(h)));
+  EXPECT_EQ(label(LinkRole::face).en, "face f0");
+  session_.selection = {edge(h)};
+  const LinkArrow* const wing = find(LinkRole::wing);
+  ASSERT_NE(wing, nullptr);
+  EXPECT_EQ(wing->label.en, "left next " + name_of(m, edge(wing->halfedge)));
 }
 
 TEST_F(LinksTest, are_walked_and_the_trail_stays) {

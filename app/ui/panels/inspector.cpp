@@ -32,7 +32,7 @@ class Inspector {
   // One of so many that are selected.
   void draw(const Element& element, std::size_t selected) {
     ImGui::PushFont(context_.fonts.bold);
-    ImGui::TextUnformatted(name_of(m_, element).c_str());
+    ImGui::TextUnformatted(name_and_slot(m_, element).c_str());
     ImGui::PopFont();
     if (selected > 1) tell_of_others(selected - 1);
     switch (element.kind) {
@@ -71,7 +71,7 @@ class Inspector {
     ImGui::SameLine(5 * ImGui::GetFontSize());
     if (element.index == no_index) return ImGui::TextUnformatted(context_.text(UiText::outside));
     ImGui::PushID(static_cast<int>(label));
-    if (link(context_, name_of(m_, element).c_str())) context_.run("select " + name_to_select(m_, element));
+    if (link(context_, link_name(m_, element).c_str())) context_.run("select " + name_to_select(m_, element));
     ImGui::PopID();
   }
 

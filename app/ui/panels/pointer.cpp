@@ -62,7 +62,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
 bool draw_beside(PanelContext& context) {
   const Session* const other = context.session.beside();
   if (!other || !other->hover()) return false;
-  wrapped_text(name_of(other->mesh(), other->hover()->picked.element).c_str());
+  wrapped_text(name_and_slot(other->mesh(), other->hover()->picked.element).c_str());
   const std::string file = other->document().path().filename().string();
   dim_text(context, (context.text("of ", "") + file + context.text(", to be compared with", "（比較用）")).c_str());
   return true;
@@ -78,7 +78,7 @@ void draw_verdict(PanelContext& context) {
   const Hover hover = *context.session.hover();
   const OpInfo* const op = hover.op ? &info_of(*hover.op) : nullptr;
   const std::string line =
-      op ? command_of(context.session.mesh(), *hover.op) : name_of(context.session.mesh(), hover.picked.element);
+      op ? command_of(context.session.mesh(), *hover.op) : name_and_slot(context.session.mesh(), hover.picked.element);
   if (!op) {
     wrapped_text(line.c_str());
     return;

@@ -51,7 +51,7 @@ void RecordsPanel::draw_value(PanelContext& context, const RecordLine& line, std
     chosen_ =
         "select " + (to.kind == Element::Kind::vertex ? name_of_copy(mesh, to.vertex()) : name_to_select(mesh, to));
   }
-  tip(context.text("A click selects it.", "クリックすると選択します。"));
+  tip(name_and_slot(mesh, line.links[i]) + "\n" + context.text("A click selects it.", "クリックすると選択します。"));
   ImGui::PopID();
 }
 
@@ -99,8 +99,7 @@ void RecordsPanel::draw(PanelContext& context) {
   if (!asked || !is_alive(context.session.mesh(), *asked))
     return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));
   ImGui::PushFont(context.fonts.bold);
-  const std::string name = name_of(context.session.mesh(), *asked), slot = slot_name(*asked);
-  wrapped_text((name == slot ? name : name + "   " + slot).c_str());
+  wrapped_text(name_and_slot(context.session.mesh(), *asked).c_str());
   ImGui::PopFont();
   const RecordBook* const book = records_of_mesh(context);
   if (!book) return;

@@ -30,7 +30,7 @@ std::optional<Text> fault_of_colours(Words arguments, const std::string&) {
   std::vector<std::string> known;
   for (const ColourMap& map : colour_maps()) known.emplace_back(map.id);
   const std::string wrong(arguments[0]);
-  return Text{"there is no colour map '" + wrong + "'", "カラーマップ「" + wrong + "」はありません"} +
+  return Text{"there is no colour map '" + wrong + "'", "色分け「" + wrong + "」はありません"} +
          did_you_mean(wrong, known);
 }
 

@@ -58,7 +58,7 @@ constexpr struct {
     {"Ctrl+Alt+click", "Ctrl+Alt+クリック", "select the ring of the nearest edge", "最寄りの稜線のリングを選択"},
     {"double click", "ダブルクリック", "set the centre, with Select", "選択ツールで中心を決める"},
     {"right click", "右クリック", "the menu of the element", "要素のメニュー"},
-    {"wheel", "ホイール", "zoom to the pointer", "ポインターへ拡大・縮小"},
+    {"wheel", "ホイール", "zoom to the pointer", "ポインタへ拡大・縮小"},
 };
 
 constexpr InputPreset presets[] = {

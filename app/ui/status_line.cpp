@@ -27,7 +27,7 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
           {"0-9", context.text("number", "数値")},
           {"O", gesture.has_falloff() ? context.text("falloff, wheel widens", "減衰（ホイールで広げる）")
                                       : context.text("falloff", "減衰")},
-          {"Ctrl", context.text("snap", "スナップ")},
+          {"Ctrl", context.text("snap", "吸着")},
           {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
           {"Esc", context.text("give up", "中止")}};
 }
@@ -68,7 +68,7 @@ std::vector<Hint> hints_of(const PanelContext& context) {
             {"Esc", context.text("give up", "中止")}};
   if (const HandleRow* const handle = context.session.pointed_handle())
     return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
-            {"Ctrl", context.text("snap", "スナップ")},
+            {"Ctrl", context.text("snap", "吸着")},
             {"Esc", context.text("give up", "中止")}};
   if (const AxisEnd* const end = context.session.pointed_axis_end())
     return {{context.text("Click", "クリック"),

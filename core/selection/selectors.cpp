@@ -270,7 +270,7 @@ const Selector rows[] = {
      .value_ja = "この面数未満の部分（最大の部分に対する割合でも指定可）"},
     {.id = "by",
      .name_en = "Select by a colour map",
-     .name_ja = "カラーマップの値で選択",
+     .name_ja = "色分けの値で選択",
      .find = by_map,
      .value = Selector::Value::map_range},
 };

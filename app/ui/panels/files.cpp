@@ -25,7 +25,7 @@ struct FileUse {
   bool is_whole;  // it is written whole, under the name that is offered
 };
 constexpr FileUse to_open{"open", "Open", "開く", false, true, false};
-constexpr FileUse to_append{"append", "Append", "追加", false, false, false};
+constexpr FileUse to_append{"append", "Append", "追加で開く", false, false, false};
 constexpr FileUse to_compare{"compare", "Compare", "比較", false, false, false};
 constexpr FileUse to_save{"save", "Save", "保存", true, false, true};
 constexpr FileUse to_save_selected{"save_selected", "Save", "保存", true, false, false};

@@ -129,7 +129,7 @@ AlgorithmResult mirror(Edit& edit, const AlgorithmInput& input, Progress& progre
   if (welds) {
     const std::size_t welded = weld(edit, pairs, axis, at);
     result.text = result.text + count_text(welded, "; one vertex was welded at the plane",
-                                           "; # vertices were welded at the plane", "（面上で頂点 # 個を統合）");
+                                           "; # vertices were welded at the plane", "（面上で頂点 # 個を縫合）");
   }
   end_sentence(result);
   return result;
@@ -189,7 +189,7 @@ std::vector<AlgorithmRow> copying_rows() {
                       {.id = "weld",
                        .kind = ParameterKind::length,
                        .name_en = "Weld",
-                       .name_ja = "統合距離",
+                       .name_ja = "縫合距離",
                        .help_en = "boundary vertices as near to the plane are shared with the image; else none",
                        .help_ja = "面からこの距離以内の境界頂点を鏡像と共有する（省くと共有しない）"},
                       elements()},

@@ -271,11 +271,10 @@ class Removal {
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
     if (result.changed > 0)
-      result.text = result.text +
-                    count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線の縮約 #") +
+      result.text = result.text + count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線削除 #") +
                     count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
                                "、向かいの面への統合 #") +
-                    count_text(deleted_, ", # deleted", ", # deleted", "、削除 #）");
+                    count_text(deleted_, ", # deleted", ", # deleted", "、面の削除 #）");
     if (opened_ > 0)
       result.text = result.text + count_text(opened_, "; this opened one boundary loop",
                                              "; this opened # boundary loops", "。境界ループが # 本増えました");

@@ -91,7 +91,7 @@ std::vector<AlgorithmRow> repair_rows() {
        "Remove faces without area",
        "面積ゼロの面の削除",
        "collapses, swaps or unites them away, else deletes them",
-       "縮約・交換・統合で取り除き、できなければ削除する",
+       "稜線削除・稜線交換・隣の面への統合で取り除き、できなければ面を削除する",
        {},
        false,
        {Kind::degenerate_area},

@@ -183,10 +183,10 @@ AlgorithmResult result_of(const Welded& welded) {
   add_left(result.left_for,
            {"points at one place stay apart where joining them would make the surface unsound, or where they lie on no "
             "boundary",
-            "同じ位置の点でも、統合すると曲面が不健全になる場合や境界上にない場合は統合しません"},
+            "同じ位置の点でも、縫合すると曲面が不健全になる場合や境界上にない場合は縫合しません"},
            welded.left);
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
-                           "点を # 個、ほかの点に統合しました");
+                           "点を # 個、ほかの点に縫合しました");
   if (welded.points > 0 && welded.turned > 0) {
     const Text turned = count_text(welded.turned, "; one face was turned round to fit",
                                    "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
@@ -195,7 +195,7 @@ AlgorithmResult result_of(const Welded& welded) {
   if (!welded.left.empty()) {
     const std::string n = std::to_string(welded.left.size());
     result.text.en += "; " + n + (welded.left.size() == 1 ? " place was left apart" : " places were left apart");
-    result.text.ja += "（統合できない箇所 " + n + "）";
+    result.text.ja += "（縫合できない箇所 " + n + "）";
   }
   result.text.en += ".";
   result.text.ja += "。";

@@ -96,7 +96,7 @@ Text text_of(std::size_t before, std::size_t after, const Account& account) {
   Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
   if (account.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
   if (account.stopped == Stop::blocked)
-    return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも縮約できません）。"};
+    return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも稜線削除できません）。"};
   return text + Text{".", "。"};
 }
 

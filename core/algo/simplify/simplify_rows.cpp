@@ -52,7 +52,7 @@ std::vector<ParameterRow> limit_parameters() {
            .name_en = "Largest turn",
            .name_ja = "最大の回転",
            .help_en = "a collapse turns the normal of a face by less than this",
-           .help_ja = "一度の縮約で面の法線が回る角度はこれより小さい",
+           .help_ja = "一度の稜線削除で面の法線が回る角度はこれより小さい",
            .initial = "90",
            .largest = 90,
            .excludes_smallest = true},

@@ -138,7 +138,7 @@ TEST(repairs, a_flat_triangle_gives_its_corner_to_the_face_across) {
   EXPECT_EQ(result.changed, 1u);
   EXPECT_EQ(result.text.en,
             "One face without area was removed: 0 edges collapsed, 1 corner given to the face across, 0 deleted.");
-  EXPECT_EQ(result.text.ja, "面積ゼロの面を 1 個なくしました（稜線の縮約 0、向かいの面への統合 1、削除 0）。");
+  EXPECT_EQ(result.text.ja, "面積ゼロの面を 1 個なくしました（稜線削除 0、向かいの面への統合 1、面の削除 0）。");
   const Figures after = compute_figures(mesh);
   EXPECT_EQ(after[ProblemKind::degenerate_area], 0u);
   EXPECT_EQ(after[ProblemKind::boundary_loop], before[ProblemKind::boundary_loop]) << "the surface stays closed there";

@@ -4,6 +4,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/menu_bar.h"
+#include "app/editor/panel_list.h"
+#include "core/algo/algorithms.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -25,6 +28,21 @@ TEST_F(AddMenu, has_an_entry_for_each_primitive_that_asks_for_its_values) {
     EXPECT_EQ(session.asked_algorithm, row.id);
     session.run("panel none");
     frames(3);
+  }
+}
+
+// One word for two things leads to the wrong one.
+TEST_F(AddMenu, is_called_as_no_panel_and_operators_have_one_word) {
+  for (const MenuRow& menu : menu_bar)
+    for (const PanelRow& panel : panel_list()) {
+      EXPECT_NE(menu.title_en, panel.title_en);
+      EXPECT_NE(menu.title_ja, panel.title_ja) << panel.id;
+    }
+  for (const AlgorithmRow& row : algorithm_table()) {
+    std::string told = std::string(row.name_ja) + std::string(row.help_ja);
+    for (const ParameterRow& parameter : row.parameters)
+      told += std::string(parameter.name_ja) + std::string(parameter.help_ja);
+    EXPECT_EQ(told.find("縮約"), std::string::npos) << row.id << ": to collapse is 稜線削除";
   }
 }
 

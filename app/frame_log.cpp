@@ -54,8 +54,8 @@ void FrameLog::frame(const Session& session, const Text& said, std::int64_t pixe
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
        << " eye " << words_of(session.camera.eye) << " first " << first_selected(session) << " panel "
-       << over_the_view(session) << " target " << words_of(session.camera.target) << " said " << in_one_line(said.en)
-       << std::endl;
+       << over_the_view(session) << " target " << words_of(session.camera.target) << " gesture "
+       << (session.gesture() != nullptr) << " said " << in_one_line(said.en) << std::endl;
 }
 
 }  // namespace ryosen

@@ -2,6 +2,7 @@
 // held against the file that is saved.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <set>
 #include <vector>
@@ -165,17 +166,19 @@ TEST_F(WindowGesture, escape_costs_nothing_whatever_was_begun) {
   click(at.pixel);
   ASSERT_TRUE(has_selected(1));
   for (const char* const key : {"g", "r", "shift+s", "e"}) {
-    const long before = last().number;
+    const auto is_moving = [](const Frame& frame) { return frame.is_gesture; };
+    ASSERT_TRUE(shows(std::not_fn(is_moving)));
     xdotool("mousemove " + words_of(at.pixel) + " key " + key + " mousemove " +
             words_of(at.pixel + glm::dvec2(60, 20)) + " mousemove " + words_of(at.pixel + glm::dvec2(90, -30)));
-    ASSERT_TRUE(shows([&](const Frame& frame) { return frame.number > before; })) << key << " shows nothing";
+    ASSERT_TRUE(shows(is_moving)) << key << " begins nothing";
     if (*key == 'e') {
       ASSERT_TRUE(shows([](const Frame& frame) { return frame.faces > 96; }));
     }
     xdotool("key Escape");
+    ASSERT_TRUE(shows(std::not_fn(is_moving))) << "Escape does not end " << key;
+    ASSERT_TRUE(has_faces(96)) << key;
+    EXPECT_EQ(last().history, 0) << key;
   }
-  ASSERT_TRUE(has_faces(96));
-  EXPECT_EQ(last().history, 0);
   EXPECT_EQ(last().selected, 1);
   EXPECT_EQ(saved().hash(), session().mesh().hash());
 }

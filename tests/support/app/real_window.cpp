@@ -86,7 +86,7 @@ Frame RealWindow::last() const {
   line >> word >> frame.number >> word >> frame.pixels >> word >> frame.took_ms >> word >> frame.vertices >> word >>
       frame.edges >> word >> frame.faces >> word >> frame.history >> word >> frame.hover >> word >> frame.is_held >>
       word >> frame.selected >> word >> frame.eye.x >> frame.eye.y >> frame.eye.z >> word >> frame.first >> word >>
-      frame.panel >> word >> frame.target.x >> frame.target.y >> frame.target.z;
+      frame.panel >> word >> frame.target.x >> frame.target.y >> frame.target.z >> word >> frame.is_gesture;
   line >> word >> std::ws;
   std::getline(line, frame.said);
   return frame;

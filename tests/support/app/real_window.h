@@ -26,6 +26,7 @@ struct Frame {
   std::string first;  // of what is selected
   std::string panel;  // over the view
   glm::dvec3 target{0};
+  bool is_gesture = false;
   std::string said;  // in English, of the last command
 };
 

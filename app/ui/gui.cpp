@@ -73,6 +73,14 @@ void Gui::place_view(Session& session, Size window) const {
   session.place_view({area.width(), area.height()}, {area.x0, area.y0});
 }
 
+// One that nobody has moved is framed anew where its size has changed.
+void Gui::follow_view(Session& session, Size window) const {
+  const Size before = session.view;
+  const bool is_framed = session.is_framed();
+  place_view(session, window);
+  if (is_framed && session.view != before) session.frame_all();
+}
+
 PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
@@ -137,7 +145,7 @@ void Gui::end_frame() {
 
 void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
-  place_view(session, window);
+  follow_view(session, window);
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.waits_for_work = false;
   state_.is_laying_out = true;

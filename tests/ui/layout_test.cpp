@@ -1,5 +1,6 @@
 // Where the panels lie: hidden, folded, on the other side, in columns of another width, or behind tabs.
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 #include <imgui.h>
 #include <imgui_internal.h>  // how far a column scrolls
 
@@ -170,6 +171,24 @@ TEST_F(LayoutTest, the_columns_take_widths_within_limits_and_the_view_keeps_its_
   run("columns right 640");
   EXPECT_EQ(view().width(), 200);
   EXPECT_TRUE(session.log().empty());
+}
+
+// At once, whatever makes the view another size; one that somebody has moved stays as it is.
+TEST_F(LayoutTest, a_view_that_nobody_has_moved_is_framed_anew_with_its_size) {
+  const char* const lines[] = {"columns right 640", "panel none",          "columns left 500", "prefer scale 1.25",
+                               "prefer scale 1",    "prefer font_size 24", "panel tools left", "columns right 250"};
+  for (const char* const line : lines) {
+    ASSERT_TRUE(session.run(line).done()) << line;
+    frames(2);
+    EXPECT_TRUE(session.is_framed()) << line;
+    const Camera shown = session.camera;
+    session.frame_all();
+    EXPECT_LT(glm::distance(shown.eye, session.camera.eye), 1e-9) << line;
+  }
+  session.camera = orbited(session.camera, {40, 20}, session.view, {0, 0, 0});
+  const Camera moved = session.camera;
+  run("columns right 500");
+  EXPECT_EQ(session.camera, moved);
 }
 
 TEST_F(LayoutTest, what_a_click_would_do_stays_in_view_where_its_column_is_scrolled) {

@@ -36,10 +36,10 @@ Result<std::unique_ptr<View>> View::make() {
 
 View::View(Passes passes)
     : passes_(std::move(passes)),
-      overlays_{OverlayBuffer("normals"),  OverlayBuffer("account"),   OverlayBuffer("highlights"),
-                OverlayBuffer("verdicts"), OverlayBuffer("selection"), OverlayBuffer("links"),
-                OverlayBuffer("measures"), OverlayBuffer("steps"),     OverlayBuffer("hover"),
-                OverlayBuffer("handles"),  OverlayBuffer("axes")},
+      overlays_{OverlayBuffer("normals"),  OverlayBuffer("account"),  OverlayBuffer("highlights"),
+                OverlayBuffer("verdicts"), OverlayBuffer("question"), OverlayBuffer("selection"),
+                OverlayBuffer("links"),    OverlayBuffer("measures"), OverlayBuffer("steps"),
+                OverlayBuffer("hover"),    OverlayBuffer("handles"),  OverlayBuffer("axes")},
       rendered_("rendered", picture_formats, true),
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {

@@ -35,7 +35,20 @@
 namespace ryosen {
 
 // Overlay layers that change independently, in drawing order.
-enum class Layer { normals, account, highlights, verdicts, selection, links, measures, steps, hover, handles, axes };
+enum class Layer {
+  normals,
+  account,
+  highlights,
+  verdicts,
+  question,
+  selection,
+  links,
+  measures,
+  steps,
+  hover,
+  handles,
+  axes
+};
 inline constexpr std::size_t layer_count = enum_count<Layer>;
 
 // The visible triangle at each pixel of a view, rows top-down.

@@ -113,7 +113,15 @@ Outcome run_language(Session& session, Words arguments, std::string_view) {
   return {};
 }
 
-// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, the tool, the selection.
+Outcome leave_question(Session& session) {
+  session.asked_question.reset();
+  Outcome outcome;
+  outcome.sentence = {"The question is left.", "問題を終えました。"};
+  return outcome;
+}
+
+// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, the tool, the
+// selection, an exercise.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
   if (session.band || session.armed_gesture) {
@@ -132,6 +140,9 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
     return {};
   }
   if (!session.tool.empty()) return session.run("tool none");
+  if (!session.shows_step() && !session.selection.empty()) return session.run("select none");
+  if (session.player) return leave_playing(session);
+  if (asked_element(session)) return leave_question(session);
   return session.shows_step() ? Outcome() : session.run("select none");
 }
 

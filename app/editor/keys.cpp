@@ -12,7 +12,8 @@ namespace ryosen {
 namespace {
 
 const KeyRow first_keys[] = {
-    {"Escape", "cancel", "close, put the tool away, select nothing", "閉じる・ツールを置く・選択解除", true},
+    {"Escape", "cancel", "close, put the tool away, select nothing, leave an exercise",
+     "閉じる・ツールを置く・選択解除・演習を終える", true},
     {"Enter", "either remedy | ask", "do the first remedy of a refused click, or what was asked for elements",
      "拒否されたクリックへの最初の対処、または要素を待っている操作を実行"},
     {"1", "mode vertex", "pick vertices", "頂点モード"},
@@ -43,8 +44,8 @@ const KeyRow first_keys[] = {
     {"F", "either make_face selected | fill selected", "make a face on the vertices, or fill holes at the edges",
      "選択した頂点に面を張る、または稜線の穴を埋める", false, false, KeyMenu::edit, "Fill or make a face",
      "面を張る・穴を埋める"},
-    {"E", "gesture extrude", "extrude the selected faces or edges and move them", "選択した面または稜線を押し出して動かす", false, false,
-     KeyMenu::edit, "Extrude and move", "押し出して移動"},
+    {"E", "gesture extrude", "extrude the selected faces or edges and move them",
+     "選択した面または稜線を押し出して動かす", false, false, KeyMenu::edit, "Extrude and move", "押し出して移動"},
     {"Shift+E", "gesture split", "split the edge under the tool, or the selected one, and move the vertex",
      "ツールの下または選択した稜線を分け、その頂点を動かす", false, false, KeyMenu::edit, "Split and move",
      "分けて移動"},

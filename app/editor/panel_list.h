@@ -23,6 +23,7 @@ enum class PanelOpener {
   coloured,       // the command `colours`, or `measure`
   played,         // the command `steps`
   levelled,       // the command `levels`, or `account`
+  practised,      // nothing else: the one whose question is marked in the view
 };
 
 // Before anybody has said anything. Held: shown, and the first of its column stays in view where that is scrolled.

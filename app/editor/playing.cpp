@@ -37,6 +37,18 @@ Result<std::unique_ptr<steps::Sequence>> make_script(const Mesh& mesh, const ste
   return row.make(mesh, lines_of(bytes->view()));
 }
 
+std::string line_of_call(std::span<const std::string> words) {
+  std::string line;
+  for (const std::string& word : words) line += line.empty() ? word : " " + file_argument(word);
+  return line;
+}
+
+void look_as_before(Session& session, const Player& player) {
+  if (!player.camera_before) return;
+  session.camera = *player.camera_before;
+  if (player.was_framed) session.frame_all();
+}
+
 std::uint64_t next_player_serial() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;
@@ -80,9 +92,10 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
   return steps::play_history(document.mesh(), document.journal(), lines);
 }
 
-Player::Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document)
+Player::Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document)
     : player_serial_(next_player_serial()),
-      call_(std::move(call)),
+      words_(std::move(words)),
+      call_(line_of_call(words_)),
       sequence_(std::move(sequence)),
       tables_(*sequence_),
       serial_(document.serial()),
@@ -119,11 +132,11 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   session.end_trial();
   Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
   if (!sequence) return failed(sequence.failure());
-  std::string call;
-  for (const std::string& word : words) call += call.empty() ? word : " " + file_argument(word);
-  session.player = std::make_shared<Player>(std::move(call), std::move(sequence).value(), document);
+  session.player =
+      std::make_shared<Player>(std::vector(words.begin(), words.end()), std::move(sequence).value(), document);
   if (session.player->begins_with_nothing()) {
     if (document.mesh().live().vertices > 0) session.player->camera_before = session.camera;
+    session.player->was_framed = session.is_framed();
     session.player->go_to(document, session.player->size());
     session.frame_all();
   }
@@ -144,8 +157,46 @@ Outcome not_on_a_step(const Session& session) {
 
 void end_playing(Session& session) {
   if (session.player) session.player->end(session.document());
-  if (session.player && session.player->camera_before) session.camera = *session.player->camera_before;
+  if (session.player) look_as_before(session, *session.player);
   session.player.reset();
+}
+
+Outcome leave_playing(Session& session) {
+  const std::string call = session.player->call();
+  end_playing(session);
+  Outcome outcome;
+  outcome.sentence = {"The steps of " + call + " are left.", call + " の再生を終えました。"};
+  return outcome;
+}
+
+PlayerAside::PlayerAside(Session& session)
+    : session_(session), player_(std::move(session.player)), camera_(session.camera) {
+  session.player.reset();
+  if (player_) player_->end(session.document());
+}
+
+void PlayerAside::bring_back(Outcome& outcome) {
+  if (!player_) return;
+  Document& document = session_.document();
+  const std::size_t position = player_->position();
+  if (player_->fits(document)) {
+    session_.player = player_;
+    return session_.player->go_to(document, position);
+  }
+  if (const Outcome begun = begin_playing(session_, player_->words()); !begun.done()) {
+    look_as_before(session_, *player_);
+    return outcome.say(
+        Text{"The steps of " + player_->call() + " are left: ", player_->call() + " の再生を終えました："} +
+        begun.sentence);
+  }
+  session_.player->camera_before = player_->camera_before;
+  session_.player->was_framed = player_->was_framed;
+  session_.player->is_running = player_->is_running;
+  session_.camera = camera_;
+  session_.player->go_to(document, std::min(position, session_.player->size()));
+  if (session_.shows_step())
+    outcome.sentence = {"Done on the open mesh; the view goes on with the step of " + player_->call() + ".",
+                        "開いているメッシュで実行しました。ビューは " + player_->call() + " の手順のままです。"};
 }
 
 }  // namespace ryosen

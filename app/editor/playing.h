@@ -32,14 +32,15 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span
 Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words);
 
 // Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
-// nothing of the document changes; whatever edits it ends the player.
+// nothing of the document changes; an edit ends the player.
 class Player {
  public:
   // Of the words that call it. Before the first step.
-  Player(std::string call, std::unique_ptr<steps::Sequence> sequence, const Document& document);
+  Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document);
 
   // Unique among those of this process; never 0.
   std::uint64_t serial() const { return player_serial_; }
+  const std::vector<std::string>& words() const { return words_; }
   const std::string& call() const { return call_; }
   std::size_t size() const { return sequence_->size(); }
   std::size_t position() const { return position_; }
@@ -56,6 +57,7 @@ class Player {
   // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
   bool begins_with_nothing() const { return sequence_->edits() && sequence_->mesh_at(0).live().vertices == 0; }
   std::optional<Camera> camera_before;
+  bool was_framed = false;  // and nobody had moved that: it may need another size by now
 
   // Whether the document is the one that it was made for, at the same place of its history.
   bool fits(const Document& document) const;
@@ -68,7 +70,8 @@ class Player {
 
  private:
   std::uint64_t player_serial_;
-  std::string call_;
+  std::vector<std::string> words_;
+  std::string call_;  // these as one line
   std::unique_ptr<steps::Sequence> sequence_;
   steps::TablesAlong tables_;
   std::size_t position_ = 0;
@@ -80,6 +83,21 @@ class Player {
 // Begins to play in place of what is played.
 Outcome begin_playing(Session& session, std::span<const std::string> words);
 void end_playing(Session& session);
+// The same as somebody asks for it, told.
+Outcome leave_playing(Session& session);
+
+// What goes through the history is no edit: what is played goes on. This takes it out of the way, and shows it again at
+// the same step, made anew of the mesh as it is then; where that cannot be it ends, and the outcome says why.
+class PlayerAside {
+ public:
+  explicit PlayerAside(Session& session);
+  void bring_back(Outcome& outcome);
+
+ private:
+  Session& session_;
+  std::shared_ptr<Player> player_;
+  Camera camera_;
+};
 // The refusal of what points into the view while that shows a step of another mesh than the one that is open.
 Outcome not_on_a_step(const Session& session);
 

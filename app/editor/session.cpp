@@ -36,7 +36,11 @@ bool Session::is_shown(const PanelRow& panel) const {
 }
 
 bool Session::is_at_start() const {
-  return !begins_empty && document_->path().empty() && document_->history().empty() && mesh().live() == ElementCounts();
+  return !begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
+}
+
+bool Session::is_empty() const {
+  return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts();
 }
 
 void Session::show(const PanelRow& panel, bool on) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/asked_question.h"
 #include "app/editor/corner_axes.h"
 #include "app/editor/document.h"
 #include "app/editor/drawn_links.h"
@@ -114,6 +115,7 @@ class Session {
   std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
   std::shared_ptr<Player> player;       // of what is played step by step (playing.h); null for nothing
   std::shared_ptr<ShownLevels> levels;  // of detail, that are gone through (levels.h); null for none
+  std::optional<AskedQuestion> asked_question;
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
   ViewSettings settings;
@@ -124,6 +126,7 @@ class Session {
   double crease_deg = 30;               // edges that bend by more stay sharp where the surface is smooth
   std::vector<KeyBinding> bindings;     // the user's own keys
   bool begins_empty = false;            // somebody wants an empty mesh, not the start page
+  bool awaits_file = false;             // that is read just now: nothing is offered meanwhile
   std::vector<std::string> recent{};    // files that were open before, the latest first; kept by the window
   std::string open_panel;               // the one that lies over the view; empty for none
   const MenuRow* asked_menu = nullptr;  // the window opens it for the keyboard in its next frame
@@ -172,6 +175,8 @@ class Session {
 
   // There is nothing yet, and nobody has said that this is wanted.
   bool is_at_start() const;
+  // There is no mesh, and none is shown or read.
+  bool is_empty() const;
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);

@@ -1,6 +1,7 @@
 // A command line is carried out, and kept in the log.
 #include <cassert>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "app/editor/autosave.h"
@@ -36,9 +37,13 @@ Outcome Session::run_line(const std::string& line) {
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
+  std::optional<PlayerAside> played;
   if (row->effect != Effect::none) {
     cancel_gesture();
-    end_playing(*this);
+    if (row->effect == Effect::steps)
+      played.emplace(*this);
+    else
+      end_playing(*this);
     end_levels(*this);
   } else if (!row->keeps_trial) {
     end_trial();
@@ -54,6 +59,7 @@ Outcome Session::run_line(const std::string& line) {
   const std::string outer = std::exchange(running_, std::string(row->id));
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   running_ = outer;
+  if (played) played->bring_back(outcome);
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
   assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&

@@ -280,6 +280,21 @@ static Style style(steps::RoleLook look, Theme theme) {
   return style(Role::witness, theme);
 }
 
+// A halfedge on its own side of the edge, so that it is told from its twin.
+static void draw_beside_twin(Painter& painter, const Session& session, const Element& element) {
+  if (element.kind != Element::Kind::halfedge) return painter.draw(element);
+  for (const LinkArrow& arrow : arrows_of(session, {element.halfedge()})) painter.line(arrow.from, arrow.to, true);
+}
+
+Overlay question_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  const std::optional<Element> about = asked_element(session);
+  if (!about) return overlay;
+  Painter painter(session, overlay, style(Role::witness, theme), 0.6f);
+  draw_beside_twin(painter, session, *about);
+  return overlay;
+}
+
 Overlay step_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   if (!session.player || !session.player->is_shown(session.document()) || !session.player->step()) return overlay;
@@ -288,13 +303,7 @@ Overlay step_overlay(const Session& session, Theme theme) {
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
     Painter painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
-    if (mark->element.kind != Element::Kind::halfedge) {
-      painter.draw(mark->element);
-      continue;
-    }
-    // On its own side of the edge, so that it is told from its twin.
-    for (const LinkArrow& arrow : arrows_of(session, {mark->element.halfedge()}))
-      painter.line(arrow.from, arrow.to, true);
+    draw_beside_twin(painter, session, mark->element);
   }
   for (const steps::Gone& gone : session.player->step()->gone) {
     const Style looks = style(steps::row_of(gone.role).look, theme);

@@ -23,6 +23,8 @@ Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, E
 Overlay measures_overlay(const Session& session, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
 Overlay step_overlay(const Session& session, Theme theme);
+// What the open question of practice is about.
+Overlay question_overlay(const Session& session, Theme theme);
 // The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is not
 // shown.
 Overlay account_overlay(const Session& session, Theme theme);

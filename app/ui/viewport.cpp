@@ -345,6 +345,10 @@ void Viewport::follow_overlays(Session& session) {
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
   step_ = step;
+  const std::optional<Element> asked = asked_element(session);
+  if (selection_stale_ || asked_ != asked)
+    view_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
+  asked_ = asked;
   const EdgeAccount* const account =
       session.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.account() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);

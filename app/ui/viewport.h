@@ -101,6 +101,7 @@ class Viewport {
   std::vector<Elements> measures_;                     // as they were drawn
   IndexSet selected_faces_;                            // as they were drawn
   std::pair<std::uint64_t, std::uint64_t> account_{};  // the document and the revision of that which was drawn
+  std::optional<Element> asked_;                       // that was drawn as what a question is about
   std::pair<std::uint64_t, std::size_t> step_{};       // the player that was drawn, by its serial number, and how far
 };
 

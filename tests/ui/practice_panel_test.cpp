@@ -7,6 +7,7 @@
 #include "app/editor/exercises.h"
 #include "app/editor/playing.h"
 #include "app/editor/practice.h"
+#include "app/ui/overlays.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -71,6 +72,50 @@ TEST_F(PracticePanelTest, shows_the_answers_whole) {
     take("Nextquestion");
     ++seed_;
   }
+}
+
+// In the view, whatever it is: a halfedge as an arrow beside its twin.
+TEST_F(PracticePanelTest, marks_what_it_asks_about) {
+  for (const QuestionKind kind : {QuestionKind::legal, QuestionKind::valence, QuestionKind::next}) {
+    const Element about = go_to(kind).about;
+    ASSERT_EQ(asked_element(session), about);
+    const Overlay marks = question_overlay(session, Theme::dark);
+    if (kind == QuestionKind::valence) {
+      ASSERT_EQ(marks.points.size(), 1u);
+      EXPECT_EQ(marks.points[0].at, session.mesh().position(about.vertex()));
+      continue;
+    }
+    ASSERT_EQ(marks.lines.size(), 1u);
+    EXPECT_EQ(marks.lines[0].arrow, kind == QuestionKind::next);
+    if (kind != QuestionKind::legal) continue;
+    const Halfedge h = halfedge(about.edge());
+    EXPECT_EQ(
+        std::set({marks.lines[0].a.x, marks.lines[0].b.x}),
+        std::set({session.mesh().position(session.mesh().from(h)).x, session.mesh().position(session.mesh().to(h)).x}));
+  }
+  session.run("panel practice off");
+  frames(3);
+  EXPECT_TRUE(question_overlay(session, Theme::dark).empty());
+  session.run("panel practice");
+  frames(3);
+  EXPECT_FALSE(question_overlay(session, Theme::dark).empty());
+  ASSERT_TRUE(gui.run(session, "split e0").done());
+  EXPECT_TRUE(question_overlay(session, Theme::dark).empty()) << "of another mesh";
+}
+
+TEST_F(PracticePanelTest, escape_leaves_the_question_last) {
+  go_to(QuestionKind::legal);
+  ASSERT_TRUE(session.run("select v0").done());
+  ASSERT_TRUE(gui.run(session, "cancel").done());
+  frames(3);
+  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(asked_element(session));
+  ASSERT_TRUE(gui.run(session, "cancel").done());
+  frames(3);
+  EXPECT_FALSE(asked_element(session));
+  EXPECT_FALSE(has("Yes,itmay."));
+  take("Nextquestion");
+  EXPECT_TRUE(asked_element(session));
 }
 
 TEST_F(PracticePanelTest, takes_a_click_on_a_number) {

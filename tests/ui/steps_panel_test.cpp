@@ -205,8 +205,80 @@ TEST_F(StepsPanelTest, the_history_is_a_script_too) {
   EXPECT_EQ(session.mesh().hash(), hash);
   ASSERT_TRUE(say("steps first").done());
   ASSERT_TRUE(say("undo").done());
-  EXPECT_FALSE(session.player) << "what edits ends it";
+  ASSERT_TRUE(session.player) << "undo takes the edit back and nothing else";
+  EXPECT_EQ(session.mesh().live().vertices, 7u) << "as it was read";
+  ASSERT_TRUE(say("steps close").done());
   EXPECT_EQ(session.mesh().live().vertices, 8u);
+}
+
+// What is shown stays, whatever is taken back and done again beneath it, and what is not there to be taken back.
+TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
+  ASSERT_TRUE(say("split 0-1").done());
+  const std::size_t vertices = session.mesh().live().vertices;
+  ASSERT_TRUE(say("steps script cube").done());
+  ASSERT_TRUE(say("steps at 12").done());
+  const Camera camera = session.camera;
+  const std::uint64_t shown = session.mesh().hash();
+  for (const auto& [chord, position] : {std::pair("Ctrl+Z", 0u), {"Ctrl+Z", 0u}, {"Ctrl+Y", 1u}, {"Ctrl+Z", 0u}}) {
+    input_.key(chord);
+    EXPECT_EQ(session.document().position(), position) << chord;
+    ASSERT_TRUE(session.player) << chord;
+    EXPECT_EQ(session.player->position(), 12u);
+    EXPECT_TRUE(session.player->is_shown(session.document()));
+    EXPECT_EQ(session.mesh().hash(), shown);
+    EXPECT_EQ(session.camera, camera);
+  }
+  ASSERT_TRUE(say("steps close").done());
+  EXPECT_EQ(session.mesh().live().vertices, vertices - 1);
+  EXPECT_TRUE(session.is_framed()) << "seen as before the exercise";
+}
+
+// It is made anew of the mesh as it is then; where that has not what it is about, it ends.
+TEST_F(StepsPanelTest, undo_beneath_what_is_about_the_mesh) {
+  ASSERT_TRUE(say("split 0-1").done());
+  ASSERT_TRUE(say("steps walk v0").done());
+  ASSERT_TRUE(say("steps at 2").done());
+  ASSERT_TRUE(say("undo").done());
+  ASSERT_TRUE(session.player);
+  EXPECT_EQ(session.player->position(), 2u);
+  EXPECT_TRUE(session.player->is_shown(session.document()));
+  ASSERT_TRUE(say("redo").done());
+  ASSERT_TRUE(say("steps walk v7").done());
+  const Outcome outcome = say("undo");
+  EXPECT_TRUE(outcome.done());
+  EXPECT_FALSE(session.player);
+  EXPECT_EQ(session.document().position(), 0u);
+  EXPECT_NE(outcome.sentence.en.find("walk v7"), std::string::npos) << outcome.sentence.en;
+}
+
+TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
+  ASSERT_TRUE(say("select v1").done());
+  ASSERT_TRUE(say("tool collapse").done());
+  ASSERT_TRUE(say("steps walk v0").done());
+  ASSERT_TRUE(say("panel keys").done());
+  const auto escape = [&] {
+    EXPECT_TRUE(input_.key("Escape").done());
+    frames(3);
+  };
+  escape();
+  EXPECT_EQ(session.open_panel, "");
+  escape();
+  EXPECT_EQ(session.tool, "");
+  EXPECT_EQ(session.selection.size(), 1u);
+  escape();
+  EXPECT_TRUE(session.selection.empty());
+  ASSERT_TRUE(session.player);
+  escape();
+  EXPECT_FALSE(session.player);
+  // What is selected of the mesh beneath a step is not to be seen.
+  ASSERT_TRUE(say("select v1").done());
+  const std::uint64_t hash = session.mesh().hash();
+  ASSERT_TRUE(say("steps script cube").done());
+  ASSERT_TRUE(say("steps at 9").done());
+  escape();
+  EXPECT_FALSE(session.player);
+  EXPECT_EQ(session.mesh().hash(), hash);
+  EXPECT_EQ(session.selection.size(), 1u);
 }
 
 TEST_F(StepsPanelTest, a_script_may_have_a_name_with_blanks) {

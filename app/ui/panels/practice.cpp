@@ -27,6 +27,8 @@ class PracticePanel : public Panel {
   };
   // False while what it takes is not there.
   bool ask(PanelContext& context);
+  // The next one is asked in the next frame.
+  void go_on(Session& session);
   void choose_kind(PanelContext& context);
   void draw_question(PanelContext& context);
   void draw_choices(PanelContext& context);
@@ -37,13 +39,14 @@ class PracticePanel : public Panel {
   std::uint64_t seed_ = 1;
   std::optional<QuestionKind> kind_;  // none: any
   std::optional<Asked> asked_;
+  bool is_left_ = false;  // by Escape: nothing is asked until somebody goes on
   std::array<char, 64> word_{};
   Text doubt_;                 // about what was answered last
   std::optional<bool> right_;  // whether it is right
 };
 
 bool PracticePanel::ask(PanelContext& context) {
-  const Session& session = context.session;
+  Session& session = context.session;
   const QuestionKind kind = kind_.value_or(kind_of_seed(seed_));
   const RecordBook* const book = kind == QuestionKind::record ? records_of_mesh(context) : nullptr;
   if (kind == QuestionKind::record && !book) return false;
@@ -56,10 +59,17 @@ bool PracticePanel::ask(PanelContext& context) {
             session.document().serial(),
             session.document().revision()};
   asked_->choices = answer_choices(question, asked_->solution);
+  session.asked_question = {question.about, asked_->serial, asked_->revision};
   word_.fill(0);
   doubt_ = {};
   right_.reset();
   return true;
+}
+
+void PracticePanel::go_on(Session& session) {
+  asked_.reset();
+  session.asked_question.reset();
+  is_left_ = false;
 }
 
 void PracticePanel::choose_kind(PanelContext& context) {
@@ -73,7 +83,7 @@ void PracticePanel::choose_kind(PanelContext& context) {
   const auto choice = [&](std::optional<QuestionKind> kind) {
     if (!ImGui::Selectable(name(kind), kind == kind_)) return;
     kind_ = kind;
-    asked_.reset();
+    go_on(context.session);
   };
   choice({});
   for (const QuestionKindRow& row : question_kinds()) choice(row.kind);
@@ -149,19 +159,21 @@ void PracticePanel::draw_judgement(PanelContext& context) {
 }
 
 void PracticePanel::draw(PanelContext& context) {
-  const Session& session = context.session;
+  Session& session = context.session;
   if (session.mesh().live().faces == 0 || session.mesh().live().edges == 0)
     return dim_text(context, context.text("Open a mesh first: the start page has the figures of the source texts.",
                                           "先にメッシュを開いてください。開始画面にテキストの図があります。"));
   choose_kind(context);
+  is_left_ |= asked_ && !session.asked_question;
+  if (is_left_) asked_.reset();
   const bool is_stale =
       asked_ && (asked_->serial != session.document().serial() || asked_->revision != session.document().revision());
   if (is_stale) asked_.reset();
   context.state.wants_records |= asked_ && asked_->question.kind == QuestionKind::record;
-  if (asked_ || ask(context)) draw_question(context);
+  if (!is_left_ && (asked_ || ask(context))) draw_question(context);
   if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
     ++seed_;
-    asked_.reset();
+    go_on(session);
   }
 }
 

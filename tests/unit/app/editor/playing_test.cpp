@@ -88,7 +88,7 @@ TEST(playing, clicks_leave_the_step_and_select_nothing) {
       session->select_for_menu(pixel);
     });
   EXPECT_EQ(session->run("box 0,0 1279,719").exit_code, ExitCode::refused);
-  do_all(*session, {"cancel", "camera {}", "view front", "mode edge", "show creases on"});
+  do_all(*session, {"camera {}", "view front", "mode edge", "show creases on"});
   EXPECT_EQ(session->mesh().hash(), shown);
   EXPECT_TRUE(session->selection.empty());
   do_all(*session, {"steps close"});

@@ -69,7 +69,7 @@ TEST(ui_commands, each_opener_opens_one_panel) {
     EXPECT_TRUE(met.insert(row.opened_by).second) << row.id;
     EXPECT_EQ(panel_opened_by(row.opened_by).id, row.id);
     const bool is_beside = row.opened_by == PanelOpener::coloured || row.opened_by == PanelOpener::played ||
-                           row.opened_by == PanelOpener::levelled;
+                           row.opened_by == PanelOpener::levelled || row.opened_by == PanelOpener::practised;
     EXPECT_EQ(row.place == PanelPlace::over, !is_beside) << row.id;
   }
   EXPECT_EQ(met.size(), enum_count<PanelOpener> - 1);

@@ -251,13 +251,13 @@ class Editor {
   }
 
   void show_empty() {
-    session_.begins_empty = true;
+    session_.awaits_file = true;
     catch_up();
     viewport_->follow(session_);
     compose();
     canvas_->present(0);
     glfw().swap_buffers(window_.handle());
-    session_.begins_empty = false;
+    session_.awaits_file = false;
   }
 
   void end_work() {

@@ -1,4 +1,6 @@
 // What lies over the view and waits for an answer, without keeping anybody from working.
+#include <cmath>
+
 #include "app/editor/hidden_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -80,11 +82,34 @@ void draw_names(PanelContext& context) {
   }
 }
 
+// How to go on from an empty mesh. It takes no pointer.
+void draw_way_on(PanelContext& context) {
+  const Session& session = context.session;
+  if (!session.is_empty() || session.is_at_start()) return;
+  const MenuRow& add = *find_menu("add");
+  const std::string chord = chord_of(session, "menu add"), title = context.text(add.title_en, add.title_ja);
+  const std::string name = chord.empty() ? title : title + " (" + chord + ")";
+  const std::string lines[] = {
+      Text{"The menu " + name + " makes a shape,", "メニューの「" + name + "」で基本形状を作れます。"}.in(
+          context.language()),
+      context.text(UiText::or_drop)};
+  const float pitch = ImGui::GetTextLineHeightWithSpacing();
+  const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);
+  float y = static_cast<float>(session.view_origin.y) + height / 2 - pitch;
+  for (const std::string& line : lines) {
+    const float x = static_cast<float>(session.view_origin.x) + (width - ImGui::CalcTextSize(line.c_str()).x) / 2;
+    ImGui::GetBackgroundDrawList()->AddText({std::round(x), std::round(y)}, ImGui::GetColorU32(context.colours().dim),
+                                            line.c_str());
+    y += pitch;
+  }
+}
+
 }  // namespace
 
 void draw_notes(PanelContext& context) {
   context.state.notes.clear();
   draw_names(context);
+  draw_way_on(context);
   const Session& session = context.session;
   const auto left = static_cast<float>(session.view_origin.x), top = static_cast<float>(session.view_origin.y);
   const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);

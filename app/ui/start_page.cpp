@@ -113,7 +113,7 @@ void StartPage::draw_recent(PanelContext& context, std::size_t most) {
 void StartPage::draw_beginnings(PanelContext& context, std::size_t most_recent) {
   entry(context, context.text("New, an empty mesh", "新規（空のメッシュ）"), "new", true);
   entry(context, context.text("Open...", "開く..."), "panel open", true);
-  dim_text(context, context.text("or drop a file here", "またはここにファイルをドロップ"));
+  dim_text(context, context.text(UiText::or_drop));
   draw_recent(context, most_recent);
 }
 

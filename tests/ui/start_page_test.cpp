@@ -47,13 +47,36 @@ TEST_F(StartPageTest, offers_shapes_and_goes_away_once_there_is_a_mesh) {
   EXPECT_FALSE(has("ordropafilehere"));
   ASSERT_TRUE(session.run("undo").done());
   frames(3);
-  EXPECT_FALSE(has("ordropafilehere")) << "a history is something";
+  EXPECT_FALSE(has("Dodecahedron")) << "a history is something";
 }
 
 TEST_F(StartPageTest, new_is_an_empty_mesh_without_it) {
   take("New,anemptymesh");
-  EXPECT_FALSE(has("ordropafilehere"));
+  EXPECT_FALSE(has("New,anemptymesh"));
   start();
+  EXPECT_TRUE(has("ordropafilehere"));
+}
+
+// Where nothing is, the view says quietly what can be.
+TEST_F(StartPageTest, an_empty_view_says_how_to_go_on) {
+  const auto hint = [&] { return has("ThemenuAddmakesashape,") && has("ordropafilehere"); };
+  ASSERT_FALSE(hint());
+  ASSERT_TRUE(gui.run(session, "new").done());
+  frames(3);
+  EXPECT_TRUE(hint());
+  EXPECT_FALSE(gui.owns_pointer(session, size_, test::DrawnText(gui).place("ordropafilehere")));
+  session.awaits_file = true;
+  frames(3);
+  EXPECT_FALSE(hint()) << "a file is read";
+  session.awaits_file = false;
+  ASSERT_TRUE(session.run("bind Ctrl+M menu add").done());
+  frames(3);
+  EXPECT_TRUE(has("ThemenuAdd(Ctrl+M)makesashape,")) << "with its key";
+  ASSERT_TRUE(gui.run(session, "cube").done());
+  frames(3);
+  EXPECT_FALSE(has("ordropafilehere"));
+  ASSERT_TRUE(session.run("undo").done());
+  frames(3);
   EXPECT_TRUE(has("ordropafilehere"));
 }
 

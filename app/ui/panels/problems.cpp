@@ -228,7 +228,7 @@ void ProblemsPanel::draw(PanelContext& context) {
   if (!is_inside || held_document_ != session.document().serial()) held_.clear();
   bool has_finding = false;
   for (const ProblemRow& row : problem_table()) has_finding |= findings_.count(session, row) > 0;
-  if (session.begins_empty && session.mesh().live() == ElementCounts()) {
+  if ((session.begins_empty || session.awaits_file) && session.mesh().live() == ElementCounts()) {
     dim_text(context, context.text("There is no mesh yet.", "まだメッシュがありません。"));
   } else if (!has_finding && held_.empty()) {
     coloured_text(context.colours().legal, context.text(UiText::no_problems));

@@ -74,7 +74,7 @@ Question ask_for_record(const Mesh& mesh, Draws& draws, AllRecords given) {
         if (has_links(field)) fields.push_back(&field);
       if (fields.empty()) continue;
       const forms::Field& field = *fields[draws.below(fields.size())];
-      const std::string name = name_and_slot(mesh, e), key(field.key), word(field.word);
+      const std::string name = full_name(mesh, e), key(field.key), word(field.word);
       const Element link = field.links[0];
       const bool is_copy =
           link.kind == Element::Kind::vertex && link.index != no_index && has_copies(mesh, link.vertex());
@@ -98,7 +98,7 @@ Question ask_for_verdict(const Mesh& mesh, Draws& draws) {
   const Halfedge h = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
   const bool collapses = draws.below(2) == 0;
   const AnyOp op = op_at(mesh, collapses ? CollapseEdge::info.id : SwapEdge::info.id, {h, 0.5});
-  const std::string line = command_of(mesh, op), edge_name = name_and_slot(mesh, edge(h));
+  const std::string line = command_of(mesh, op), edge_name = full_name(mesh, edge(h));
   return {QuestionKind::legal,
           edge(h),
           {std::string("May the edge ") + edge_name + (collapses ? " collapse" : " be swapped") +
@@ -112,7 +112,7 @@ Question ask_for_verdict(const Mesh& mesh, Draws& draws) {
 
 // What is counted where that is not plain: copies, and several edges between the same points.
 Text text_of_valence(const Mesh& mesh, Vertex v) {
-  const std::string name = name_and_slot(mesh, v);
+  const std::string name = full_name(mesh, v);
   Text text{"How many edges meet at " + name, name + " に接続する稜線は何本ですか"};
   if (has_copies(mesh, v)) {
     std::size_t copies = 0;
@@ -153,7 +153,7 @@ Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, 
     return {kind, v, text_of_valence(mesh, v), {}, {}, {}};
   }
   const Halfedge h = draw_one<Halfedge>(mesh, mesh.halfedge_slots(), draws);
-  const std::string name = name_and_slot(mesh, h);
+  const std::string name = full_name(mesh, h);
   if (kind == QuestionKind::next)
     return {kind, h, {"Which halfedge is the next of " + name + "?", name + " の次の半稜線はどれですか。"}, {}, {}, {}};
   return {kind, h, {"Which halfedge is the twin of " + name + "?", name + " の対の半稜線はどれですか。"}, {}, {}, {}};

@@ -37,7 +37,7 @@ Solution solve_record(const Mesh& mesh, const Question& question, AllRecords giv
   solution.answers = {slot_name(link), number};
   solution.element = link;
   solution.witnesses.push_back(link);
-  const std::string name = name_and_slot(mesh, link);
+  const std::string name = full_name(mesh, link);
   solution.why = {"It leads to " + name + " and stores " + number + ".",
                   name + " へのリンクで、格納されているのは " + number + " です。"};
   return solution;
@@ -93,7 +93,7 @@ Solution solve(const Mesh& mesh, const Question& question, AllRecords records) {
   const Halfedge h = question.about.halfedge();
   switch (question.kind) {
     case QuestionKind::next: {
-      const std::string end = slot_name(mesh.to(h)), to = name_and_slot(mesh, mesh.next(h));
+      const std::string end = slot_name(mesh.to(h)), to = full_name(mesh, mesh.next(h));
       const std::string side = mesh.face(h) ? "face " + slot_name(mesh.face(h)) : std::string("outside");
       const std::string side_ja = mesh.face(h) ? "面 " + slot_name(mesh.face(h)) : std::string("外側");
       return solve_link(
@@ -102,7 +102,7 @@ Solution solve(const Mesh& mesh, const Question& question, AllRecords records) {
            "終点は " + end + "。同じ側（" + side_ja + "）で、そこから先は " + to + " です。"});
     }
     case QuestionKind::twin: {
-      const std::string name = slot_name(edge(h)), to = name_and_slot(mesh, twin(h));
+      const std::string name = slot_name(edge(h)), to = full_name(mesh, twin(h));
       return solve_link(mesh, h, twin(h),
                         {"The other halfedge of its edge " + name + " runs the other way: " + to + ".",
                          "親稜線 " + name + " のもう一方で、逆向きの " + to + " です。"});

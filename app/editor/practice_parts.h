@@ -11,6 +11,12 @@
 
 namespace ryosen {
 
+// The slot, and behind it the name where that is another one.
+inline std::string full_name(const Mesh& mesh, Element e) {
+  const std::string slot = slot_name(e), name = name_of(mesh, e);
+  return name == slot ? slot : slot + " (" + name + ")";
+}
+
 // The records of a form: given, or built.
 class RecordsOfForm {
  public:

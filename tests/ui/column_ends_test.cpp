@@ -70,11 +70,15 @@ TEST_P(ColumnEnds, are_whole_rows_however_it_is_scrolled) {
     laid.frames(2);
     if (column.Scroll.y == before) break;
     before = column.Scroll.y;
-    for (const char* const title : {"Underthepointer", "Inspector", "Problems"})
-      if (to == 0) EXPECT_EQ(DrawnText(laid.gui).count(title), 1u) << title << ": what is seen whole stays";
+    if (to == 0) {
+      for (const char* const title : {"Underthepointer", "Inspector", "Problems"})
+        EXPECT_EQ(DrawnText(laid.gui).count(title), 1u) << title << ": what is seen whole stays";
+    }
     const auto held = std::find_if(GImGui->Windows.begin(), GImGui->Windows.end(), is_held);
     EXPECT_EQ(cut_triangles(column.Pos.y + column.Size.y, column), 0) << to;
-    if (held != GImGui->Windows.end()) EXPECT_EQ(cut_triangles((*held)->Pos.y + (*held)->Size.y, column), 0) << to;
+    if (held != GImGui->Windows.end()) {
+      EXPECT_EQ(cut_triangles((*held)->Pos.y + (*held)->Size.y, column), 0) << to;
+    }
     EXPECT_EQ(DrawnText(laid.gui).cut_in_height(), "") << to;
   }
   EXPECT_GT(places, 30);

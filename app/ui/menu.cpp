@@ -12,6 +12,7 @@
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
+#include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
 #include "core/view/named_views.h"
 // clang-format off
@@ -42,7 +43,7 @@ void panel_items(PanelContext& context, PanelMenu menu) {
 }
 
 void draw_recent_menu(PanelContext& context) {
-  if (!ImGui::BeginMenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
+  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
   for (const std::string& file : context.session.recent) item(context, file.c_str(), "open " + file_argument(file));
   ImGui::EndMenu();
 }
@@ -93,7 +94,7 @@ void draw_edit_menu(PanelContext& context) {
        !context.session.selection.empty());
   item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
-  if (ImGui::BeginMenu(context.text("Algorithms", "アルゴリズム"))) {
+  if (begin_submenu(context.text("Algorithms", "アルゴリズム"))) {
     for (const AlgorithmRow& row : algorithm_table())
       if (!row.is_primitive) algorithm_item(context, row);
     ImGui::EndMenu();
@@ -103,7 +104,7 @@ void draw_edit_menu(PanelContext& context) {
 
 // All elements that have a problem of a kind.
 void draw_select_problems(PanelContext& context) {
-  if (!ImGui::BeginMenu(context.text("What is broken", "問題のある要素"))) return;
+  if (!begin_submenu(context.text("What is broken", "問題のある要素"))) return;
   const HighlightSets& sets = context.session.highlights();
   for (const ProblemRow& row : problem_table())
     if (row.is_local() || row.is_on_request)
@@ -115,7 +116,7 @@ void draw_select_problems(PanelContext& context) {
 void draw_selector_field(PanelContext& context, const Selector& row) {
   const char* const name =
       row.menu_en.empty() ? context.text(row.name_en, row.name_ja) : context.text(row.menu_en, row.menu_ja);
-  if (!ImGui::BeginMenu(name, missing_for(row, context.session.selection).en.empty())) return;
+  if (!begin_submenu(name, missing_for(row, context.session.selection).en.empty())) return;
   dim_text(context, context.text(row.value_en, row.value_ja));
   std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
   if (ImGui::IsWindowAppearing() || is_left_alone("##value")) ImGui::SetKeyboardFocusHere();
@@ -178,7 +179,7 @@ void draw_switches(PanelContext& context) {
     if (before && !(is_one_line(*before) && is_one_line(row))) ImGui::Separator();
     if (row.menu_en.empty()) {
       draw_switch(context, row);
-    } else if (ImGui::BeginMenu(context.text(row.menu_en, row.menu_ja))) {
+    } else if (begin_submenu(context.text(row.menu_en, row.menu_ja))) {
       draw_switch(context, row);
       ImGui::EndMenu();
     }
@@ -191,14 +192,14 @@ void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
   item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
   ImGui::Separator();
-  if (ImGui::BeginMenu(context.text("Look from", "視点"))) {
+  if (begin_submenu(context.text("Look from", "視点"))) {
     for (const NamedView& view : named_views())
       item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
     ImGui::EndMenu();
   }
   ImGui::Separator();
   draw_switches(context);
-  if (ImGui::BeginMenu(context.text("Panels", "パネル"))) {
+  if (begin_submenu(context.text("Panels", "パネル"))) {
     panel_items(context, PanelMenu::view);
     ImGui::EndMenu();
   }
@@ -211,7 +212,7 @@ void draw_add_menu(PanelContext& context) {
 
 // What the textbooks build or do step by step, as their scripts play it.
 void script_menu(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
-  if (!ImGui::BeginMenu(title)) return;
+  if (!begin_submenu(title)) return;
   for (const ExerciseScript& script : scripts)
     item(context, name_of_exercise(script).in(context.language()).c_str(), "steps script " + std::string(script.id));
   ImGui::EndMenu();

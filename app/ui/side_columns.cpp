@@ -67,6 +67,8 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 
 }  // namespace
 
+const char* column_window(PanelPlace side) { return names[side == PanelPlace::left ? 0 : 1].column; }
+
 // Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen.
 void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px) {
   const float x = ImGui::GetCursorPosX(), end = ImGui::GetCursorPosY();

@@ -36,6 +36,9 @@ class SideColumns {
   float wanted_begin_ = -1, wanted_end_ = -1;   // of the panel that is scrolled to, as it lay in the last frame
 };
 
+// The name of the window of a column, or of the strip of its tabs.
+const char* column_window(PanelPlace side);
+
 // A strip of tabs, one for each panel of the column; those that have no room are in a menu behind the last tab.
 void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/ui/side_columns.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -25,6 +26,24 @@ ImVec2 place_away(ImVec2 first, ImVec2 last, ImVec2 size) {
   return {std::max(0.f, std::min(first.x, all.x - size.x)), goes_below ? all.y - size.y : 0};
 }
 
+// The room beside a panel, as far as the other column.
+struct Beside {
+  float begin, end;
+};
+Beside beside(const ImGuiWindow& panel, bool goes_right) {
+  const float all = ImGui::GetIO().DisplaySize.x;
+  Beside room = goes_right ? Beside{panel.Pos.x + panel.Size.x, all} : Beside{0, panel.Pos.x};
+  const ImGuiWindow* const other =
+      ImGui::FindWindowByName(column_window(goes_right ? PanelPlace::right : PanelPlace::left));
+  const bool is_over_all = (panel.Flags & ImGuiWindowFlags_Popup) != 0;
+  if (!other || other == &panel || !other->WasActive || is_over_all) return room;
+  if (goes_right)
+    room.end = std::max(room.begin, other->Pos.x);
+  else
+    room.begin = std::min(room.end, other->Pos.x + other->Size.x);
+  return room;
+}
+
 }  // namespace
 
 void tip(std::string_view text, ImGuiHoveredFlags hovered) {
@@ -37,8 +56,9 @@ void tip_shown(std::string_view text) {
   ImVec2 last = ImGui::GetItemRectMax();
   last.y = std::min(last.y, all.y);  // of what is scrolled, a part may lie below the window
   const float em = ImGui::GetFontSize(), gap = em / 2;
-  const float before = panel.Pos.x, behind = all.x - panel.Pos.x - panel.Size.x;
-  const float room = std::max(before, behind) - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
+  const bool goes_right = all.x - panel.Pos.x - panel.Size.x >= panel.Pos.x;
+  const Beside free = beside(panel, goes_right);
+  const float room = free.end - free.begin - 2 * gap - 2 * ImGui::GetStyle().WindowPadding.x;
   const bool is_beside = room > 8 * em;
   const float width = is_beside ? std::min(22 * em, room) : 22 * em;
   if (!is_beside) {
@@ -50,10 +70,9 @@ void tip_shown(std::string_view text) {
     ImGui::SetNextWindowPos(is_of_keyboard ? place_away(first, last, size) : place_over_panel(first, last, size));
   }
   if (is_beside) {
-    const bool goes_right = behind >= before, hangs = first.y < 0.6f * all.y;
-    ImGui::SetNextWindowPos(
-        {goes_right ? panel.Pos.x + panel.Size.x + gap : panel.Pos.x - gap, hangs ? first.y : last.y}, 0,
-        {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
+    const bool hangs = first.y < 0.6f * all.y;
+    ImGui::SetNextWindowPos({goes_right ? free.begin + gap : free.end - gap, hangs ? first.y : last.y}, 0,
+                            {goes_right ? 0.f : 1.f, hangs ? 0.f : 1.f});
   }
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1);  // also of what is faded
   ImGui::BeginTooltip();

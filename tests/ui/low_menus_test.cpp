@@ -58,5 +58,38 @@ TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {
   }
 }
 
+// Those within menus are opened by the keyboard from each entry that has one.
+TEST_F(LowMenus, within_menus_leave_the_names_around_them_to_be_read) {
+  const auto press = [&](const char* key) {
+    input_.key_down(key);
+    frames(2);
+    input_.key_up(key);
+    frames(4);
+  };
+  std::size_t opened = 0;
+  ASSERT_TRUE(session.run("select f0").done());
+  for (const char* const language : {"language en", "language ja"}) {
+    ASSERT_TRUE(session.run(language).done());
+    for (const char* const menu : {"edit", "select", "view"}) {
+      for (int entry = 0; entry < 34; ++entry) {
+        ASSERT_TRUE(session.run("menu " + std::string(menu)).done());
+        frames(4);
+        for (int i = 0; i < entry; ++i) press("Down");
+        press("Right");
+        if (GImGui->OpenPopupStack.Size == 2) {
+          ++opened;
+          const ImRect around = GImGui->OpenPopupStack[0].Window->Rect(), inner = popup();
+          const std::string place = std::string(language) + " " + menu + " " + std::to_string(entry);
+          EXPECT_GE(inner.Min.x, around.Min.x + 0.4f * around.GetWidth()) << place;
+          EXPECT_LE(inner.Max.x, low.width) << place;
+        }
+        gui.close_menus();
+        frames(3);
+      }
+    }
+  }
+  EXPECT_GT(opened, 30u);
+}
+
 }  // namespace
 }  // namespace ryosen

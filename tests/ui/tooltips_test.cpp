@@ -136,6 +136,29 @@ TEST(tooltips, cover_neither_the_row_above_nor_the_one_below_in_any_window) {
 }
 
 // Whoever goes through a window by the keyboard reads the next rows, on both sides.
+// What a tab has opened tells beside itself, and not over the tabs at the other side.
+TEST(tooltips, leave_the_tabs_at_the_other_side_free) {
+  const Size size{640, 480};
+  Laid laid("fin.obj", size);
+  std::size_t told = 0;
+  for (const char* const panel : {"problems", "highlights", "totals", "tools"}) {
+    ASSERT_TRUE(laid.session.run("panel " + std::string(panel) + " flyout").done());
+    laid.frames(4);
+    const ImRect open = ImGui::FindWindowByName("##flyout")->Rect();
+    for (float y = open.Min.y + 4; y < open.Max.y; y += 9) {
+      laid.gui.pointer({(open.Min.x + open.Max.x) / 2, y});
+      laid.frames(3);
+      for (const ImGuiWindow* const one : GImGui->Windows) {
+        if (!one->Active || one->Hidden || (one->Flags & ImGuiWindowFlags_Tooltip) == 0) continue;
+        ++told;
+        for (const char* const strip : {"##left", "##right"})
+          EXPECT_FALSE(one->Rect().Overlaps(ImGui::FindWindowByName(strip)->Rect())) << panel << " at " << y;
+      }
+    }
+  }
+  EXPECT_GT(told, 20u);
+}
+
 TEST(tooltips, of_what_has_the_keyboard_lie_three_rows_away) {
   Laid laid("cube.obj", {640, 480});
   ASSERT_TRUE(laid.session.run("panel preferences").done());

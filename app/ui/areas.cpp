@@ -24,8 +24,12 @@ int bar_px(const UiSize& size) {
 
 }  // namespace
 
+float UiSize::of_columns() const {
+  return scale * std::max(1.f, static_cast<float>(font_px) / static_cast<float>(UiSize().font_px));
+}
+
 Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
-  const float scale = size.scale;
+  const float scale = size.of_columns();
   Areas areas;
   areas.has_tabs = static_cast<float>(window.width) < least_window_px * scale;
   const int bar = bar_px(size);
@@ -48,10 +52,10 @@ Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
   return areas;
 }
 
-int widest_column_px(const Layout& layout, PanelPlace side, Size window, float scale) {
+int widest_column_px(const Layout& layout, PanelPlace side, Size window, float column_scale) {
   const PanelPlace other = side == PanelPlace::left ? PanelPlace::right : PanelPlace::left;
   const int taken = layout.is_empty(other) ? 0 : layout.width_px(other);
-  const auto room = static_cast<int>(static_cast<float>(window.width) / scale) - taken - least_view_px;
+  const auto room = static_cast<int>(static_cast<float>(window.width) / column_scale) - taken - least_view_px;
   return std::clamp(room, least_column_px, most_column_px);
 }
 

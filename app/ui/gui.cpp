@@ -85,7 +85,7 @@ PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
   if (session.language == Language::japanese) fonts.bold = fonts.normal;
-  return {session, state_, fonts, session.settings.theme, size_.scale};
+  return {session, state_, fonts, session.settings.theme, size_.scale, size_.of_columns()};
 }
 
 bool Gui::prepare(const Session& session) {

@@ -69,6 +69,7 @@ struct PanelContext {
   Fonts fonts;
   Theme theme;
   float scale;
+  float column_scale;  // of the width of columns and panels, which grow with the letters
 
   Language language() const { return session.language; }
   const char* text(UiText id) const { return ryosen::text(id, session.language); }

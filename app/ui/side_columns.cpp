@@ -40,8 +40,8 @@ void draw_border(PanelContext& context, PanelPlace side, const PixelRect& column
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float pointed = is_left ? ImGui::GetIO().MousePos.x : all.x - ImGui::GetIO().MousePos.x;
     const Size window{static_cast<int>(all.x), static_cast<int>(all.y)};
-    const int widest = widest_column_px(context.session.layout, side, window, context.scale);
-    const float px = std::clamp(pointed / context.scale, float{least_column_px}, static_cast<float>(widest));
+    const int widest = widest_column_px(context.session.layout, side, window, context.column_scale);
+    const float px = std::clamp(pointed / context.column_scale, float{least_column_px}, static_cast<float>(widest));
     const int wanted = static_cast<int>(std::lround(px));
     if (wanted != context.session.layout.width_px(side))
       context.run(std::string("columns ") + (is_left ? "left " : "right ") + std::to_string(wanted));
@@ -167,7 +167,7 @@ void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::ve
   }
   const PanelPlace side = context.session.layout.side_of(own->row);
   const PixelRect& view = areas.view;
-  const float wide = static_cast<float>(context.session.layout.width_px(side)) * context.scale;
+  const float wide = static_cast<float>(context.session.layout.width_px(side)) * context.column_scale;
   const float width = std::min(std::round(wide), static_cast<float>(view.width()));
   const bool is_left = side == PanelPlace::left;
   ImGui::SetNextWindowPos({static_cast<float>(is_left ? view.x0 : view.x1), static_cast<float>(view.y0)}, 0,

@@ -250,6 +250,20 @@ TEST_F(LayoutTest, what_lies_over_the_view_is_only_opened_and_closed) {
     EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
 }
 
+// Columns and what lies over the view grow with the letters, so that as much is read as before.
+TEST_F(LayoutTest, larger_letters_have_as_much_room) {
+  const UiSize large(1, 24);
+  EXPECT_EQ(areas_of({}, {2400, 1200}, large).left.width(), areas_of({}, {2400, 1200}, UiSize(1.6f)).left.width());
+  EXPECT_TRUE(areas_of({}, {1280, 800}, large).has_tabs);
+  EXPECT_EQ(areas_of({}, {1280, 800}, UiSize(1, 11)).left.width(), areas_of({}, {1280, 800}, UiSize()).left.width());
+  run("prefer font_size 24");
+  for (const char* const panel : {"panel tools flyout", "panel preferences", "panel keys"}) {
+    run(panel);
+    frames(4);
+    EXPECT_EQ(DrawnText(gui).cut_sideways() + DrawnText(gui).cut_in_height(), "") << panel;
+  }
+}
+
 class NarrowWindow : public LayoutTest {
  protected:
   NarrowWindow() : LayoutTest({640, 480}) {}

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>  // where a list is scrolled to
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "app/editor/palette.h"
 #include "app/editor/words.h"
 #include "app/ui/style.h"
+#include "app/ui/widgets.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/groups.h"
 #include "tests/support/app/drawn_text.h"
@@ -159,6 +161,24 @@ TEST(legible, a_long_sentence_ends_with_an_ellipsis_and_is_whole_when_it_is_poin
   }
 }
 
+// At the usual width nothing has too little room.
+TEST(legible, no_text_of_a_panel_is_shortened_in_either_language) {
+  for (const char* const mesh : {"fin.obj", "torus.off"}) {
+    Laid laid(mesh, {1280, 800});
+    for (const char* const line : {"select f0", "poke f0", "colours edge_length"})
+      ASSERT_TRUE(laid.session.run(line).done()) << line;
+    for (const std::string language : {"en", "ja"}) {
+      ASSERT_TRUE(laid.session.run("language " + language).done());
+      for (const PanelRow& row : panel_list()) {
+        ASSERT_TRUE(laid.session.run("panel " + std::string(row.id)).done());
+        laid.frames(5);
+        EXPECT_EQ(DrawnText(laid.gui).shortened(), std::vector<std::string>()) << language << ", " << row.id;
+        laid.session.run("panel none");
+      }
+    }
+  }
+}
+
 TEST(legible, a_result_that_is_longer_than_its_line_leaves_out_the_values_that_were_given) {
   Laid laid("torus.off", {1280, 800});
   laid.gui.run(laid.session, "simplify faces=60");
@@ -196,14 +216,23 @@ TEST(legible, the_palette_ends_with_whole_rows_however_it_is_walked_through) {
     ASSERT_TRUE(laid.session.run("panel command").done());
     laid.frames(4);
     const float pitch = ImGui::GetTextLineHeightWithSpacing();
+    const auto found_list = [] {
+      const auto& all = GImGui->Windows;
+      const auto is_list = [](const ImGuiWindow* window) {
+        return std::string_view(window->Name).find("suggestions") != std::string_view::npos;
+      };
+      const auto at = std::find_if(all.begin(), all.end(), is_list);
+      return at == all.end() ? nullptr : *at;
+    };
+    ASSERT_TRUE(found_list());
+    const float room = found_list()->ContentRegionRect.GetWidth() - 10;
     std::set<long> begins{0};
-    for (const PaletteEntry& entry : find_in_palette(""))
-      begins.insert(*begins.rbegin() + (beyond_name(entry.help.en, entry.name.en).empty() ? 1 : 2));
+    for (const PaletteEntry& entry : find_in_palette("")) {
+      const std::string help = beyond_name(entry.help.en, entry.name.en);
+      begins.insert(*begins.rbegin() + 1 + (help.empty() ? 0 : static_cast<long>(lines_of(help, room))));
+    }
     for (int step = 0; step < 30; ++step) {
-      const ImGuiWindow* list = nullptr;
-      for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-        if (std::string_view(window->Name).find("suggestions") != std::string_view::npos) list = window;
-      ASSERT_TRUE(list);
+      const ImGuiWindow* const list = found_list();
       const float top = list->Scroll.y / pitch, bottom = top + list->Size.y / pitch;
       EXPECT_TRUE(begins.contains(std::lround(top))) << size.width << " " << size.height << ", step " << step;
       EXPECT_TRUE(begins.contains(std::lround(bottom))) << size.height << ", step " << step;

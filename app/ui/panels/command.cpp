@@ -126,19 +126,13 @@ std::vector<std::string> CommandPanel::help_of(PanelContext& context, const Pale
   return parts;
 }
 
+float help_indent(const PanelContext& context) { return 10 * context.scale; }
+
 void CommandPanel::draw_help(PanelContext& context, const std::vector<std::string>& parts, bool is_whole) {
-  if (is_whole) {
-    for (const std::string& part : parts) dim_text(context, part.c_str());
-    return;
-  }
-  if (parts.empty()) return;
-  const float top = ImGui::GetCursorPosY(), indent = 10 * context.scale;
-  ImGui::Indent(indent);
-  ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-  fitted_text(parts[0], ImGui::GetContentRegionAvail().x);
-  ImGui::PopStyleColor();
-  ImGui::Unindent(indent);
-  ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
+  const float indent = is_whole ? 0 : help_indent(context);
+  if (indent > 0) ImGui::Indent(indent);
+  for (const std::string& part : parts) dim_text(context, part.c_str());
+  if (indent > 0) ImGui::Unindent(indent);
 }
 
 // A row and its help. True when it was clicked.
@@ -154,8 +148,7 @@ bool CommandPanel::draw_entry(PanelContext& context, std::size_t i, bool is_mark
   const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x;
   float below = 0;
   for (const std::string& part : help)
-    below += is_whole ? wrapped_size(part, width).y + ImGui::GetStyle().ItemSpacing.y
-                      : ImGui::GetTextLineHeightWithSpacing();
+    below += wrapped_size(part, width - (is_whole ? 0 : help_indent(context))).y + ImGui::GetStyle().ItemSpacing.y;
   rows_.row_of_text();
   ImGui::PushID(entry.line.c_str());
   const bool taken = row(context, shown.c_str(), right.c_str(), is_marked, 0, below);

@@ -4,6 +4,7 @@
 #include "app/editor/exercises.h"
 #include "app/editor/playing.h"
 #include "app/ui/panels.h"
+#include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -27,6 +28,7 @@ class StepsPanel : public Panel {
   void draw_ways(PanelContext& context, const Player& player);
   void draw_step(PanelContext& context, Player& player);
 
+  WholeRows offered_;
   std::vector<steps::Choices> choices_;
   std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
   std::uint64_t selection_ = 0;              // by its stamp
@@ -84,21 +86,24 @@ std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
 // In a list of its own height, so that the panels below stay in sight.
 void StepsPanel::draw_choice(PanelContext& context) {
   const std::vector<Offered> all = offers(context);
-  list_of_rows(
-      "choice", all.size(), 12,
-      [&](std::size_t i) {
-        const Offered& offered = all[i];
-        if (offered.call.empty()) {
-          ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-          fitted_text(offered.label, ImGui::GetContentRegionAvail().x);
-          ImGui::PopStyleColor();
-          ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 2 * context.scale);  // as far apart as the others
-          return;
-        }
-        if (row(context, offered.label.c_str(), "", false)) context.run("steps " + offered.call);
-        tip(std::string(offered.help) + "\nsteps " + offered.call);
-      },
-      {}, row_pitch(context));
+  constexpr float most_lines = 14;
+  const float most = most_lines * ImGui::GetTextLineHeightWithSpacing(), needed = offered_.height();
+  if (needed == 0) context.state.unsettle();  // how high they are is known in the next frame
+  offered_.begin("choice", needed > 0 ? std::min(needed, most) : most);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Offered& offered = all[i];
+    const float width = ImGui::GetContentRegionAvail().x;
+    offered_.row_of_text();
+    if (offered.call.empty()) {
+      dim_text(context, offered.label.c_str());
+      continue;
+    }
+    ImGui::PushID(static_cast<int>(i));
+    if (wrapped_row(context, offered.label, false, width)) context.run("steps " + offered.call);
+    tip(std::string(offered.help) + "\nsteps " + offered.call);
+    ImGui::PopID();
+  }
+  offered_.end();
 }
 
 void StepsPanel::draw_ways(PanelContext& context, const Player& player) {

@@ -37,6 +37,7 @@ DrawnText::DrawnText(const Gui& gui) {
         if (letter == letters.end() || (list.VtxBuffer[k].col & IM_COL32_A_MASK) == 0) continue;
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
+        if (letter->second == 0x2026) ellipses_.push_back(text_.size());
         text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
         places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
         glyphs_.push_back({{std::min(corner.x, across.x), std::min(corner.y, across.y)},
@@ -71,6 +72,17 @@ std::string DrawnText::cut_in_height() const {
     const bool is_seen = g.last.y > g.clip_first.y && g.first.y < g.clip_last.y;
     return is_seen && (g.first.y < g.clip_first.y - 1 || g.last.y > g.clip_last.y + 1);
   });
+}
+
+std::vector<std::string> DrawnText::shortened() const {
+  constexpr std::size_t most = 24;
+  std::vector<std::string> ends;
+  for (const std::size_t at : ellipses_) {
+    const std::size_t begin = at - std::min(at, most);
+    const auto place = [&](double pixel) { return std::to_string(static_cast<int>(pixel)); };
+    ends.push_back(text_.substr(begin, at - begin) + " at " + place(places_[at].x) + "," + place(places_[at].y));
+  }
+  return ends;
 }
 
 std::string DrawnText::overlapping() const {

@@ -24,6 +24,8 @@ class DrawnText {
   // The text whose letters are cut off at the sides, or above or below, of what they are drawn in.
   std::string cut_sideways() const;
   std::string cut_in_height() const;
+  // The last letters of texts that end with an ellipsis, and where: what had no room.
+  std::vector<std::string> shortened() const;
   // The text whose letters lie over others of the same window.
   std::string overlapping() const;
 
@@ -36,7 +38,8 @@ class DrawnText {
   std::string letters_that(Is is) const;
 
   std::vector<Glyph> glyphs_;
-  std::string text_;  // ? for what is not ASCII
+  std::string text_;                   // ? for what is not ASCII
+  std::vector<std::size_t> ellipses_;  // where in it one stands
   std::vector<glm::dvec2> places_;
 };
 

@@ -1,0 +1,75 @@
+// Draws elements of a session's mesh into an overlay.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "app/editor/session.h"
+#include "core/mesh/circulate.h"
+#include "render/overlay.h"
+#include "render/palette.h"
+
+namespace ryosen {
+
+// Adds elements to an overlay in one style.
+class Painter {
+ public:
+  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0,
+          bool thins_out = false)
+      : m_(session.mesh()),
+        places_(session.drawn_positions()),
+        overlay_(overlay),
+        style_(style),
+        hidden_(hidden),
+        room_(room),
+        thins_out_(thins_out) {}
+
+  void line(const glm::dvec3& a, const glm::dvec3& b, bool arrow = false) {
+    overlay_.lines.push_back({a, b, style_.colour, style_.line, style_.width_px, hidden_, arrow, thins_out_});
+  }
+  void point(const glm::dvec3& at) {
+    overlay_.points.push_back({at, style_.colour, style_.point, style_.radius_px, hidden_, room_});
+  }
+  void draw(Vertex v) { point(place(v)); }
+  void draw(Edge e) { line(place(ends(m_, e).first), place(ends(m_, e).second)); }
+  void draw(Halfedge h) { line(place(m_.from(h)), place(m_.to(h)), true); }
+  // The outline of a face and a mark in its middle, so that degenerate faces are visible too.
+  void draw(Face f, bool mark = true) {
+    for (Halfedge h : halfedges_around(m_, f)) draw(edge(h));
+    if (mark) draw_mark(f);
+  }
+  void draw_mark(Vertex v) { draw(v); }
+  void draw_mark(Edge e) { draw(e); }
+  // In its middle.
+  void draw_mark(Face f) {
+    glm::dvec3 sum{};
+    double corners = 0;
+    for (Vertex v : vertices_around(m_, f)) sum += place(v), ++corners;
+    point(sum / corners);
+  }
+  void draw(const Element& e) {
+    switch (e.kind) {
+      case Element::Kind::vertex:
+        return draw(e.vertex());
+      case Element::Kind::halfedge:
+        return draw(e.halfedge());
+      case Element::Kind::edge:
+        return draw(e.edge());
+      case Element::Kind::face:
+        return draw(e.face(), false);
+    }
+  }
+
+ private:
+  const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
+
+  const Mesh& m_;
+  std::span<const glm::dvec3> places_;
+  Overlay& overlay_;
+  Style style_;
+  float hidden_;
+  double room_;
+  bool thins_out_;
+};
+
+}  // namespace ryosen

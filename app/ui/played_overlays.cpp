@@ -1,0 +1,65 @@
+// What the step that is played and the question of practice are about.
+#include <algorithm>
+
+#include "app/editor/asked_question.h"
+#include "app/editor/playing.h"
+#include "app/ui/overlay_painter.h"
+#include "app/ui/overlays.h"
+#include "core/mesh/find_element.h"
+
+namespace ryosen {
+
+namespace {
+
+Style style(steps::RoleLook look, Theme theme) {
+  switch (look) {
+    case steps::RoleLook::main:
+      return style(Role::selected, theme);
+    case steps::RoleLook::good:
+      return style(Role::legal, theme);
+    case steps::RoleLook::bad:
+      return style(Role::refused, theme);
+    case steps::RoleLook::other:
+      return style(Role::hover, theme);
+    case steps::RoleLook::quiet:
+      break;
+  }
+  return style(Role::witness, theme);
+}
+
+// A halfedge on its own side of the edge, so that it is told from its twin.
+void draw_beside_twin(Painter& painter, const Session& session, const Element& element) {
+  if (element.kind != Element::Kind::halfedge) return painter.draw(element);
+  for (const LinkArrow& arrow : arrows_of(session, {element.halfedge()})) painter.line(arrow.from, arrow.to, true);
+}
+
+}  // namespace
+
+Overlay question_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  const std::optional<Element> about = asked_element(session);
+  if (!about) return overlay;
+  Painter painter(session, overlay, style(Role::witness, theme), 0.6f);
+  draw_beside_twin(painter, session, *about);
+  return overlay;
+}
+
+Overlay step_overlay(const Session& session, Theme theme) {
+  Overlay overlay;
+  if (!session.player || !session.player->is_shown(session.document()) || !session.player->step()) return overlay;
+  // The first mark of an element is what it is above all: it is drawn last.
+  const std::vector<steps::Mark>& marks = session.player->step()->marks;
+  for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
+    if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
+    Painter painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
+    draw_beside_twin(painter, session, mark->element);
+  }
+  for (const steps::Gone& gone : session.player->step()->gone) {
+    const Style looks = style(steps::row_of(gone.role).look, theme);
+    for (std::size_t i = 1; i < gone.places.size(); ++i)
+      overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});
+  }
+  return overlay;
+}
+
+}  // namespace ryosen

@@ -78,7 +78,7 @@ class Editor {
     offer_recovery();
     while (!gui_.wants_quit()) {
       std::optional<Clock::duration> next;
-      for (int i = 0; !next && (i < settling_frames || gui_.wants_frames()); ++i) {
+      for (int i = 0; !next && (i < settling_frames || (i < most_frames && gui_.wants_frames())); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
         if (!next && (session_.preparing() || session_.trials().share() || gui_.waits_for_work()))
@@ -89,7 +89,7 @@ class Editor {
           next = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(*seconds));
       if (keep_user_files()) continue;
       // The text cursor blinks; otherwise wait for events.
-      if (next && *next == Clock::duration(0))
+      if (next ? *next == Clock::duration(0) : gui_.wants_frames())
         glfw().poll_events();
       else if (next)
         glfw().wait_events_timeout(std::chrono::duration<double>(*next).count());
@@ -130,6 +130,7 @@ class Editor {
   static constexpr std::chrono::seconds looks_at_disk_after{2};
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
+  static constexpr int most_frames = 20;     // that are drawn before it is seen what the hand does meanwhile
 
   // All that has happened since the last time, in its order.
   void handle_events() {

@@ -16,7 +16,7 @@ void WholeRows::begin(const char* name, float room) {
     const float end = *std::prev(std::upper_bound(places_.begin(), places_.end(), first_ + room + nearly));
     if (end > first_) shown = end - first_;
   }
-  ImGui::BeginChild(name, {0, shown}, false, ImGuiWindowFlags_NavFlattened);
+  is_seen_ = ImGui::BeginChild(name, {0, shown}, false, ImGuiWindowFlags_NavFlattened);
   coming_.clear();
   if (!scrolls) {
     first_ = 0;
@@ -42,7 +42,7 @@ void WholeRows::end() {
   if (!coming_.empty()) coming_.push_back(ImGui::GetCursorPosY());
   ImGui::EndChild();
   ImGui::SetCursorPosY(bottom_);
-  places_ = coming_;
+  if (is_seen_) places_ = coming_;
 }
 
 }  // namespace ryosen

@@ -72,6 +72,30 @@ TEST(gui, a_picture_shows_the_window_without_what_asked_for_it) {
   EXPECT_EQ(pictured, (std::vector<int>{bare, bare}));
 }
 
+// A panel below the end of its column is not laid out, and must not ask for frames until it is.
+TEST(gui, whatever_is_open_no_panel_asks_for_frames_for_ever) {
+  constexpr int most = 100;
+  for (const Size size : {Size{640, 480}, Size{1280, 560}, Size{1280, 800}}) {
+    Laid laid("fin.obj", size);
+    const auto settles = [&] {
+      int frames = 0;
+      for (; laid.gui.wants_frames() && frames < most; ++frames) laid.frames(1);
+      return frames < most;
+    };
+    EXPECT_TRUE(settles());
+    for (const PanelRow& row : panel_list()) {
+      ASSERT_TRUE(laid.gui.run(laid.session, "panel " + std::string(row.id) + " on").done());
+      EXPECT_TRUE(settles()) << row.id << " at " << size.width;
+      laid.gui.pointer({size.width - 20, 200});
+      for (const double notches : {-3, -30, 5, 30}) {
+        laid.gui.wheel(notches);
+        laid.frames(1);
+        EXPECT_TRUE(settles()) << row.id << " at " << size.width << " after " << notches;
+      }
+    }
+  }
+}
+
 TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
   Laid laid("torus.off");
   // As in the window: frames are laid out after input until no more are wanted, and then no further ones.

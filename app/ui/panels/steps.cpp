@@ -87,9 +87,9 @@ std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
 void StepsPanel::draw_choice(PanelContext& context) {
   const std::vector<Offered> all = offers(context);
   constexpr float most_lines = 14;
-  const float most = most_lines * ImGui::GetTextLineHeightWithSpacing(), needed = offered_.height();
-  if (needed == 0) context.state.unsettle();  // how high they are is known in the next frame
-  offered_.begin("choice", needed > 0 ? std::min(needed, most) : most);
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float lines = static_cast<float>(all.size()) * line;  // until it is seen, and known which of them are wrapped
+  offered_.begin("choice", std::min(offered_.height() > 0 ? offered_.height() : lines, most_lines * line));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Offered& offered = all[i];
     const float width = ImGui::GetContentRegionAvail().x;

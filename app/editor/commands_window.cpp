@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/keys.h"
+#include "app/editor/levels.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/script.h"
 
@@ -142,6 +143,7 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!session.tool.empty()) return session.run("tool none");
   if (!session.shows_step() && !session.selection.empty()) return session.run("select none");
   if (session.player) return leave_playing(session);
+  if (shows_level(session)) return leave_level(session);
   if (asked_element(session)) return leave_question(session);
   return session.shows_step() ? Outcome() : session.run("select none");
 }

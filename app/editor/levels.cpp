@@ -55,6 +55,14 @@ void end_levels(Session& session) {
   session.levels.reset();
 }
 
+std::optional<Text> end_levels_for(Session& session, std::string_view line) {
+  const bool is_left = shows_level(session) && line != session.levels->line();
+  end_levels(session);
+  if (!is_left) return {};
+  return Text{"This was done on the mesh as it was before its levels of detail.",
+              "詳細度の表示を終え、元のメッシュに対して実行しました。"};
+}
+
 bool shows_level(const Session& session) { return session.levels && session.levels->is_shown(session.document()); }
 
 Outcome leave_level(Session& session) {

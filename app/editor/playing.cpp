@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "app/editor/command_functions.h"
+#include "app/editor/commands.h"
 #include "app/editor/exercises.h"
 #include "app/editor/levels.h"
 #include "app/editor/script.h"
@@ -47,6 +48,10 @@ void look_as_before(Session& session, const Player& player) {
   if (!player.camera_before) return;
   session.camera = *player.camera_before;
   if (player.was_framed) session.frame_all();
+}
+
+Text end_of(const Player& player) {
+  return {"The steps of " + player.call() + " are left.", player.call() + " の再生を終えました。"};
 }
 
 std::uint64_t next_player_serial() {
@@ -147,12 +152,12 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
 Outcome not_on_a_step(const Session& session) {
   if (session.levels && session.levels->is_shown(session.document()))
     return failed(ExitCode::refused,
-                  {"the view shows a level of detail, not the mesh that is open; levels close ends that",
-                   "ビューは詳細度の一段階を表示中です。levels close で開いているメッシュに戻ります"});
+                  {"the view shows a level of detail, not the mesh that is open; Esc or levels close ends that",
+                   "ビューは詳細度の一段階を表示中です。Esc または levels close で開いているメッシュに戻ります"});
   const std::string call = session.player ? session.player->call() : "";
   return failed(ExitCode::refused,
-                {"the view shows a step of " + call + ", not the mesh that is open; steps close ends that",
-                 "ビューは " + call + " の手順を表示中です。steps close で開いているメッシュに戻ります"});
+                {"the view shows a step of " + call + ", not the mesh that is open; Esc or steps close ends that",
+                 "ビューは " + call + " の手順を表示中です。Esc または steps close で開いているメッシュに戻ります"});
 }
 
 void end_playing(Session& session) {
@@ -162,27 +167,39 @@ void end_playing(Session& session) {
 }
 
 Outcome leave_playing(Session& session) {
-  const std::string call = session.player->call();
-  end_playing(session);
   Outcome outcome;
-  outcome.sentence = {"The steps of " + call + " are left.", call + " の再生を終えました。"};
+  outcome.sentence = end_of(*session.player);
+  end_playing(session);
   return outcome;
 }
 
-PlayerAside::PlayerAside(Session& session)
-    : session_(session), player_(std::move(session.player)), camera_(session.camera) {
+PlayerAside::PlayerAside(Session& session, Effect effect)
+    : session_(session),
+      player_(std::move(session.player)),
+      camera_(session.camera),
+      may_be_anew_(effect == Effect::steps) {
   session.player.reset();
-  if (player_) player_->end(session.document());
+  if (!player_) return;
+  player_->end(session.document());
+  if (!may_be_anew_) look_as_before(session, *player_);
 }
 
 void PlayerAside::bring_back(Outcome& outcome) {
   if (!player_) return;
   Document& document = session_.document();
-  const std::size_t position = player_->position();
-  if (player_->fits(document)) {
+  if (player_->fits(document) && !document.is_on_trial()) {
     session_.player = player_;
-    return session_.player->go_to(document, position);
+    session_.camera = camera_;
+    player_->go_to(document, player_->position());
+  } else if (may_be_anew_) {
+    make_anew(outcome);
+  } else {
+    outcome.say(end_of(*player_));
   }
+}
+
+void PlayerAside::make_anew(Outcome& outcome) {
+  const std::size_t position = player_->position();
   if (const Outcome begun = begin_playing(session_, player_->words()); !begun.done()) {
     look_as_before(session_, *player_);
     return outcome.say(
@@ -193,7 +210,7 @@ void PlayerAside::bring_back(Outcome& outcome) {
   session_.player->was_framed = player_->was_framed;
   session_.player->is_running = player_->is_running;
   session_.camera = camera_;
-  session_.player->go_to(document, std::min(position, session_.player->size()));
+  session_.player->go_to(session_.document(), std::min(position, session_.player->size()));
   if (session_.shows_step())
     outcome.sentence = {"Done on the open mesh; the view goes on with the step of " + player_->call() + ".",
                         "開いているメッシュで実行しました。ビューは " + player_->call() + " の手順のままです。"};

@@ -80,23 +80,29 @@ class Player {
   std::size_t history_position_;
 };
 
+enum class Effect;
+
 // Begins to play in place of what is played.
 Outcome begin_playing(Session& session, std::span<const std::string> words);
 void end_playing(Session& session);
 // The same as somebody asks for it, told.
 Outcome leave_playing(Session& session);
 
-// What goes through the history is no edit: what is played goes on. This takes it out of the way, and shows it again at
-// the same step, made anew of the mesh as it is then; where that cannot be it ends, and the outcome says why.
+// Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step:
+// what goes through the history, writes or changes nothing is no edit. Where it was made of another mesh than it is then
+// it is made anew, or ends: the outcome says so.
 class PlayerAside {
  public:
-  explicit PlayerAside(Session& session);
+  PlayerAside(Session& session, Effect effect);
   void bring_back(Outcome& outcome);
 
  private:
+  void make_anew(Outcome& outcome);
+
   Session& session_;
   std::shared_ptr<Player> player_;
   Camera camera_;
+  bool may_be_anew_;
 };
 // The refusal of what points into the view while that shows a step of another mesh than the one that is open.
 Outcome not_on_a_step(const Session& session);

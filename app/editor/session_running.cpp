@@ -38,18 +38,17 @@ Outcome Session::run_line(const std::string& line) {
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
   std::optional<PlayerAside> played;
+  std::optional<Text> left;
   if (row->effect != Effect::none) {
     cancel_gesture();
-    if (row->effect == Effect::steps)
-      played.emplace(*this);
-    else
-      end_playing(*this);
-    end_levels(*this);
+    played.emplace(*this, row->effect);
+    left = end_levels_for(*this, without_blanks(line));
   } else if (!row->keeps_trial) {
     end_trial();
   }
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
-  [[maybe_unused]] const std::size_t position = document_->position(), entries = document_->history().size();
+  const std::size_t position = document_->position();
+  [[maybe_unused]] const std::size_t entries = document_->history().size();
   [[maybe_unused]] const std::size_t logged = lines_logged_;
   [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
   // What is needed once the command is done is made before.
@@ -60,6 +59,7 @@ Outcome Session::run_line(const std::string& line) {
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   running_ = outer;
   if (played) played->bring_back(outcome);
+  if (left && document_->position() != position) outcome.say(*left);
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
   assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&

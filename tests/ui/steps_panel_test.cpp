@@ -281,6 +281,28 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
   EXPECT_EQ(session.selection.size(), 1u);
 }
 
+// Only an edit of the mesh beneath ends it, which is said; what changes nothing, and what writes, leaves it as it is.
+TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(say("steps script cube").done());
+  ASSERT_TRUE(say("steps at 9").done());
+  const Camera camera = session.camera;
+  const std::uint64_t shown = session.mesh().hash();
+  for (const std::string& line : {std::string("collapse 0-99"), "save " + (folder.path() / "a.obj").string(),
+                                  std::string("open nowhere.obj"), std::string("repair")}) {
+    const Outcome outcome = say(line);
+    ASSERT_TRUE(session.player) << line << ": " << outcome.sentence.en;
+    EXPECT_EQ(session.player->position(), 9u) << line;
+    EXPECT_EQ(session.mesh().hash(), shown) << line;
+    EXPECT_EQ(session.camera, camera) << line;
+  }
+  const Outcome outcome = say("split 0-1");
+  EXPECT_FALSE(session.player);
+  EXPECT_EQ(session.mesh().live().vertices, 8u);
+  EXPECT_NE(outcome.sentence.en.find("The steps of script cube are left."), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.ja.find("script cube の再生を終えました。"), std::string::npos) << outcome.sentence.ja;
+}
+
 TEST_F(StepsPanelTest, a_script_may_have_a_name_with_blanks) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("two words.ryosen", "split 0-1\n");

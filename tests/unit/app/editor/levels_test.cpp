@@ -74,7 +74,7 @@ TEST_F(LevelsTest, are_kept_as_one_edit_that_a_script_does_again) {
   EXPECT_EQ(session_.mesh().hash(), shown);
 }
 
-TEST_F(LevelsTest, undo_leaves_what_is_shown_of_them_and_takes_back_no_edit) {
+TEST_F(LevelsTest, undo_and_escape_leave_what_is_shown_of_them_and_take_back_no_edit) {
   ASSERT_TRUE(say("poke f0").done());
   const std::uint64_t hash = session_.mesh().hash();
   const std::vector<std::string> log = session_.log();
@@ -87,6 +87,10 @@ TEST_F(LevelsTest, undo_leaves_what_is_shown_of_them_and_takes_back_no_edit) {
   EXPECT_EQ(session_.mesh().hash(), hash);
   EXPECT_EQ(session_.document().position(), 1u);
   EXPECT_EQ(session_.log(), log) << "nothing to replay";
+  ASSERT_TRUE(say("levels").done());
+  EXPECT_TRUE(say("key Escape").done());
+  EXPECT_FALSE(session_.levels);
+  EXPECT_EQ(session_.mesh().hash(), hash);
   ASSERT_TRUE(say("key Ctrl+Z").done());
   EXPECT_EQ(session_.document().position(), 0u);
 }
@@ -95,7 +99,9 @@ TEST_F(LevelsTest, end_with_any_edit) {
   ASSERT_TRUE(say("levels").done());
   ASSERT_TRUE(say("levels at 20").done());
   const std::size_t entries = session_.document().history().size();
-  ASSERT_TRUE(say("poke f0").done());
+  const Outcome outcome = say("poke f0");
+  ASSERT_TRUE(outcome.done());
+  EXPECT_NE(outcome.sentence.en.find("before its levels of detail"), std::string::npos) << outcome.sentence.en;
   EXPECT_FALSE(session_.levels);
   EXPECT_GT(faces(), 20u) << "the whole mesh was poked";
   EXPECT_EQ(session_.document().history().size(), entries + 1);

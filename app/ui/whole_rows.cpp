@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace ryosen {
 
 void WholeRows::begin(const char* name, float room) {
   constexpr float nearly = 0.5f;
+  const bool goes_to_top = std::exchange(goes_to_top_, false);
+  if (goes_to_top) first_ = 0;
   bottom_ = ImGui::GetCursorPosY() + room;
   const bool scrolls = places_.size() > 1 && height() > room;
   float shown = room;
@@ -18,10 +21,9 @@ void WholeRows::begin(const char* name, float room) {
   }
   is_seen_ = ImGui::BeginChild(name, {0, shown}, false, ImGuiWindowFlags_NavFlattened);
   coming_.clear();
-  if (!scrolls) {
-    first_ = 0;
-    return;
-  }
+  if (!scrolls) first_ = 0;
+  if (goes_to_top) ImGui::SetScrollY(0);
+  if (goes_to_top || !scrolls) return;
   // On to the next row in the direction in which it was scrolled, no further than to where all others fit.
   const float now = ImGui::GetScrollY();
   const auto last =
@@ -40,6 +42,7 @@ void WholeRows::row_of_text() { coming_.push_back(coming_.empty() ? 0 : ImGui::G
 
 void WholeRows::end() {
   if (!coming_.empty()) coming_.push_back(ImGui::GetCursorPosY());
+  ImGui::Dummy({0, 0});  // to the whole pitch of the last row, so that it can be scrolled to
   ImGui::EndChild();
   ImGui::SetCursorPosY(bottom_);
   if (is_seen_) places_ = coming_;

@@ -82,21 +82,38 @@ bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSel
   return clicked;
 }
 
+namespace {
+
+// Before its label, behind what is right, and at least between the two.
+struct RowGaps {
+  explicit RowGaps(float scale) : before(10 * scale), behind(8 * scale), between(6 * scale) {}
+  float before, behind, between;
+};
+
+}  // namespace
+
+float row_width(const PanelContext& context, const std::string& label, const std::string& right) {
+  const RowGaps gaps(context.scale);
+  const float beside = right.empty() ? 0 : gaps.between + ImGui::CalcTextSize(right.c_str()).x;
+  return gaps.before + ImGui::CalcTextSize(label.c_str()).x + beside + gaps.behind;
+}
+
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px, float below_px) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = row_pitch(context) - ImGui::GetStyle().ItemSpacing.y;
   const bool clicked = marked_row(context, is_active, height + below_px);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = at.y + std::floor((height - ImGui::GetFontSize()) / 2);
-  const float begin = at.x + 10 * context.scale;
-  float end = at.x + width - 8 * context.scale - free_px;
+  const RowGaps gaps(context.scale);
+  const float begin = at.x + gaps.before;
+  float end = at.x + width - gaps.behind - free_px;
   if (right && *right) {
     // What is on the right may take what the label leaves, and always two fifths.
-    const float gap = 6 * context.scale, room = end - begin, left = room - ImGui::CalcTextSize(label).x - gap;
+    const float room = end - begin, left = room - ImGui::CalcTextSize(label).x - gaps.between;
     const std::string shown = fitted(right, std::max(left, 0.4f * room));
     end -= ImGui::CalcTextSize(shown.c_str()).x;
     list.AddText({end, line}, ImGui::GetColorU32(context.colours().dim), shown.c_str());
-    end -= gap;
+    end -= gaps.between;
   }
   list.AddText({begin, line}, ImGui::GetColorU32(ImGuiCol_Text), fitted_at_word(label, end - begin).c_str());
   return clicked;

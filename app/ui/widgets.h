@@ -31,6 +31,8 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements);
 // below for what else belongs to it; true when clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0,
          float below_px = 0);
+// How wide one is that shows both texts whole.
+float row_width(const PanelContext& context, const std::string& label, const std::string& right);
 // What lies below the texts of such a row, so high: marked, or lit where the pointer is; true when clicked.
 bool marked_row(PanelContext& context, bool is_active, float height_px, ImGuiSelectableFlags flags = 0);
 // A row with a text that is wrapped at a width, a dot before its first line, and how many lines that takes.

@@ -179,6 +179,29 @@ TEST(legible, no_text_of_a_panel_is_shortened_in_either_language) {
   }
 }
 
+TEST(legible, no_entry_of_the_palette_is_shortened_in_a_narrow_window) {
+  Laid laid("fin.obj", {640, 480});
+  for (const std::string language : {"en", "ja"}) {
+    ASSERT_TRUE(laid.session.run("language " + language).done());
+    for (const std::string typed : {"", "measure", "select", "weld_close", "shading"}) {
+      ASSERT_TRUE(laid.session.run("panel command").done());
+      laid.frames(3);
+      for (const char c : typed) laid.gui.character(static_cast<unsigned>(c));
+      laid.frames(3);
+      laid.gui.pointer({320, 240});
+      for (int notch = 0; notch < 10; ++notch) {
+        const DrawnText text(laid.gui);
+        EXPECT_EQ(text.shortened(), std::vector<std::string>()) << language << ", " << typed;
+        EXPECT_EQ(text.overlapping(), "") << language << ", " << typed;
+        laid.gui.wheel(-3);
+        laid.frames(4);
+      }
+      laid.session.run("panel none");
+      laid.frames(2);
+    }
+  }
+}
+
 TEST(legible, a_result_that_is_longer_than_its_line_leaves_out_the_values_that_were_given) {
   Laid laid("torus.off", {1280, 800});
   laid.gui.run(laid.session, "simplify faces=60");

@@ -27,8 +27,6 @@ class CommandPanel : public Panel {
   void follow_keys(ImGuiInputTextCallbackData& data);
   void find();
   bool draw_entry(PanelContext& context, std::size_t i, bool is_marked);
-  static std::vector<std::string> help_of(PanelContext& context, const PaletteEntry& entry, bool is_whole);
-  static void draw_help(PanelContext& context, const std::vector<std::string>& parts, bool is_whole);
   void draw_found(PanelContext& context);
   void draw_refusal(PanelContext& context);
   // The first word.
@@ -116,46 +114,53 @@ void CommandPanel::type(std::string line) {
   refused_.reset();
 }
 
-// Below its name: on one line, or to its end behind how the line is written.
-std::vector<std::string> CommandPanel::help_of(PanelContext& context, const PaletteEntry& entry, bool is_whole) {
+// How an entry is written: a row, and paragraphs below it.
+struct WrittenEntry {
+  std::string label, right;
+  std::vector<std::string> below;
+};
+
+// Below its name its help to the end, and how the line is written where only one was found or the row has no room for it.
+WrittenEntry write_entry(const PanelContext& context, const PaletteEntry& entry, bool is_whole, float width) {
+  const std::string& name = entry.name.in(context.language());
   const std::string& help = entry.help.in(context.language());
-  std::vector<std::string> parts;
-  if (is_whole && !entry.syntax.empty()) parts.push_back(entry.line + " " + entry.syntax);
-  parts.push_back(is_whole ? help : beyond_name(help, entry.name.in(context.language())));
-  std::erase(parts, "");
-  return parts;
-}
-
-float help_indent(const PanelContext& context) { return 10 * context.scale; }
-
-void CommandPanel::draw_help(PanelContext& context, const std::vector<std::string>& parts, bool is_whole) {
-  const float indent = is_whole ? 0 : help_indent(context);
-  if (indent > 0) ImGui::Indent(indent);
-  for (const std::string& part : parts) dim_text(context, part.c_str());
-  if (indent > 0) ImGui::Unindent(indent);
+  const std::string usage = entry.syntax.empty() ? entry.line : entry.line + " " + entry.syntax;
+  const std::string beside = is_whole ? entry.line : usage;
+  const bool is_named = name != entry.line;
+  const auto fits = [&](const std::string& label, const std::string& right) {
+    return row_width(context, label, right) <= width;
+  };
+  WrittenEntry written{is_named ? name : beside, is_named ? beside : chord_of(context.session, entry.line), {}};
+  std::string usage_below = is_whole && !entry.syntax.empty() ? usage : "";
+  if (!fits(written.label, written.right)) {
+    const bool has_room_for_name = is_named && fits(name, entry.line);
+    written.label = has_room_for_name ? name : entry.line;
+    written.right = has_room_for_name ? entry.line : "";
+    if (!entry.syntax.empty()) usage_below = usage;
+  }
+  written.below = {usage_below, is_whole ? help : beyond_name(help, written.label)};
+  std::erase(written.below, "");
+  return written;
 }
 
 // A row and its help. True when it was clicked.
 bool CommandPanel::draw_entry(PanelContext& context, std::size_t i, bool is_marked) {
   const PaletteEntry& entry = found_[i];
   const bool is_whole = found_.size() == 1 || (i == 0 && is_begun());
-  const std::string& name = entry.name.in(context.language());
-  const bool is_named = name != entry.line;
-  const std::string usage = entry.syntax.empty() || is_whole ? entry.line : entry.line + " " + entry.syntax;
-  const std::string shown = is_named ? name : usage;
-  const std::string right = is_named ? usage : chord_of(context.session, entry.line);
-  const std::vector<std::string> help = help_of(context, entry, is_whole);
-  const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x;
+  const float top = ImGui::GetCursorPosY(), width = ImGui::GetContentRegionAvail().x, indent = 10 * context.scale;
+  const WrittenEntry written = write_entry(context, entry, is_whole, width);
   float below = 0;
-  for (const std::string& part : help)
-    below += wrapped_size(part, width - (is_whole ? 0 : help_indent(context))).y + ImGui::GetStyle().ItemSpacing.y;
+  for (const std::string& part : written.below)
+    below += wrapped_size(part, width - indent).y + ImGui::GetStyle().ItemSpacing.y;
   rows_.row_of_text();
   ImGui::PushID(entry.line.c_str());
-  const bool taken = row(context, shown.c_str(), right.c_str(), is_marked, 0, below);
+  const bool taken = row(context, written.label.c_str(), written.right.c_str(), is_marked, 0, below);
   ImGui::PopID();
   if (chosen_ == static_cast<int>(i) && std::exchange(scrolls_, false)) ImGui::SetScrollHereY();
   ImGui::SetCursorPosY(top + ImGui::GetTextLineHeightWithSpacing());
-  draw_help(context, help, is_whole);
+  ImGui::Indent(indent);
+  for (const std::string& part : written.below) dim_text(context, part.c_str());
+  ImGui::Unindent(indent);
   return taken;
 }
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <optional>
 
 #include "app/editor/practice.h"
 #include "app/ui/panels.h"
+#include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
-#include "core/mesh/find_element.h"
+#include "core/mesh/names.h"
 
 namespace ryosen {
 
@@ -31,6 +31,10 @@ class PracticePanel : public Panel {
   void go_on(Session& session);
   void choose_kind(PanelContext& context);
   void draw_question(PanelContext& context);
+  void judge(const Session& session, std::string_view word);
+  // An answer as it is chosen from, where it is one of those; else as it was given.
+  Text says(std::string_view word) const;
+  float room_for_choices(const Session& session) const;
   void draw_choices(PanelContext& context);
   void draw_answer_field(PanelContext& context);
   void take_click(const Session& session);
@@ -41,8 +45,14 @@ class PracticePanel : public Panel {
   std::optional<Asked> asked_;
   bool is_left_ = false;  // by Escape: nothing is asked until somebody goes on
   std::array<char, 64> word_{};
-  Text doubt_;                 // about what was answered last
-  std::optional<bool> right_;  // whether it is right
+  float top_ = 0;  // where the panel begins below its header
+  WholeRows rows_;
+  Text doubt_;  // about what was answered last
+  struct Judged {
+    Text given;
+    bool is_right;
+  };
+  std::optional<Judged> judged_;
 };
 
 bool PracticePanel::ask(PanelContext& context) {
@@ -60,9 +70,10 @@ bool PracticePanel::ask(PanelContext& context) {
             session.document().revision()};
   asked_->choices = answer_choices(question, asked_->solution);
   session.asked_question = {question.about, asked_->serial, asked_->revision};
+  rows_.go_to_top();
   word_.fill(0);
   doubt_ = {};
-  right_.reset();
+  judged_.reset();
   return true;
 }
 
@@ -90,36 +101,52 @@ void PracticePanel::choose_kind(PanelContext& context) {
   ImGui::EndCombo();
 }
 
+Text PracticePanel::says(std::string_view word) const {
+  const std::vector<AnswerChoice>& choices = asked_->choices;
+  const auto choice = std::find_if(choices.begin(), choices.end(), [&](const auto& some) { return some.word == word; });
+  return choice == choices.end() ? Text{std::string(word), std::string(word)} : choice->says;
+}
+
+void PracticePanel::judge(const Session& session, std::string_view word) {
+  judged_ = {says(word), is_right(session.mesh(), asked_->solution, word)};
+}
+
+// So that all of the panel is seen at once, with its header above and what goes on from it below.
+float PracticePanel::room_for_choices(const Session& session) const {
+  const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetCursorPosY() - top_;
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing();
+  return static_cast<float>(session.view.height) - above - below - 2 * ImGui::GetStyle().WindowPadding.y;
+}
+
 // A click on a row answers: numbers side by side, rules with their sentences.
 void PracticePanel::draw_choices(PanelContext& context) {
   const std::vector<AnswerChoice>& choices = asked_->choices;
   if (choices.empty()) return;
-  const auto answer = [&](const AnswerChoice& choice) {
-    std::snprintf(word_.data(), word_.size(), "%s", choice.word.c_str());
-    right_ = is_right(context.session.mesh(), asked_->solution, choice.word);
-  };
   if (asked_->question.kind == QuestionKind::valence) {
     const float gap = 3 * context.scale, width = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
     for (std::size_t i = 0; i < choices.size(); ++i) {
       if (i % 7 != 0) ImGui::SameLine(0, gap);
-      if (ImGui::Button(choices[i].word.c_str(), {width, 0})) answer(choices[i]);
+      if (ImGui::Button(choices[i].word.c_str(), {width, 0})) judge(context.session, choices[i].word);
     }
     return;
   }
   // With room for a scroll bar, so that the lines stay as they are where there is one.
-  constexpr float most_lines = 16;
+  constexpr float most_lines = 16, least_lines = 5;
   const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
   float lines = 0;
   for (const AnswerChoice& choice : choices)
     lines += lines_of_wrapped_row(context, choice.says.in(context.language()), width);
-  begin_rows("choices", std::min(lines, most_lines));
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const float room = std::max(room_for_choices(context.session) / line, least_lines);
+  rows_.begin("choices", std::min({lines, most_lines, room}) * line);
   for (const AnswerChoice& choice : choices) {
     ImGui::PushID(choice.word.c_str());
-    if (wrapped_row(context, choice.says.in(context.language()), choice.word == word_.data(), width)) answer(choice);
+    rows_.row_of_text();
+    if (wrapped_row(context, choice.says.in(context.language()), false, width)) judge(context.session, choice.word);
     tip(choice.word);
     ImGui::PopID();
   }
-  end_rows();
+  rows_.end();
 }
 
 void PracticePanel::draw_answer_field(PanelContext& context) {
@@ -133,26 +160,36 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
     doubt_ = doubt_about(context.session.mesh(), asked_->solution, word_.data());
     if (doubt_.en.empty())
       doubt_ = why_no_answer(context.session.mesh(), asked_->question, asked_->solution, word_.data());
-    if (doubt_.en.empty()) right_ = is_right(context.session.mesh(), asked_->solution, word_.data());
+    if (doubt_.en.empty()) judge(context.session, word_.data());
   }
   if (!doubt_.en.empty()) wrapped_text(doubt_.in(context.language()).c_str());
 }
 
 // What is selected since the question was asked is an answer, if it is of the kind that is asked for.
 void PracticePanel::take_click(const Session& session) {
-  if (right_ || !asked_->solution.element || session.selection == asked_->selected || session.selection.size() != 1)
+  if (judged_ || !asked_->solution.element || session.selection == asked_->selected || session.selection.size() != 1)
     return;
   const Element given = session.selection[0];
   if (given == asked_->question.about || given.kind != asked_->solution.element->kind) return;
-  right_ = given == *asked_->solution.element;
+  const std::string name = name_of(session.mesh(), given);
+  judged_ = {{name, name}, given == *asked_->solution.element};
 }
 
+// In place of what there was to choose from, so that it is seen with what goes on from it.
 void PracticePanel::draw_judgement(PanelContext& context) {
-  if (*right_)
-    coloured_text(context.colours().legal, context.text("Right.", "正解です。"));
+  const Text right = says(asked_->solution.answers.front()), no{"No, the right answer is: ", "違います。正解："};
+  const Text& why = asked_->solution.why;
+  const bool tells = why.en.starts_with(right.en);  // as a rule does, with its elements
+  const auto show = [&](const ImVec4& colour, const Text& text) {
+    coloured_text(colour, text.in(context.language()).c_str());
+  };
+  const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  show(plain, Text{"Your answer: ", "あなたの答え："} + judged_->given);
+  if (judged_->is_right)
+    show(context.colours().legal, {"Right.", "正解です。"});
   else
-    coloured_text(context.colours().warning, verdict_on_wrong(asked_->solution).in(context.language()).c_str());
-  wrapped_text(asked_->solution.why.in(context.language()).c_str());
+    show(context.colours().warning, no + (tells ? why : right));
+  if (judged_->is_right || !tells) show(plain, why);
   ImGui::PushID("why");
   element_links(context, asked_->solution.witnesses);
   ImGui::PopID();
@@ -163,6 +200,7 @@ void PracticePanel::draw(PanelContext& context) {
   if (session.mesh().live().faces == 0 || session.mesh().live().edges == 0)
     return dim_text(context, context.text("Open a mesh first: the start page has the figures of the source texts.",
                                           "先にメッシュを開いてください。開始画面にテキストの図があります。"));
+  top_ = ImGui::GetCursorPosY();
   choose_kind(context);
   is_left_ |= asked_ && !session.asked_question;
   if (is_left_) asked_.reset();
@@ -183,9 +221,9 @@ void PracticePanel::draw_question(PanelContext& context) {
   element_links(context, {asked_->question.about});
   ImGui::PopID();
   take_click(context.session);
+  if (judged_) return draw_judgement(context);
   draw_choices(context);
   draw_answer_field(context);
-  if (right_) draw_judgement(context);
 }
 
 }  // namespace

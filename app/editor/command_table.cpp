@@ -72,7 +72,7 @@ const std::vector<CommandRow>& first_rows() {
       {.id = "save_selected",
        .syntax = "FILE",
        .help_en = "writes what is selected alone: faces, also by all of their vertices or edges, lines and points",
-       .help_ja = "選択した面（全頂点・全稜線の選択でも可）、線、点だけを別のファイルに書き出す",
+       .help_ja = "選択した部分だけを別のファイルに書き出す（面、線、点。面は全頂点・全稜線の選択でも可）",
        .effect = Effect::none,
        .run = run_save_selected,
        .file = FileAccess::writes_part,
@@ -101,7 +101,7 @@ const std::vector<CommandRow>& first_rows() {
        .help_en = "selects by name, all that a problem is about (its loop, fans or pair), all problems of a kind, what "
                   "grows from the selection, or what has a trait",
        .help_ja =
-           "名前、問題（関わるループ・扇・対の全体、名前なしなら同種すべて）、選択からの広がり、性質で要素を選択する",
+           "要素を選択する（名前、問題が関わるループ・扇・対の全体、同種の問題すべて、選択からの広がり、性質で）",
        .effect = Effect::none,
        .run = run_select,
        .prepares_edits = true,
@@ -138,7 +138,7 @@ const std::vector<CommandRow>& first_rows() {
       {.id = "hide",
        .syntax = "selected|NAME...|A..B",
        .help_en = "hides faces, those at an edge or vertex, wires and isolated vertices, until unhide",
-       .help_ja = "面（稜線・頂点ではそこに接する面）、面のない稜線、孤立頂点を unhide まで非表示にする",
+       .help_ja = "要素を unhide まで非表示にする（面、面のない稜線、孤立頂点。稜線・頂点ではそこに接する面）",
        .effect = Effect::none,
        .run = run_hide,
        .fault = fault_of_hide},
@@ -224,7 +224,7 @@ const std::vector<CommandRow>& last_rows() {
        .syntax = colours_syntax(),
        .help_en = "colours the surface by a number of its elements, from LOW to HIGH, over all of them or at first the "
                   "middle 90 %, and says what the numbers are",
-       .help_ja = "要素ごとの値（LOW から HIGH、all は全体、省くと中央の 90 %）で面に色を付け、値の要約を示す",
+       .help_ja = "要素ごとの値で面に色を付け、値の要約を示す（LOW から HIGH、all は全体、省くと中央の 90 %）",
        .effect = Effect::none,
        .run = run_colours,
        .fault = fault_of_colours},
@@ -296,7 +296,7 @@ const std::vector<CommandRow>& last_rows() {
       {.id = "remedy",
        .syntax = "[N]",
        .help_en = "carries out the first line of the remedy for the click that was refused, or the Nth",
-       .help_ja = "拒否されたクリックへの対処の最初の行（または N 行目）を実行する",
+       .help_ja = "拒否されたクリックへの対処の最初の行を実行する（N を付けると N 行目）",
        .effect = Effect::none,
        .run = run_remedy,
        .fault = fault_of_remedy},
@@ -379,10 +379,11 @@ const std::vector<CommandRow>& last_rows() {
                .effect = Effect::none,
                .run = run_bind,
                .fault = fault_of_bind}),
-      of_view({"cancel", "",
-               "closes the open panel, else lets a held verdict go, else puts the tool away, else selects nothing, else "
-               "leaves an exercise",
-               "パネル、保持中の判定、ツール、選択、演習の順に取り消す", Effect::none, run_cancel}),
+      of_view(
+          {"cancel", "",
+           "closes the open panel, else lets a held verdict go, else puts the tool away, else selects nothing, else "
+           "leaves an exercise",
+           "パネル、保持中の判定、ツール、選択、演習の順に取り消す", Effect::none, run_cancel}),
       of_view({"quit", "", "ends the program", "終了する", Effect::none, run_quit}),
   };
   return rows;

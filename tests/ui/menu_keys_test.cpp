@@ -369,6 +369,7 @@ TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   press("F3");
   write("divide");
   EXPECT_TRUE(shows("divide a face from vertex to vertex, or join"));
+  EXPECT_TRUE(shows("either separate_loop selected | unite_ring selected | make_edge selected"));
   EXPECT_EQ(DrawnText(gui).cut_in_height(), "") << "its lines end whole";
   EXPECT_EQ(DrawnText(gui).cut_sideways(), "");
 }

@@ -3,7 +3,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // its windows
 
-#include "app/editor/palette.h"
 #include "app/ui/widgets.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -33,27 +32,6 @@ TEST(command_panel, leaves_no_name_out_of_the_middle_of_a_word) {
   laid.gui.text("scale");
   laid.frames(4);
   EXPECT_GT(DrawnText(laid.gui).count("scalesvertices,everywhere"), 0u);
-}
-
-TEST(command_panel, cuts_helps_between_words) {
-  std::size_t cuts = 0;
-  for (const char* const typed : {"select", "the last", "faces that", "compare", "as another"}) {
-    Laid laid("cube.obj");
-    ASSERT_TRUE(laid.session.run("panel command").done());
-    laid.frames(3);
-    laid.gui.text(typed);
-    laid.frames(4);
-    const DrawnText text(laid.gui);
-    for (const PaletteEntry& entry : find_in_palette(typed))
-      for (std::size_t end = 30; end < entry.help.en.size(); ++end) {
-        std::string letters = entry.help.en.substr(end - 20, 20);
-        std::erase(letters, ' ');
-        if (entry.help.en[end - 1] == ' ' || text.count(letters + "?") == 0) continue;
-        ++cuts;
-        EXPECT_NE(std::string_view(" ,;:").find(entry.help.en[end]), std::string_view::npos) << letters;
-      }
-  }
-  EXPECT_GT(cuts, 0u) << "else nothing was looked at";
 }
 
 TEST(widgets, cut_a_text_at_a_word_and_a_word_anywhere) {

@@ -133,10 +133,9 @@ WrittenEntry write_entry(const PanelContext& context, const PaletteEntry& entry,
   WrittenEntry written{is_named ? name : beside, is_named ? beside : chord_of(context.session, entry.line), {}};
   std::string usage_below = is_whole && !entry.syntax.empty() ? usage : "";
   if (!fits(written.label, written.right)) {
-    const bool has_room_for_name = is_named && fits(name, entry.line);
-    written.label = has_room_for_name ? name : entry.line;
-    written.right = has_room_for_name ? entry.line : "";
-    if (!entry.syntax.empty()) usage_below = usage;
+    written.label = is_named && fits(name, "") ? name : entry.line;
+    written.right = is_named && fits(name, entry.line) ? entry.line : "";
+    if (usage != written.label && usage != written.right) usage_below = usage;
   }
   written.below = {usage_below, is_whole ? help : beyond_name(help, written.label)};
   std::erase(written.below, "");

@@ -6,6 +6,7 @@
 #include "app/editor/figures.h"
 #include "app/editor/menu_bar.h"
 #include "app/editor/panel_list.h"
+#include "app/editor/repair_call.h"
 #include "app/editor/words.h"
 #include "core/view/named_views.h"
 
@@ -176,7 +177,8 @@ const std::vector<CommandRow>& first_rows() {
        .effect = Effect::edits,
        .run = run_repair,
        .is_long = true,
-       .fault = fault_of_repair},
+       .fault = fault_of_repair,
+       .named = {{repair_all_line, "Repair all", "まとめて修復"}}},
       {.id = "would",
        .syntax = "repair KIND ...",
        .help_en = "tells what a repair would change and leave, and changes nothing",

@@ -11,6 +11,8 @@ namespace ryosen {
 
 // The word that stands for all repairs that keep all geometry.
 inline constexpr std::string_view default_repairs = "default";
+// The command that does all of them.
+inline constexpr std::string_view repair_all_line = "repair default";
 
 struct ReadRepairs {
   RepairCall call;

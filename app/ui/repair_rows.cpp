@@ -149,7 +149,7 @@ bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
 }
 
 bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
-  const std::string line = "repair " + std::string(default_repairs);
+  const std::string line(repair_all_line);
   const char* const name = context.text("Repair all", "まとめて修復");
   std::string help =
       context.text("Does all repairs that keep every place and the faces on them, again until nothing changes: ",

@@ -374,6 +374,24 @@ TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   EXPECT_EQ(DrawnText(gui).cut_sideways(), "");
 }
 
+// A command that lacks something is begun, as by a click on it; refused only when it is entered once more.
+TEST_F(MenuKeys, a_bare_command_that_lacks_something_is_begun) {
+  press("F3");
+  write("repair");
+  press("Enter");
+  EXPECT_TRUE(shows("Repair all"));
+  EXPECT_EQ(gui.said().en, "");
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "") << "there is one way to go on";
+  EXPECT_NE(gui.said().en, "");
+  press("F3");
+  write("view");
+  press("Enter");
+  EXPECT_EQ(session.open_panel, "command");
+  press("Enter");
+  EXPECT_NE(gui.said().en.find("the command reads"), std::string::npos) << gui.said().en;
+}
+
 TEST_F(MenuKeys, the_palette_completes_paths) {
   test::TemporaryFolder folder;
   folder.write("inner place/torus.off", test::read_file(test::asset("torus.off")));

@@ -217,11 +217,13 @@ std::optional<std::size_t> CommandPanel::meant() const {
   const AlgorithmRow* const algorithm = find_algorithm(line);
   const auto call = call_of(line);
   const bool is_about_elements = find_op(line) || (call && call->row.most_elements > 0);
-  const bool asks = is_bare && (is_about_elements || (algorithm && !algorithm->parameters.empty()));
+  const bool lacks_something = fault_of_command(line).has_value();
+  const bool asks = is_bare && (is_about_elements || (lacks_something && !is_begun()) ||
+                                (algorithm && !algorithm->parameters.empty()));
   // A word alone that lacks something gives way to what is called so.
-  const bool is_name = found_[0].line != line && line.find(' ') == line.npos && fault_of_command(line);
+  const bool is_name = found_[0].line != line && line.find(' ') == line.npos && lacks_something;
   // What is begun and lacks something is ended by the only one that goes on so.
-  if (is_begun() && found_.size() == 2 && found_[1].line != line && fault_of_command(line)) return 1;
+  if (is_begun() && found_.size() == 2 && found_[1].line != line && lacks_something) return 1;
   if (call && !asks && !is_name) return std::nullopt;
   return 0;
 }

@@ -51,19 +51,38 @@ Text reason_of(const RepairCall& call, const ProblemRow& kind) {
          Text{", \"", "（「"} + others + Text{"\" is for it", "」で直せます）"};
 }
 
-// What is still found, of all kinds or of those that a single repair is for, and has not been told.
-void add_untold(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results,
-                const Mesh& after, const RecipeInput& input, bool drops_quarantined) {
+bool names(const Problem& problem, const Element& element) {
+  if (problem.row().quarantined || problem.row().sort() != element.kind) return false;
+  const auto at = std::lower_bound(problem.elements.begin(), problem.elements.end(), element,
+                                   [](const Element& a, const Element& b) { return a.index < b.index; });
+  return at != problem.elements.end() && at->index == element.index;
+}
+
+// Of what the steps have left.
+void count_left(RepairReport& report, std::span<const Problem> problems) {
+  for (const Problem& problem : problems) report.problems += problem.count();
+  for (const LeftForReason& left : report.left)
+    for (const Element& element : left.elements)
+      report.others += std::none_of(problems.begin(), problems.end(),
+                                    [&](const Problem& problem) { return names(problem, element); });
+}
+
+// What is still found, of all kinds or of those that a single repair is for: counted, and told unless it has been.
+void add_found(RepairReport& report, const RepairCall& call, std::span<const AlgorithmResult> results,
+               const Mesh& after, const RecipeInput& input, bool drops_quarantined) {
   const ProblemSets sets(after, 0, input.on_lines);
   const FileFaces file{drops_quarantined ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
-  for (Problem& problem : find_problems(after, sets, file)) {
+  std::vector<Problem> problems = find_problems(after, sets, file);
+  std::erase_if(problems, [&](const Problem& problem) {
     const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
                                         [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
     const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
-    const bool is_meant = call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind);
-    if (is_meant && !is_told(call, results, problem.row()))
+    return !(call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind));
+  });
+  count_left(report, problems);
+  for (Problem& problem : problems)
+    if (!is_told(call, results, problem.row()))
       add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements), true);
-  }
 }
 
 void add_text(Text& text, const Text& more) {
@@ -83,7 +102,7 @@ void keep_changed(std::vector<KindCount>& findings) {
 RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, const Mesh& after,
                        const RecipeInput& input) {
   RepairReport report{result.changed, result.text, {}, result.left_for, result.fault};
-  if (!report.fault) add_untold(report, call, {&result, 1}, after, input, result.drops_quarantined);
+  if (!report.fault) add_found(report, call, {&result, 1}, after, input, result.drops_quarantined);
   return report;
 }
 
@@ -98,7 +117,7 @@ RepairReport report_of(const RepairCall& call, const RecipeResult& result, const
   if (report.text.en.empty()) report.text = {"Nothing was changed.", "何も変わりません。"};
   report.findings = result.findings;
   keep_changed(report.findings);
-  add_untold(report, call, result.steps, after, input, result.drops_quarantined);
+  add_found(report, call, result.steps, after, input, result.drops_quarantined);
   return report;
 }
 
@@ -192,17 +211,22 @@ Text told(const LeftForReason& left, const Mesh& mesh) {
 }
 
 Text in_short(const RepairReport& report) {
-  std::size_t left = 0;
-  for (const LeftForReason& one : report.left) left += one.elements.size();
   Text text = report.text;
-  if (left > 0)
-    add_text(text, count_text(left, "One problem is left.", "# problems are left.", "問題が # 件残ります。"));
+  if (report.problems > 0)
+    add_text(text,
+             count_text(report.problems, "One problem is left.", "# problems are left.", "問題が # 件残ります。"));
+  if (report.others > 0)
+    add_text(text, count_text(report.others, "One element stays as it is.", "# elements stay as they are.",
+                              "# 要素はそのまま残ります。"));
   return text;
 }
 
 Text in_numbers(const RepairReport& report) {
-  RepairReport only_numbers{report.changed, {"No change.", "変更なし。"}, {}, report.left, {}};
-  if (report.changed > 0) only_numbers.text = count_text(report.changed, "One change.", "# changes.", "変更 # 件。");
+  RepairReport only_numbers;
+  only_numbers.text = report.changed == 0 ? Text{"No change.", "変更なし。"}
+                                          : count_text(report.changed, "One change.", "# changes.", "変更 # 件。");
+  only_numbers.problems = report.problems;
+  only_numbers.others = report.others;
   return in_short(only_numbers);
 }
 

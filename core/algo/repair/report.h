@@ -16,11 +16,13 @@ struct RepairCall {
 };
 
 struct RepairReport {
-  std::size_t changed = 0;             // 0: nothing is written
-  Text text;                           // sentences with the numbers
-  std::vector<KindCount> findings;     // of the kinds whose number becomes another one
-  std::vector<LeftForReason> left;     // what stays, why, and what is for it
-  std::optional<Text> fault = {};      // why it cannot be run at all: a clause
+  std::size_t changed = 0;          // 0: nothing is written
+  Text text;                        // sentences with the numbers
+  std::vector<KindCount> findings;  // of the kinds whose number becomes another one
+  std::vector<LeftForReason> left;  // what stays, why, and what is for it
+  std::optional<Text> fault = {};   // why it cannot be run at all: a clause
+  std::size_t problems = 0;         // findings that stay, counted as a list of problems does
+  std::size_t others = 0;           // elements among what is left that are none of these
 };
 
 // Of a single repair; its findings are not counted. Of the kinds that it is for, all that stays is among what is left.
@@ -37,9 +39,9 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
 // Of the numbers that change and the reasons why something is left so many are told, at least one of each, the rest is
 // counted.
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::string::npos);
-// Without what becomes of the findings: "One face was deleted. 5 problems are left."
+// Without what becomes of the findings: "One face was deleted. 5 problems are left. 2 elements stay as they are."
 Text in_short(const RepairReport& report);
-// Only how much: "3 changes. 5 problems are left."
+// Only how much: "3 changes. 5 problems are left. 2 elements stay as they are."
 Text in_numbers(const RepairReport& report);
 // "REASON (2: v12, v15)"
 Text told(const LeftForReason& left, const Mesh& mesh);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/core/shapes.h"
+
 namespace ryosen {
 namespace {
 
@@ -30,15 +32,39 @@ TEST(repair_report, counts_what_it_does_not_tell) {
 
 TEST(repair_report, says_in_a_few_words_how_much) {
   RepairReport report = long_report();
+  report.problems = 4;
   EXPECT_EQ(in_short(report).en, "Done. 4 problems are left.");
   EXPECT_EQ(in_numbers(report).en, "No change. 4 problems are left.");
   report.changed = 3;
-  report.left.resize(1);
+  report.problems = 1;
   EXPECT_EQ(in_numbers(report).en, "3 changes. One problem is left.");
   EXPECT_EQ(in_numbers(report).ja, "変更 3 件。問題が 1 件残ります。");
-  report.left.clear();
+  report.problems = 0;
+  report.others = 2;
+  EXPECT_EQ(in_numbers(report).en, "3 changes. 2 elements stay as they are.");
+  EXPECT_EQ(in_numbers(report).ja, "変更 3 件。2 要素はそのまま残ります。");
+  report.others = 0;
   report.changed = 1;
   EXPECT_EQ(in_numbers(report).en, "One change.");
+}
+
+// The sheets of a fin that are taken apart keep two points at one place, which nobody lists as a problem.
+TEST(repair_report, counts_as_problems_what_a_list_of_problems_has) {
+  const auto report_by = [](const Mesh& mesh, std::initializer_list<std::string_view> repairs, bool in_rounds) {
+    RepairCall call{{}, in_rounds};
+    for (const std::string_view id : repairs) {
+      const AlgorithmRow& row = *find_algorithm(id);
+      call.steps.push_back({&row, ParameterValues(row.parameters)});
+    }
+    return try_repair(mesh, call, {}, {}).value();
+  };
+  const RepairReport apart = report_by(test::make_mesh(test::fin()), {"weld_equal", "detach_nonmanifold"}, true);
+  EXPECT_EQ(apart.problems, 3u) << "the boundary loops of three sheets";
+  EXPECT_EQ(apart.others, 2u) << "the points at the ends of the edge";
+  const RepairReport twisted = report_by(test::make_mesh(test::moebius_strip()), {"orient"}, false);
+  ASSERT_EQ(twisted.left.size(), 1u);
+  EXPECT_EQ(twisted.problems, twisted.left[0].elements.size()) << "counted once, though told with its reason";
+  EXPECT_EQ(twisted.others, 0u);
 }
 
 }  // namespace

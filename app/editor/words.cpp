@@ -56,9 +56,12 @@ std::string with_short_numbers(std::string_view line) {
     double value = 0;
     const char* const begin = line.data() + at;
     const auto [end, error] = std::from_chars(begin, line.data() + line.size(), value);
-    const std::string_view number(begin, begins && error == std::errc() ? end : begin);
-    const bool is_whole_word = end == line.data() + line.size() || is_beyond_latin(*end) ||
-                               std::string_view(" ,)%;:").find(*end) != std::string_view::npos;
+    std::string_view number(begin, begins && error == std::errc() ? end : begin);
+    if (number.ends_with('.')) number.remove_suffix(1);  // of the sentence
+    const std::string_view behind = line.substr(at + number.size());
+    const bool is_whole_word = behind.empty() || behind == "." || behind.starts_with(". ") ||
+                               is_beyond_latin(behind[0]) ||
+                               std::string_view(" ,)%;:").find(behind[0]) != std::string_view::npos;
     const bool is_exact = number.find_first_of(".e") == std::string_view::npos && number != "-0";
     if (number.empty() || !is_whole_word || is_exact) {
       shown += line[at++];

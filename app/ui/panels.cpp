@@ -4,6 +4,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
 #include "app/editor/words.h"
+#include "core/algo/repair/report.h"
 
 namespace ryosen {
 
@@ -55,6 +56,15 @@ Text without_line(const Outcome& outcome, const Mesh& mesh) {
   return outcome.sentence.en.ends_with(told.en) ? told : Text();
 }
 
+// In fewer and fewer words what the last repair changed and left, if that is what was said.
+void add_shorter_report(std::vector<Text>& shorter, const Session& session, const Text& name, const Text& said) {
+  const RepairReport* const report = session.last_repair();
+  if (!report || (said.en != report->text.en && said.en != told(*report, session.mesh()).en)) return;
+  shorter.push_back(name + in_short(*report));
+  shorter.push_back(name + in_numbers(*report));
+  shorter.push_back(in_numbers(*report));
+}
+
 }  // namespace
 
 Outcome PanelContext::keep(Outcome outcome) {
@@ -64,14 +74,17 @@ Outcome PanelContext::keep(Outcome outcome) {
   if (outcome.done() && !outcome.performed.empty())
     state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
-  state.last_short = {};
+  state.last_shorter.clear();
   if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
     state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
-    const Text name = name_of_command(outcome.performed.substr(0, outcome.performed.find(' ')));
-    state.last_short = {name.en + ": " + outcome.sentence.en, name.ja + "：" + outcome.sentence.ja};
+    const Text name = name_of_command(outcome.performed.substr(0, outcome.performed.find(' '))) + Text{": ", "："};
+    state.last_shorter = {name + outcome.sentence};
+    add_shorter_report(state.last_shorter, session, name, outcome.sentence);
   }
-  if (outcome.kind == Outcome::Kind::refused) state.last_short = without_line(outcome, session.mesh());
+  if (outcome.kind == Outcome::Kind::refused)
+    if (Text reasons = without_line(outcome, session.mesh()); !reasons.en.empty())
+      state.last_shorter = {std::move(reasons)};
   return outcome;
 }
 

@@ -36,7 +36,8 @@ struct WaitingLine {
 // What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
   Text last_outcome;  // of the last command that was sent from here
-  Text last_short;    // the same without the command's values, where there is no room for them; may be empty
+  std::vector<Text>
+      last_shorter;  // the same in fewer words, for where there is no room: without the command's values ...
   Outcome::Kind last_kind = Outcome::Kind::done;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;

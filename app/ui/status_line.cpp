@@ -112,16 +112,18 @@ void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float roo
   }
 }
 
-// At the right, with short numbers; where it does not fit without the values of the command, or with an ellipsis. What is
-// not shown as it was said is whole in a tooltip.
+// At the right, with short numbers; where it does not fit in fewer words, or with an ellipsis. What is not shown as it was
+// said is whole in a tooltip.
 void draw_said(PanelContext& context, const std::string& said, float end, float room) {
   const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
                         : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
                                                                             : context.colours().warning;
-  const std::string& brief = context.state.last_short.in(context.language());
-  const std::string told = with_short_numbers(said);
-  const bool is_brief = !brief.empty() && ImGui::CalcTextSize(told.c_str()).x > room;
-  const std::string shown = fitted(is_brief ? with_short_numbers(brief) : told, room);
+  std::string told = with_short_numbers(said);
+  for (const Text& shorter : context.state.last_shorter) {
+    if (ImGui::CalcTextSize(told.c_str()).x <= room) break;
+    told = with_short_numbers(shorter.in(context.language()));
+  }
+  const std::string shown = fitted(told, room);
   ImGui::SetCursorPosX(end - std::min(room, ImGui::CalcTextSize(shown.c_str()).x));
   ImGui::PushStyleColor(ImGuiCol_Text, colour);
   ImGui::TextUnformatted(shown.c_str());

@@ -22,6 +22,8 @@ TEST(words, numbers_are_shown_short_and_names_as_they_are) {
             "translate by=0.00149448,-1e-17,2 elements=v4,v7: 2 moved.");
   EXPECT_EQ(with_short_numbers("平均曲率：-880.181286 ～ 1073.84404、平均 1.5"),
             "平均曲率：-880.181 ～ 1073.84、平均 1.5");
+  EXPECT_EQ(with_short_numbers("Loops 1 → 3. Mean 0.123456789. Left: 1.23456789."),
+            "Loops 1 → 3. Mean 0.123457. Left: 1.23457.");
   for (const char* const same :
        {"collapse 29161-29331 mid", "points seed=123456789", "scale 50%", "split 0-1 0.25", "select 12-0 h1234567890",
         "", "open a-0.1234567890.obj", "export 0.1234567890.obj", "open 1e5.obj", "v0.12345678", "by=1,2,3"})

@@ -16,6 +16,7 @@ struct Hint {
   std::string button, does;
 };
 
+// What it does now, how it ends and how it is taken back, which always have room; then what else may be pressed.
 std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformGesture& gesture) {
   std::string told = gesture.told().in(context.language());
   if (const std::size_t spoilt = context.session.spoilt_by_gesture().size(); spoilt > 0)
@@ -23,13 +24,13 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
                        "（裏返る面・つぶれる面 #）")
                 .in(context.language());
   return {{"", told},
+          {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
+          {"Esc", context.text("give up", "中止")},
           {"X Y Z N", context.text("axis", "軸")},
           {"0-9", context.text("number", "数値")},
           {"O", gesture.has_falloff() ? context.text("falloff, wheel widens", "減衰（ホイールで広げる）")
                                       : context.text("falloff", "減衰")},
-          {"Ctrl", context.text("snap", "吸着")},
-          {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
-          {"Esc", context.text("give up", "中止")}};
+          {"Ctrl", context.text("snap", "吸着")}};
 }
 
 // "2 vertices, 1 face"
@@ -132,9 +133,13 @@ void draw_said(PanelContext& context, const std::string& said, float end, float 
 }
 
 void draw_line(PanelContext& context, float width, float padding) {
-  const std::vector<Hint> hints = hints_of(context);
+  std::vector<Hint> hints = hints_of(context);
   const std::string& said = context.state.last_outcome.in(context.language());
   const float all = width - 2 * padding;
+  if (context.session.gesture()) {
+    const float ends = width_of(hints[1]) + width_of(hints[2]) + 2 * hint_gap() + word_gap();
+    hints[0].does = fitted(hints[0].does, all - ends);
+  }
   if (said.empty() || context.session.gesture() || !context.session.asked_line.empty())
     return draw_hints(context, hints, all);
   float hinted = 0;

@@ -210,19 +210,19 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
-// What the textbooks build or do step by step, as their scripts play it.
-void script_menu(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
-  if (!begin_submenu(title)) return;
+// What the textbooks build or do step by step, as their scripts play it. In no menu within the menu: beside this one there
+// is no room for names that long in a narrow window.
+void script_items(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
+  ImGui::Separator();
+  ImGui::TextColored(context.colours().dim, "%s", title);
   for (const ExerciseScript& script : scripts)
     item(context, name_of_exercise(script).in(context.language()).c_str(), "steps script " + std::string(script.id));
-  ImGui::EndMenu();
 }
 
 void draw_help_menu(PanelContext& context) {
   panel_items(context, PanelMenu::help);
-  ImGui::Separator();
-  script_menu(context, context.text("Exercises", "演習"), exercise_scripts());
-  script_menu(context, context.text("Figures 2 to 7 of text 002", "テキスト 002 の図 2〜7"), figure_scripts());
+  script_items(context, context.text("Exercises", "演習"), exercise_scripts());
+  script_items(context, context.text("Figures 2 to 7 of text 002", "テキスト 002 の図 2〜7"), figure_scripts());
 }
 
 // In the order of menu_bar.
@@ -284,6 +284,12 @@ BarRoom room_in_bar(const PanelContext& context, float language_px) {
   return {close, fits(close, language_px)};
 }
 
+// Between the entries of a menu: less where the window is hardly as high as the longest of those that are not scrolled.
+float row_gap(float window_px) {
+  const float gap = ImGui::GetStyle().ItemSpacing.y;
+  return window_px < 27 * ImGui::GetTextLineHeightWithSpacing() ? std::floor(0.75f * gap) : gap;
+}
+
 }  // namespace
 
 void draw_menu(PanelContext& context) {
@@ -306,8 +312,10 @@ void draw_menu(PanelContext& context) {
     ImGui::PopStyleVar();
     if (!is_open) continue;
     open = &menu_bar[i];
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, row_gap(all.y)});
     menus[i](context);
     ImGui::EndMenu();
+    ImGui::PopStyleVar();
   }
   if (open) go_sideways(context, *open);
   const float end = ImGui::GetIO().DisplaySize.x - (room.has_language ? width : 0);

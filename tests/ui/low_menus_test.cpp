@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "app/editor/menu_bar.h"
+#include "app/editor/playing.h"
 #include "app/ui/window_input.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
 
@@ -35,6 +37,36 @@ TEST_F(LowMenus, lie_below_the_bar_and_are_scrolled) {
     gui.close_menus();
     frames(3);
   }
+}
+
+// Of those that are nearly as high as the window.
+TEST_F(LowMenus, that_are_hardly_too_long_are_whole) {
+  for (const char* const language : {"language en", "language ja"}) {
+    ASSERT_TRUE(session.run(language).done());
+    for (const char* const menu : {"file", "edit", "add", "help"}) {
+      ASSERT_TRUE(session.run("menu " + std::string(menu)).done());
+      frames(5);
+      ASSERT_GT(GImGui->OpenPopupStack.Size, 0) << menu;
+      EXPECT_EQ(GImGui->OpenPopupStack.back().Window->ScrollMax.y, 0) << language << ", " << menu;
+      gui.close_menus();
+      frames(3);
+    }
+  }
+}
+
+TEST_F(LowMenus, of_help_show_the_names_of_all_exercises_and_figures) {
+  ASSERT_TRUE(session.run("menu help").done());
+  frames(5);
+  EXPECT_LE(popup().Max.x, low.width);
+  const test::DrawnText drawn(gui);
+  for (const char* const text : {"Keysandmouse", "Exercises", "Acubewithtwothrough-holes", "Atriangularpyramid",
+                                 "Figures2to7oftext002", "Figure7"})
+    EXPECT_GE(drawn.count(text), 1u) << text;
+  for (const std::string& shortened : drawn.shortened()) ADD_FAILURE() << shortened;
+  input_.press(MouseButton::left, {drawn.place("Atriangularpyramid")});
+  input_.release(MouseButton::left, {drawn.place("Atriangularpyramid")});
+  frames(5);
+  ASSERT_TRUE(session.player);
 }
 
 TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {
@@ -78,9 +110,13 @@ TEST_F(LowMenus, within_menus_leave_the_names_around_them_to_be_read) {
         press("Right");
         if (GImGui->OpenPopupStack.Size == 2) {
           ++opened;
-          const ImRect around = GImGui->OpenPopupStack[0].Window->Rect(), inner = popup();
+          const ImGuiWindow& around = *GImGui->OpenPopupStack[0].Window;
+          const ImRect inner = popup();
           const std::string place = std::string(language) + " " + menu + " " + std::to_string(entry);
-          EXPECT_GE(inner.Min.x, around.Min.x + 0.4f * around.GetWidth()) << place;
+          const ImGuiMenuColumns& columns = around.DC.MenuColumns;
+          const float names =
+              around.Pos.x + around.WindowPadding.x + static_cast<float>(columns.OffsetLabel + columns.Widths[1]);
+          EXPECT_GE(inner.Min.x, names) << place << ", " << inner.GetWidth() << " of " << around.Size.x;
           EXPECT_LE(inner.Max.x, low.width) << place;
         }
         gui.close_menus();

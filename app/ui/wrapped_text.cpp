@@ -38,6 +38,8 @@ bool is_opening(std::string_view letter) { return letter == "（" || letter == "
 
 bool is_kanji(char c) { return static_cast<unsigned char>(c) >= 0xE3; }
 bool is_latin(char c) { return c > ' ' && c <= '~'; }
+// Behind these a word of Latin letters may be parted: alternatives and chords of keys.
+bool parts_words(char c) { return c == '|' || c == '+'; }
 
 // Between kana and kanji a line may end anywhere: takes as many of them as fit, and the Latin words that they follow
 // without a blank, where ImGui would end at a blank before.
@@ -49,7 +51,7 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
       next = behind_letter(next, end);
     } else {
       next = std::find_if(next, end, [](char c) { return c == ' ' || is_kanji(c); });
-      if (next == end || *next == ' ') return at;  // ImGui has seen that it does not fit
+      if (next == end || *next == ' ') break;  // ImGui has seen that it does not fit
     }
     if (ImGui::CalcTextSize(begin, next).x > width_px) break;
     at = next;
@@ -62,7 +64,7 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
   }
   // ImGui ends lines behind the points of numbers and, where there is no blank before, within words.
   const char* word = before;
-  while (word > begin && word < end && is_latin(*word) && is_latin(word[-1]) && word[-1] != '|') --word;
+  while (word > begin && word < end && is_latin(*word) && is_latin(word[-1]) && !parts_words(word[-1])) --word;
   if (word > begin) before = word;
   while (before > begin && is_opening({at_letter(before), static_cast<std::size_t>(before - at_letter(before))}))
     before = at_letter(before);
@@ -73,9 +75,9 @@ const char* with_kanji(const char* begin, const char* at, const char* end, float
 const char* end_of_line(const char* begin, const char* end, float width_px) {
   end = std::find(begin, end, '\n');
   const char* at = ImGui::GetFont()->CalcWordWrapPositionA(1, begin, end, width_px);
-  // ImGui ends lines behind points too, also those of numbers and file names. Alternatives are parted behind their bar.
+  // ImGui ends lines behind points too, also those of numbers and file names.
   const char* blank = at;
-  while (blank > begin && *blank != ' ' && blank[-1] != '|') --blank;
+  while (blank > begin && *blank != ' ' && !parts_words(blank[-1])) --blank;
   if (at < end && *at != ' ' && blank > begin && static_cast<unsigned char>(*at) < 0x80) at = blank;
   return at == begin && at < end ? behind_letter(at, end) : with_kanji(begin, at, end, width_px);
 }

@@ -56,6 +56,13 @@ TEST_F(WrappedText, leaves_latin_words_whole) {
   EXPECT_EQ(lines("one two three", width("one two")), 2);
 }
 
+// Also where no blank is before them and one behind, and a chord goes on below behind its plus.
+TEST_F(WrappedText, leaves_the_names_of_keys_whole) {
+  EXPECT_EQ(wrapped_size("ボックスで選択（Alt で裏側も）", width("ボックスで選択（Al")).x, width("（Alt で裏側も）"));
+  EXPECT_EQ(wrapped_size("選択（Alt", width("選択（Al")).x, width("（Alt"));
+  EXPECT_EQ(wrapped_size("Ctrl+Shift+左", width("Ctrl+Shi")).x, width("Shift+"));
+}
+
 TEST_F(WrappedText, parts_alternatives_behind_their_bar) {
   const char* const text = "alpha|beta|gamma|delta";
   EXPECT_EQ(wrapped_size(text, width("alpha|beta|gam")).x, ImGui::CalcTextSize("gamma|delta").x);

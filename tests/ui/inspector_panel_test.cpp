@@ -64,11 +64,18 @@ TEST_F(InspectorPanel, what_is_said_of_several_elements_stands_whole_below_the_n
     ASSERT_TRUE(gui.run(session, columns).done());
     ASSERT_TRUE(gui.run(session, "select f0 f1").done());
     ASSERT_TRUE(gui.run(session, "language en").done());
-    EXPECT_EQ(drawn("f1 +1; this is the last one, with the ring, into which others are welded. area"), 1u) << columns;
+    EXPECT_EQ(drawn("f1 One more element is selected. This one was selected last: it has the ring. area"), 1u)
+        << columns;
     ASSERT_TRUE(gui.run(session, "language ja").done());
-    const std::string letters(23, '?');
-    EXPECT_EQ(drawn(("f1 ?1" + letters + "??" + "1").c_str()), 1u) << columns;
+    const std::string letters(29, '?');
+    EXPECT_EQ(drawn(("f1 ???1" + letters + "??" + "1").c_str()), 1u) << columns;
     EXPECT_EQ(DrawnText(gui).cut_in_height(), "") << columns;
+    ASSERT_TRUE(gui.run(session, "language en").done());
+    ASSERT_TRUE(gui.run(session, "select v0 v1 v2").done());
+    EXPECT_EQ(drawn("v2 2 more elements are selected. This one was selected last: it has the ring. Welding joins the "
+                    "others into it. position"),
+              1u)
+        << columns;
   }
 }
 

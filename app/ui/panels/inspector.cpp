@@ -34,7 +34,7 @@ class Inspector {
     ImGui::PushFont(context_.fonts.bold);
     ImGui::TextUnformatted(name_and_slot(m_, element).c_str());
     ImGui::PopFont();
-    if (selected > 1) tell_of_others(selected - 1);
+    if (selected > 1) tell_of_others(selected - 1, element.kind == Element::Kind::vertex);
     switch (element.kind) {
       case Element::Kind::vertex:
         return draw(element.vertex());
@@ -52,12 +52,15 @@ class Inspector {
   void note(UiText text) { coloured_text(context_.colours().warning, context_.text(text)); }
 
   // Above what may take more lines than the panel has.
-  void tell_of_others(std::size_t others) {
+  void tell_of_others(std::size_t others, bool is_vertex) {
     const std::string n = grouped(static_cast<std::int64_t>(others));
-    Text told{"+" + n, "他 " + n + " 個"};
-    if (others < most_ringed)
-      told = told + Text{"; this is the last one, with the ring, into which others are welded.",
-                         "。これは最後に選んだ要素（輪、縫合先）です。"};
+    Text told{others == 1 ? "One more element is selected. " : n + " more elements are selected. ",
+              "ほかに " + n + " 個を選択中です。"};
+    told = told + (others < most_ringed ? Text{"This one was selected last: it has the ring.",
+                                               "最後に選んだのはこの要素で、輪で示します。"}
+                                        : Text{"This one was selected last.", "最後に選んだのはこの要素です。"});
+    if (is_vertex)
+      told = told + Text{" Welding joins the others into it.", "縫合すると、ほかの頂点はこの頂点にまとまります。"};
     dim_text(context_, told.in(context_.language()).c_str());
   }
 

@@ -104,7 +104,7 @@ Question ask_for_verdict(const Mesh& mesh, Draws& draws) {
           {std::string("May the edge ") + edge_name + (collapses ? " collapse" : " be swapped") +
                "? Answer yes, or the rule that forbids it.",
            "稜線 " + edge_name + " で" + (collapses ? "稜線削除" : "稜線交換") +
-               "ができますか。yes か、できない理由の規則で答えてください。"},
+               "ができますか。「はい」か、できない理由の規則で答えてください。"},
           {},
           {},
           line};

@@ -118,8 +118,11 @@ Solution solve(const Mesh& mesh, const Question& question, AllRecords records) {
 }
 
 Text verdict_on_wrong(const Solution& solution) {
-  const std::string& right = solution.answers.front();
-  return {"No, the right answer is " + right + ".", "違います。正解は " + right + " です。"};
+  const std::vector<std::string>& answers = solution.answers;
+  const auto is_japanese = [](const std::string& word) { return static_cast<unsigned char>(word.front()) >= 0x80; };
+  const auto word = std::find_if(answers.begin(), answers.end(), is_japanese);
+  return {"No, the right answer is " + answers.front() + ".",
+          "違います。正解は" + (word == answers.end() ? " " + answers.front() + " " : "「" + *word + "」") + "です。"};
 }
 
 std::vector<AnswerChoice> answer_choices(const Question& question, const Solution& solution) {
@@ -181,7 +184,8 @@ Text why_no_answer(const Mesh& mesh, const Question& question, const Solution& s
       const bool is_known =
           word == "no" || word == "legal" || word == "はい" || word == "いいえ" ||
           std::any_of(choices.begin(), choices.end(), [&](const AnswerChoice& choice) { return choice.word == word; });
-      return is_known ? Text() : wanted("yes, or the id of a rule that forbids it.", "yes か、禁じる規則の id です。");
+      return is_known ? Text()
+                      : wanted("yes, or the id of a rule that forbids it.", "「はい」か、禁じる規則の id です。");
     }
     case QuestionKind::record:
       if (is_number(word) || word == "none" || word == "なし") return {};

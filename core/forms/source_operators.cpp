@@ -106,13 +106,13 @@ void swap(Steps& s, std::uint32_t h) {
 Text describe(const SourceOutcome& outcome) {
   if (outcome.completed) return {"It runs to its end.", "最後まで実行されます。"};
   Text text = outcome.pair_of_edge_missing
-                  ? Text{"It follows the pair of the edge itself", "その稜線自身の pair をたどります。"}
-                  : Text{"It follows the pair of a neighbouring edge", "隣の稜線の pair をたどります。"};
+                  ? Text{"It follows the pair of the edge itself", "その稜線自身の対をたどります。"}
+                  : Text{"It follows the pair of a neighbouring edge", "隣の稜線の対をたどります。"};
   text.en +=
       ", which was never set: the constructor leaves it undefined, and nothing is paired there. What comes of it is "
       "undefined, at best a crash";
   text.ja +=
-      "この pair は一度も設定されず、コンストラクタも初期化しないため、値は不定です。"
+      "この対は一度も設定されず、コンストラクタも初期化しないため、値は不定です。"
       "以後の動作は未定義で、良くても異常終了します。";
   text.en +=
       outcome.changed_before ? "; the model has been changed in part by then." : "; nothing has been changed by then.";

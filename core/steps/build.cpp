@@ -66,7 +66,7 @@ class BuildPlay {
     Step& made =
         begin(5, 67,
               {"Halfedges begin at these vertices: " + names_text(halves) + "; their pair is not set, not even to none",
-               "頂点を起点とする半稜線を作る：" + names_text(halves) + "。pair は未設定（NULL でもない）"});
+               "頂点を起点とする半稜線を作る：" + names_text(halves) + "。対は未設定（NULL でもない）"});
     mark_all(made, Role::created, halves);
     for_each_side(f, [&](std::uint32_t side) {
       const std::string v = "v" + std::to_string(list_.sides[side].from);
@@ -115,7 +115,7 @@ class BuildPlay {
     const std::string name = list_.name(side), n = std::to_string(found < end ? found + 1 : end);
     Step& step = begin(10, 54,
                        {"The pair of " + name + " is looked for in all faces, " + n + " comparisons: ",
-                        name + " の pair を全ての面から探す（比較 " + n + " 回）："});
+                        name + " の対を全ての面から探す（比較 " + n + " 回）："});
     step.marks.push_back({Role::asked, list_.sides[side].halfedge});
     if (found == end) {
       step.caption = step.caption + Text{"none yet", "まだない"};

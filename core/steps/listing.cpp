@@ -65,8 +65,8 @@ class ListingPlay {
     set_halfedge(40, vertex(prev(across(he_))), lb, {"The lower vertex refers to (9)", "下の頂点から (9) を参照"});
     turn_around(end);
     const std::uint32_t other = across(he_);
-    join(49, rt, lt, next(he_), prev(he_), {"(7) and (8) become a pair", "(7) と (8) を pair にする"});
-    join(50, lb, rb, next(other), prev(other), {"(9) and (10) become a pair", "(9) と (10) を pair にする"});
+    join(49, rt, lt, next(he_), prev(he_), {"(7) and (8) become a pair", "(7) と (8) を対にする"});
+    join(50, lb, rb, next(other), prev(other), {"(9) and (10) become a pair", "(9) と (10) を対にする"});
     Step& gone = begin(52, {"The left vertex is deleted.", "左の頂点を削除する。"});
     gone.rows.push_back(
         {"text_vertices", vertex_name(start), "halfedge", halfedge_value(table_.vertex_halfedge[start]), {}});
@@ -92,10 +92,10 @@ class ListingPlay {
     set_vertex(70, other, vertex_of(rt, next(he_)), "(4)");
     set_vertex(71, next(other), vertex_of(lb, next(other)), "(5)");
     set_vertex(72, prev(other), vertex_of(rb, prev(other)), "(6)");
-    join(74, lt, next(he_), prev(he_), next(he_), {"(8) and (2) become a pair", "(8) と (2) を pair にする"});
-    join(75, lb, prev(he_), next(other), prev(he_), {"(9) and (3) become a pair", "(9) と (3) を pair にする"});
-    join(76, rt, prev(other), next(he_), prev(other), {"(7) and (6) become a pair", "(7) と (6) を pair にする"});
-    join(77, rb, next(other), prev(other), next(other), {"(10) and (5) become a pair", "(10) と (5) を pair にする"});
+    join(74, lt, next(he_), prev(he_), next(he_), {"(8) and (2) become a pair", "(8) と (2) を対にする"});
+    join(75, lb, prev(he_), next(other), prev(he_), {"(9) and (3) become a pair", "(9) と (3) を対にする"});
+    join(76, rt, prev(other), next(he_), prev(other), {"(7) and (6) become a pair", "(7) と (6) を対にする"});
+    join(77, rb, next(other), prev(other), next(other), {"(10) and (5) become a pair", "(10) と (5) を対にする"});
   }
 
   // The kernel's operator, and in which faces the two results differ.
@@ -272,17 +272,17 @@ class ListingPlay {
         }));
     const std::string n = std::to_string(written), at = halfedge_name(h);
     const int line = steps_.back().source ? steps_.back().source->line + 1 : 0;
-    Step& step = begin(
-        line, written == 0
-                  ? Text{at + " has no pair: here is the boundary. The code follows it all the same, which is "
-                              "undefined; nothing is written by then.",
-                         at + " に pair はない（境界）。コードはそれでもたどり、動作は未定義。まだ何も書いていない。"}
-                  : Text{at +
-                             " has no pair: here is the boundary. The code follows it all the same, which is "
-                             "undefined; " +
-                             n + " lines have written by then, and the model is left half done.",
-                         at + " に pair はない（境界）。コードはそれでもたどり、動作は未定義。" + n +
-                             " 行が書き換え済みで、モデルは途中のまま。"});
+    Step& step =
+        begin(line, written == 0
+                        ? Text{at + " has no pair: here is the boundary. The code follows it all the same, which is "
+                                    "undefined; nothing is written by then.",
+                               at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。まだ何も書いていない。"}
+                        : Text{at +
+                                   " has no pair: here is the boundary. The code follows it all the same, which is "
+                                   "undefined; " +
+                                   n + " lines have written by then, and the model is left half done.",
+                               at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。" + n +
+                                   " 行が書き換え済みで、モデルは途中のまま。"});
     mark(step, Role::missing, slots_[h]);
   }
 

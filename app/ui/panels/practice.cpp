@@ -154,7 +154,7 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
   const bool entered = ImGui::InputText("##answer", word_.data(), word_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   tip(context.text("h3, 1-2, v4, a number, none, yes, or the rule that forbids it; or click the element in the view.",
-                   "h3、1-2、v4、数、none、yes、または禁じる規則。画面で要素をクリックしても答えられます。"));
+                   "h3、1-2、v4、数、「なし」、「はい」、または禁じる規則。画面で要素をクリックしても答えられます。"));
   ImGui::SameLine();
   if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered) {
     doubt_ = doubt_about(context.session.mesh(), asked_->solution, word_.data());

@@ -280,6 +280,23 @@ TEST(practice, verdicts_are_those_of_doing_it_on_the_polygons) {
   EXPECT_LT(legal, asked * 9 / 10);
 }
 
+TEST(practice, has_no_english_word_in_a_japanese_question_or_verdict) {
+  const Mesh mesh = from_indexed(std::move(mesh_of_figure(*find_figure("003-image41"))->mesh));
+  bool has_legal = false;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Question question = make_question(mesh, QuestionKind::legal, seed);
+    EXPECT_NE(question.asks.ja.find("「はい」か"), std::string::npos) << question.asks.ja;
+    const Solution solution = solve(mesh, question);
+    const Text verdict = verdict_on_wrong(solution);
+    if (!is_right(mesh, solution, "yes")) continue;
+    has_legal = true;
+    EXPECT_EQ(verdict.ja, "違います。正解は「はい」です。");
+    EXPECT_EQ(verdict.en, "No, the right answer is yes.");
+    EXPECT_NE(why_no_answer(mesh, question, solution, "perhaps").ja.find("「はい」か"), std::string::npos);
+  }
+  EXPECT_TRUE(has_legal);
+}
+
 TEST(practice, takes_names_and_slots_and_never_a_wrong_one) {
   const Mesh mesh = from_indexed(std::move(mesh_of_figure(*find_figure("003-image41"))->mesh));
   for (std::uint64_t seed = 0; seed < 50; ++seed) {

@@ -40,7 +40,7 @@ void add_step(Session& session, std::vector<Label>& labels) {
   constexpr double row_px = 19, margin_px = 12;
   const Player& player = *session.player;
   const steps::Step* const step = player.step();
-  const Text caption = step ? step->caption : Text{player.call(), player.call()};
+  const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
   int row = 0;
   const double scale = session.size_scale();

@@ -51,7 +51,8 @@ void look_as_before(Session& session, const Player& player) {
 }
 
 Text end_of(const Player& player) {
-  return {"The steps of " + player.call() + " are left.", player.call() + " の再生を終えました。"};
+  const Text name = player.name();
+  return {"The steps of '" + name.en + "' are left.", "「" + name.ja + "」の再生を終えました。"};
 }
 
 std::uint64_t next_player_serial() {
@@ -95,6 +96,18 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
         ExitCode::refused, "refused",
         {"The history is empty: edit the mesh first.", "履歴がありません。先にメッシュを編集してください。"});
   return steps::play_history(document.mesh(), document.journal(), lines);
+}
+
+Text name_of_played(std::span<const std::string> words) {
+  const steps::StepsRow* const row = words.empty() ? nullptr : steps::find_steps(words[0]);
+  if (!row) return {};
+  if (row->plays_script && words.size() == 2) {
+    if (const ExerciseScript* const exercise = find_built_in_script(words[1])) return name_of_exercise(*exercise);
+    if (words[1] == history_word) return {"The history of this mesh", "このメッシュの履歴"};
+  }
+  Text name{std::string(row->en), std::string(row->ja)};
+  for (const std::string& word : words.subspan(1)) name = name + Text{" " + word, " " + word};
+  return name;
 }
 
 Player::Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document)
@@ -154,10 +167,11 @@ Outcome not_on_a_step(const Session& session) {
     return failed(ExitCode::refused,
                   {"the view shows a level of detail, not the mesh that is open; Esc or levels close ends that",
                    "ビューは詳細度の一段階を表示中です。Esc または levels close で開いているメッシュに戻ります"});
-  const std::string call = session.player ? session.player->call() : "";
-  return failed(ExitCode::refused,
-                {"the view shows a step of " + call + ", not the mesh that is open; Esc or steps close ends that",
-                 "ビューは " + call + " の手順を表示中です。Esc または steps close で開いているメッシュに戻ります"});
+  const Text name = session.player ? session.player->name() : Text();
+  return failed(
+      ExitCode::refused,
+      {"the view shows a step of '" + name.en + "', not the mesh that is open; Esc or steps close ends that",
+       "ビューは「" + name.ja + "」の手順を表示中です。Esc または steps close で開いているメッシュに戻ります"});
 }
 
 void end_playing(Session& session) {
@@ -200,11 +214,11 @@ void PlayerAside::bring_back(Outcome& outcome) {
 
 void PlayerAside::make_anew(Outcome& outcome) {
   const std::size_t position = player_->position();
+  const Text name = player_->name();
   if (const Outcome begun = begin_playing(session_, player_->words()); !begun.done()) {
     look_as_before(session_, *player_);
-    return outcome.say(
-        Text{"The steps of " + player_->call() + " are left: ", player_->call() + " の再生を終えました："} +
-        begun.sentence);
+    return outcome.say(Text{"The steps of '" + name.en + "' are left: ", "「" + name.ja + "」の再生を終えました："} +
+                       begun.sentence);
   }
   session_.player->camera_before = player_->camera_before;
   session_.player->was_framed = player_->was_framed;
@@ -212,8 +226,8 @@ void PlayerAside::make_anew(Outcome& outcome) {
   session_.camera = camera_;
   session_.player->go_to(session_.document(), std::min(position, session_.player->size()));
   if (session_.shows_step())
-    outcome.sentence = {"Done on the open mesh; the view goes on with the step of " + player_->call() + ".",
-                        "開いているメッシュで実行しました。ビューは " + player_->call() + " の手順のままです。"};
+    outcome.sentence = {"Done on the open mesh; the view goes on with the step of '" + name.en + "'.",
+                        "開いているメッシュで実行しました。ビューは「" + name.ja + "」の手順のままです。"};
 }
 
 }  // namespace ryosen

@@ -31,6 +31,9 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span
 // The same on that of a document; `script history` plays its history.
 Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words);
 
+// What the words call, told: "A cube", "edge collapse 0-1".
+Text name_of_played(std::span<const std::string> words);
+
 // Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
 // nothing of the document changes; an edit ends the player.
 class Player {
@@ -42,6 +45,7 @@ class Player {
   std::uint64_t serial() const { return player_serial_; }
   const std::vector<std::string>& words() const { return words_; }
   const std::string& call() const { return call_; }
+  Text name() const { return name_of_played(words_); }
   std::size_t size() const { return sequence_->size(); }
   std::size_t position() const { return position_; }
   // That which leads to the position; null before the first one.

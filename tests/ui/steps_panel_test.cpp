@@ -5,6 +5,7 @@
 
 #include "app/editor/labels.h"
 #include "app/editor/playing.h"
+#include "app/editor/words.h"
 #include "app/ui/overlays.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
@@ -29,6 +30,10 @@ class StepsPanelTest : public testing::Test, protected test::Laid {
   void take(std::string_view text) {
     click(test::DrawnText(gui).place(text));
     frames(3);
+  }
+  static std::vector<std::string> split(const std::string& call) {
+    const std::vector<std::string_view> words = split_words(call);
+    return {words.begin(), words.end()};
   }
   std::set<std::string> labels() {
     const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 14}; };
@@ -68,11 +73,11 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   ASSERT_TRUE(say("panel steps").done());
   EXPECT_TRUE(has("Acube"));
   gui.pointer(test::DrawnText(gui).place("Acube"));
-  for (int notch = 0; notch < 60 && !has("walkv0"); ++notch) {
+  for (int notch = 0; notch < 60 && !has("one-ringv0"); ++notch) {
     gui.wheel(-1);
     frames(2);
   }
-  EXPECT_TRUE(has("walkv0"));
+  EXPECT_TRUE(has("one-ringv0"));
   const std::uint64_t hash = session.mesh().hash();
   const auto expect_playing = [&](const std::string& call) {
     ASSERT_TRUE(say("steps " + call).done()) << call;
@@ -109,9 +114,23 @@ TEST_F(StepsPanelTest, the_panel_leads_through_and_says_what_changes) {
   EXPECT_TRUE(has("none>h0"));
   EXPECT_TRUE(has("MakeEdge,figure4"));
   EXPECT_EQ(session.mesh().live().edges, 1u) << "the view shows the state";
-  take("scripttriangle");
+  take("Thetriangleof");
   EXPECT_FALSE(session.player);
   EXPECT_EQ(session.mesh().live().faces, 6u) << "the fan is back";
+}
+
+TEST_F(StepsPanelTest, calls_are_told_by_name_in_the_language_of_the_window) {
+  ASSERT_TRUE(say("language ja").done());
+  for (const steps::StepsRow& row : steps::all_steps()) {
+    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selection);
+    if (row.plays_script || choices.empty()) continue;
+    std::string call(row.id);
+    for (const std::string& argument : choices.front()) call += " " + argument;
+    ASSERT_TRUE(say("steps " + call).done());
+    EXPECT_TRUE(session.player->name().ja.starts_with(row.ja)) << session.player->name().ja;
+    EXPECT_FALSE(has(row.id)) << row.id;
+    EXPECT_EQ(leave_playing(session).sentence.ja, "「" + name_of_played(split(call)).ja + "」の再生を終えました。");
+  }
 }
 
 TEST_F(StepsPanelTest, keys_lead_through) {
@@ -248,7 +267,7 @@ TEST_F(StepsPanelTest, undo_beneath_what_is_about_the_mesh) {
   EXPECT_TRUE(outcome.done());
   EXPECT_FALSE(session.player);
   EXPECT_EQ(session.document().position(), 0u);
-  EXPECT_NE(outcome.sentence.en.find("walk v7"), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.en.find("one-ring v7"), std::string::npos) << outcome.sentence.en;
 }
 
 TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
@@ -299,8 +318,8 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
   const Outcome outcome = say("split 0-1");
   EXPECT_FALSE(session.player);
   EXPECT_EQ(session.mesh().live().vertices, 8u);
-  EXPECT_NE(outcome.sentence.en.find("The steps of script cube are left."), std::string::npos) << outcome.sentence.en;
-  EXPECT_NE(outcome.sentence.ja.find("script cube の再生を終えました。"), std::string::npos) << outcome.sentence.ja;
+  EXPECT_NE(outcome.sentence.en.find("The steps of 'A cube' are left."), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.ja.find("「立方体」の再生を終えました。"), std::string::npos) << outcome.sentence.ja;
 }
 
 TEST_F(StepsPanelTest, a_script_may_have_a_name_with_blanks) {

@@ -48,37 +48,30 @@ const std::vector<steps::Choices>& StepsPanel::choices(const Session& session) {
   return choices_;
 }
 
-std::string call_text(const steps::StepsRow& row, const std::vector<std::string>& arguments) {
-  std::string call(row.id);
-  for (const std::string& argument : arguments) call += " " + argument;
-  return call;
-}
-
 // Scripts by name, the rest as it fits the mesh and the selection.
 std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
   std::vector<Offered> all;
   for (const steps::StepsRow& steps_row : steps::all_steps()) {
     const char* const help = context.text(steps_row.help_en, steps_row.help_ja);
-    const auto add = [&](std::string label, std::string call) {
-      all.push_back({std::move(label), std::move(call), help});
+    const auto add = [&](std::span<const std::string> arguments) {
+      std::vector<std::string> words{std::string(steps_row.id)};
+      words.insert(words.end(), arguments.begin(), arguments.end());
+      std::string call = words[0];
+      for (const std::string& argument : arguments) call += " " + argument;
+      all.push_back({name_of_played(words).in(context.language()), std::move(call), help});
     };
-    add(context.text(steps_row.en, steps_row.ja), "");
-    const std::string begin = std::string(steps_row.id) + " ";
+    const auto add_script = [&](std::string_view name) { add(std::vector{std::string(name)}); };
+    all.push_back({context.text(steps_row.en, steps_row.ja), "", help});
     if (steps_row.plays_script) {
       for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
-        for (const ExerciseScript& script : scripts)
-          add(name_of_exercise(script).in(context.language()), begin + std::string(script.id));
-      if (!context.session.document().history().empty())
-        add(context.text("The history of this mesh", "このメッシュの履歴"), begin + std::string(history_word));
+        for (const ExerciseScript& script : scripts) add_script(script.id);
+      if (!context.session.document().history().empty()) add_script(history_word);
       continue;
     }
     const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
-    for (const std::vector<std::string>& arguments : choices(context.session)[row_number]) {
-      const std::string call = call_text(steps_row, arguments);
-      add(call, call);
-    }
+    for (const std::vector<std::string>& arguments : choices(context.session)[row_number]) add(arguments);
     if (choices(context.session)[row_number].empty())
-      add(context.text("  not on this mesh", "  このメッシュでは再生できません"), "");
+      all.push_back({context.text("  not on this mesh", "  このメッシュでは再生できません"), "", help});
   }
   return all;
 }
@@ -235,8 +228,10 @@ void StepsPanel::draw(PanelContext& context) {
   const std::shared_ptr<Player> player = context.session.player;
   if (!player) return draw_choice(context);
   const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
-  if (row(context, player->call().c_str(), at.c_str(), true)) context.run("steps close");
-  tip(context.text("A click ends it, and shows what else there is to play.",
+  const std::string name = player->name().in(context.language());
+  if (row(context, name.c_str(), at.c_str(), true)) context.run("steps close");
+  tip(name + "\n" +
+      context.text("A click ends it, and shows what else there is to play.",
                    "クリックすると終わり、ほかに再生できるものを表示します。"));
   if (!player->fits(context.session.document()))
     coloured_text(context.colours().warning,

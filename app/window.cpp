@@ -8,6 +8,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/keys.h"
 #include "app/editor/large_files.h"
+#include "app/editor/playing.h"
 #include "app/editor/user_files.h"
 #include "app/editor/user_folders.h"
 #include "app/editor/view_switches.h"
@@ -329,9 +330,8 @@ class Editor {
   }
 
   void show_title() {
-    const Document& document = session_.document();
-    const std::string name = session_.document_name();
-    const std::string title = (document.is_modified() ? "* " : "") + (name.empty() ? "Ryosen" : name + " - Ryosen");
+    const std::string name = shown_name(session_);
+    const std::string title = name.empty() ? "Ryosen" : name + " - Ryosen";
     if (title == title_) return;
     glfw().set_window_title(window_.handle(), title.c_str());
     title_ = title;

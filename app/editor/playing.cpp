@@ -110,6 +110,17 @@ Text name_of_played(std::span<const std::string> words) {
   return name;
 }
 
+std::string shown_name(const Session& session, bool with_beneath) {
+  const Document& document = session.document();
+  const std::string file = (document.is_modified() ? "* " : "") + session.document_name();
+  const Player* const player = session.player.get();
+  if (!player || !player->edits() || !player->fits(document)) return file;
+  Text name = Text{"Playing: ", "再生中："} + player->name();
+  const bool has_file = document.is_modified() || !document.path().empty();
+  if (has_file && with_beneath) name = name + Text{" (beneath: " + file + ")", "（下に " + file + "）"};
+  return name.in(session.language);
+}
+
 Player::Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document)
     : player_serial_(next_player_serial()),
       words_(std::move(words)),

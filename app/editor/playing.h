@@ -33,6 +33,9 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
 
 // What the words call, told: "A cube", "edge collapse 0-1".
 Text name_of_played(std::span<const std::string> words);
+// What the view shows, with a star where there are edits that are not saved: a file, or what is played in its place, and
+// beneath that the file, where that is to be told: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
+std::string shown_name(const Session& session, bool with_beneath = true);
 
 // Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
 // nothing of the document changes; an edit ends the player.
@@ -58,6 +61,8 @@ class Player {
   const steps::Tables& tables() { return tables_.at(position_); }
   static constexpr std::size_t most_with_tables = 5000;
   bool is_running = false;  // a frontend goes forward from time to time
+  // Shows meshes of its own in place of that of the document.
+  bool edits() const { return sequence_->edits(); }
   // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
   bool begins_with_nothing() const { return sequence_->edits() && sequence_->mesh_at(0).live().vertices == 0; }
   std::optional<Camera> camera_before;

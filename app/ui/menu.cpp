@@ -9,6 +9,7 @@
 #include "app/editor/keys.h"
 #include "app/editor/levels.h"
 #include "app/editor/menu_bar.h"
+#include "app/editor/playing.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
 #include "app/ui/panels.h"
@@ -247,21 +248,21 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
   ImGui::NavMoveRequestCancel();
 }
 
-std::string name_in_bar(const PanelContext& context) {
-  const std::string mark = context.session.document().is_modified() ? "* " : "";
-  return mark + context.session.document_name();
-}
-
-// The name of the file: in the middle of the bar, or of what the menus leave of it up to here.
+// The name of what is shown: in the middle of the bar, or of what the menus leave of it up to here. What lies beneath is
+// told where there is room for it.
 void draw_name(PanelContext& context, float end) {
-  const std::string name = name_in_bar(context);
+  std::string name = shown_name(context.session);
+  const std::string whole = name;
   const float gap = ImGui::GetFontSize() / 2, begin = ImGui::GetCursorPosX() + gap, room = end - gap - begin;
   if (room < 2 * ImGui::GetFontSize()) return;
+  if (ImGui::CalcTextSize(name.c_str()).x > room) name = shown_name(context.session, false);
   const float width = std::min(ImGui::CalcTextSize(name.c_str()).x, room);
   ImGui::SetCursorPosX(std::clamp((ImGui::GetIO().DisplaySize.x - width) / 2, begin, begin + room - width));
   ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
-  fitted_text(name, room);
+  const std::string shown = fitted_at_word(name, room);
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();
+  if (shown != whole) tip(whole);
 }
 
 // What there is room for beside the menus: they stand closer, and then the switch of the language, which the preferences
@@ -273,7 +274,7 @@ struct BarRoom {
 
 BarRoom room_in_bar(const PanelContext& context, float language_px) {
   const float em = ImGui::GetFontSize(), all = ImGui::GetIO().DisplaySize.x;
-  const float name = std::min(ImGui::CalcTextSize(name_in_bar(context).c_str()).x, 4 * em) + em;
+  const float name = std::min(ImGui::CalcTextSize(shown_name(context.session).c_str()).x, 4 * em) + em;
   float titles = 0;
   for (const MenuRow& row : menu_bar) titles += ImGui::CalcTextSize(context.text(row.title_en, row.title_ja)).x;
   const float wide = ImGui::GetStyle().ItemSpacing.x, close = 0.5f * wide;

@@ -270,6 +270,22 @@ TEST_F(StepsPanelTest, undo_beneath_what_is_about_the_mesh) {
   EXPECT_NE(outcome.sentence.en.find("one-ring v7"), std::string::npos) << outcome.sentence.en;
 }
 
+// And that the file is not gone.
+TEST_F(StepsPanelTest, the_bar_names_what_is_seen_and_the_file_beneath) {
+  ASSERT_TRUE(say("steps script square").done());
+  EXPECT_TRUE(has("Playing:Asquare(beneath:fan.obj)"));
+  EXPECT_EQ(shown_name(session, false), "Playing: A square");
+  ASSERT_TRUE(say("steps close").done());
+  EXPECT_FALSE(has("Playing"));
+  ASSERT_TRUE(say("split 0-1").done());
+  ASSERT_TRUE(say("steps collapse 0-2").done());
+  EXPECT_EQ(shown_name(session), "Playing: edge collapse 0-2 (beneath: * fan.obj)");
+  ASSERT_TRUE(say("language ja").done());
+  EXPECT_EQ(shown_name(session), "再生中：稜線削除 0-2（下に * fan.obj）");
+  ASSERT_TRUE(say("steps walk v0").done());
+  EXPECT_EQ(shown_name(session), "* fan.obj") << "that is what is seen";
+}
+
 TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
   ASSERT_TRUE(say("select v1").done());
   ASSERT_TRUE(say("tool collapse").done());

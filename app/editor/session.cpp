@@ -61,7 +61,8 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  const Camera camera_then = framing({&document->mesh()}, first_camera(), view);
+  const Covered covered = covered_view(*this);
+  const Camera camera_then = framing({&document->mesh()}, first_camera(), view, covered);
   document->before_writing = [this] {
     preparation_.reset();
     trials_.let_write();
@@ -254,7 +255,11 @@ std::string Session::document_name() const {
 }
 
 void Session::frame_all() {
-  camera = beside_ ? framing({&mesh(), &beside_->mesh()}, camera, view) : framing({&mesh()}, camera, view);
+  const Covered covered = covered_view(*this);
+  if (beside_)
+    camera = framing({&mesh(), &beside_->mesh()}, camera, view, covered);
+  else
+    camera = framing({&mesh()}, camera, view, covered);
   framed_ = camera;
 }
 

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "app/editor/labels.h"
+#include "app/editor/playing.h"
 #include "app/editor/session.h"
 #include "core/base/parallel.h"
 #include "core/geometry/is_finite.h"
@@ -79,6 +81,7 @@ Covered covered_view(const Session& session) {
     covered.left = session.covered_px.x;
     covered.right = session.covered_px.y;
   }
+  if (session.player) covered.above = caption_px(session);
   return covered;
 }
 

@@ -28,7 +28,7 @@ struct Covered {
   double left = 0, right = 0, above = 0;
   std::optional<PixelRect> corner;
 };
-// By what a tab has opened, and the axes.
+// By what a tab has opened, the caption of what is played, and the axes.
 Covered covered_view(const Session& session);
 
 // The camera in the same direction that shows places in the free part of a view.

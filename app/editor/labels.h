@@ -71,6 +71,8 @@ void add_links(Session& session, std::vector<Label>& labels);
 void add_measures(Session& session, std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
 void add_step(Session& session, std::vector<Label>& labels);
+// How high at the top of the view a usual caption reaches, in pixels.
+double caption_px(const Session& session);
 // Adds the name of what is snapped to, beside the place where that is.
 void add_snap(Session& session, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.

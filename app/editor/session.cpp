@@ -61,7 +61,8 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  const Covered covered = covered_view(*this);
+  Covered covered = covered_view(*this);
+  covered.above = 0;  // what is played ends
   const Camera camera_then = framing({&document->mesh()}, first_camera(), view, covered);
   document->before_writing = [this] {
     preparation_.reset();
@@ -256,7 +257,9 @@ std::string Session::document_name() const {
 
 void Session::frame_all() {
   const Covered covered = covered_view(*this);
-  if (beside_)
+  if (player && player->is_shown(*document_) && !player->places_at_end.empty())
+    camera = fitted_beside(covered, camera, player->places_at_end, view);
+  else if (beside_)
     camera = framing({&mesh(), &beside_->mesh()}, camera, view, covered);
   else
     camera = framing({&mesh()}, camera, view, covered);

@@ -59,6 +59,16 @@ TEST(commands_measuring, a_legend_of_equal_values_says_the_value_once) {
   EXPECT_EQ(labels.size(), 8u);
 }
 
+TEST(commands_measuring, a_legend_of_counts_names_none_that_there_cannot_be) {
+  Session session(std::move(Document::open(test::asset("ball.off"))).value());  // 4, and 16 at the poles
+  ASSERT_TRUE(session.run("colours valence all").done());
+  std::vector<Label> labels;
+  add_map_legend(session, labels);
+  ASSERT_EQ(labels.size(), 8u);
+  EXPECT_EQ(labels[0].text, "4");
+  EXPECT_EQ(labels[6].text, "16");
+}
+
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {
   const auto session = measured_cube();
   for (const char* line : {"colours", "colours edge_lenght", "colours area some", "colours area 3", "colours area 3 2",

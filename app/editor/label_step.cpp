@@ -40,7 +40,7 @@ std::vector<std::string> broken_lines(std::string_view text, double most_px) {
 
 double caption_px(const Session& session) {
   constexpr int usual_rows = 2;
-  return (caption_margin_px + usual_rows * caption_row_px) * session.size_scale();
+  return (caption_margin_px + usual_rows * caption_row_px) * session.label_scale();
 }
 
 void add_step(Session& session, std::vector<Label>& labels) {
@@ -49,7 +49,7 @@ void add_step(Session& session, std::vector<Label>& labels) {
   const Text caption = step ? step->caption : Text{player.call(), player.call()};
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
   int row = 0;
-  const double scale = session.size_scale();
+  const double scale = session.label_scale();
   const double left = session.covered_px.x / scale + caption_margin_px;
   const double room =
       (session.view.width - session.covered_px.x - session.covered_px.y) / scale - 2 * caption_margin_px;

@@ -123,6 +123,21 @@ TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
   }
 }
 
+TEST_F(LabelsTest, grow_with_the_letters_that_are_preferred) {
+  open("cube.obj", {.backend = Backend::osmesa, .size = {800, 600}});
+  const Image without = picture(R"(camera {"eye":[9,9,9],"target":[99,9,9]})");  // no mesh is in view
+  const auto pixels_of_legend = [&] {
+    const Image with = picture("colours sides");
+    int changed = 0;
+    for (int y = 300; y < 600; ++y)
+      for (int x = 0; x < 200; ++x) changed += with.at(x, y) != without.at(x, y);
+    return changed;
+  };
+  const int usual = pixels_of_legend();
+  session_.font_size_px = 30;
+  EXPECT_GT(pixels_of_legend(), 3 * usual) << "twice as high and as wide";
+}
+
 // The pixels of the labels differ from those without them, and only those.
 TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
   for (const bool panels : {false, true}) {

@@ -5,23 +5,13 @@
 #include <utility>
 
 #include "app/editor/autosave.h"
+#include "app/editor/first_camera.h"
 #include "app/editor/framing.h"
 #include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/editor/view_input.h"
 
 namespace ryosen {
-
-namespace {
-
-// From the front, slightly above and right, so that three sides of the shape are visible.
-Camera first_camera() {
-  Camera camera;
-  camera.eye = {0.42, 0.36, 1};
-  return camera;
-}
-
-}  // namespace
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
@@ -61,9 +51,10 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
+  const Camera first = turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
   Covered covered = covered_view(*this);
   covered.above = 0;  // what is played ends
-  const Camera camera_then = framing({&document->mesh()}, first_camera(), view, covered);
+  const Camera camera_then = framing({&document->mesh()}, first, view, covered);
   document->before_writing = [this] {
     preparation_.reset();
     trials_.let_write();

@@ -186,7 +186,8 @@ class Session {
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);
 
-  bool strict = false;  // warnings refuse too
+  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h); set by the window
+  bool strict = false;           // warnings refuse too
   RunFiles files{
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.

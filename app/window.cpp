@@ -53,6 +53,7 @@ class Editor {
     session_.read_document = [this](const std::filesystem::path& file) {
       return is_long_to_read(file) && !gui_.is_laying_out() ? read_beside(file) : Document::open(file);
     };
+    session_.turns_to_solids = true;
     session_.on_progress = [this](double share) { return show_progress(share); };
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },

@@ -1,8 +1,10 @@
 #include "app/editor/algorithm_preview.h"
 
 #include <chrono>
+#include <vector>
 
 #include "app/editor/commands.h"
+#include "app/editor/framing.h"
 
 namespace ryosen {
 
@@ -11,6 +13,38 @@ namespace {
 using PreviewClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds patience{200};
+
+// The places of what comes: of vertices beyond the bounds that the mesh had, and of those of a new part.
+class ComingPlaces {
+ public:
+  ComingPlaces(const Mesh& mesh, const AlgorithmRow& row)
+      : new_from_(row.selects_added ? mesh.vertex_slots() : no_index), bounds_(box_of_live(mesh)) {
+    const double hair = 1e-9 * length_of(bounds_.highest - bounds_.lowest);
+    bounds_.lowest -= hair;
+    bounds_.highest += hair;
+  }
+
+  std::vector<glm::dvec3> in(const Mesh& mesh) const {
+    std::vector<glm::dvec3> places;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+      if (!mesh.is_alive(Vertex(i))) continue;
+      const glm::dvec3& place = mesh.position(Vertex(i));
+      if (i >= new_from_ || !bounds_.encloses({place, place})) places.push_back(place);
+    }
+    return places;
+  }
+
+ private:
+  static Box box_of_live(const Mesh& mesh) {
+    Box box;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      if (mesh.is_alive(Vertex(i)) && is_finite(mesh.position(Vertex(i)))) box.add(mesh.position(Vertex(i)));
+    return box;
+  }
+
+  std::uint32_t new_from_;
+  Box bounds_;
+};
 
 }  // namespace
 
@@ -28,9 +62,11 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   const std::string line = line_of(row, values);
   if (line == line_ && is_shown(session)) return;
   Document& document = session.document();
+  take_back(session);
   document.end_trial();
   line_ = line;
   told_ = {};
+  const ComingPlaces coming(session.mesh(), row);
   if (const ReadValues found = values.on(session.mesh()); found.values) {
     const PreviewClock::time_point until = PreviewClock::now() + patience;
     // A picture is the same however long it takes.
@@ -44,13 +80,37 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   }
   serial_ = document.serial();
   revision_ = document.revision();
+  bring_into_view(session, coming.in(session.mesh()));
+}
+
+void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
+  if (is_left_alone_ || shows_all(session.camera, session.view, covered_view(session), places)) return;
+  before_ = CameraBefore{session.camera, session.is_framed()};
+  session.frame_all();
+}
+
+// With the camera as it was, where that is as it was left.
+void AlgorithmPreview::take_back(Session& session) {
+  if (!is_shown(session)) return before_.reset();
+  session.document().end_trial();
+  if (!before_) return;
+  is_left_alone_ = !session.is_framed();
+  if (!is_left_alone_) session.camera = before_->camera;
+  if (!is_left_alone_ && before_->was_framed) session.frame_all();
+  before_.reset();
 }
 
 void AlgorithmPreview::end(Session& session) {
-  if (is_shown(session)) session.document().end_trial();
+  take_back(session);
+  is_left_alone_ = false;
   line_.clear();
   told_ = {};
   serial_ = 0;
+}
+
+void AlgorithmPreview::hand_over(Session& session) {
+  before_.reset();
+  end(session);
 }
 
 }  // namespace ryosen

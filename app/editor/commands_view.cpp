@@ -26,9 +26,7 @@ Outcome run_view(Session& session, Words arguments, std::string_view) {
     session.camera = turned_to(*view, session.camera);
     return {};
   }
-  with_places_to_frame(session.mesh(), [&](auto places) {
-    session.camera = camera_of(*view, places, static_cast<double>(session.view.width) / session.view.height);
-  });
+  session.camera = framing({&session.mesh()}, camera_along(*view), session.view, covered_view(session));
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/corner_axes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ryosen {
@@ -25,10 +26,19 @@ glm::dvec3 direction_of(const AxisEnd& end) {
   return direction;
 }
 
+bool has_room(Size view, double scale) { return std::min(view.width, view.height) >= least_view * scale; }
+
 }  // namespace
 
+// With a margin for what is drawn at a place there.
+std::optional<PixelRect> room_of_axes(Size view, double scale) {
+  if (!has_room(view, scale)) return std::nullopt;
+  const int side = static_cast<int>(std::ceil((2 * (arm + positive_radius) + 2 * corner_margin) * scale));
+  return PixelRect{view.width - side, 0, view.width, side};
+}
+
 std::optional<CornerAxes> corner_axes(const Camera& camera, Size view, double scale) {
-  if (std::min(view.width, view.height) < least_view * scale) return std::nullopt;
+  if (!has_room(view, scale)) return std::nullopt;
   const CameraAxes a = axes(camera);
   const double away = (corner_margin + arm + positive_radius) * scale;
   CornerAxes made{{view.width - away, away}, {}};

@@ -31,6 +31,8 @@ struct CornerAxes {
 };
 
 // In the upper right corner, sized by the scale of the display; none where the view has no room for them.
+// All that they may cover, however they are turned; no such room either.
+std::optional<PixelRect> room_of_axes(Size view, double scale);
 std::optional<CornerAxes> corner_axes(const Camera& camera, Size view, double scale);
 // The nearest to the eye at a pixel of the view; null where there is none.
 const AxisEnd* end_at(const CornerAxes& axes, glm::dvec2 pixel);

@@ -1,7 +1,16 @@
 #include "app/editor/framing.h"
 
+#include <algorithm>
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <vector>
+
+#include "app/editor/labels.h"
+#include "app/editor/playing.h"
+#include "app/editor/session.h"
+#include "core/base/parallel.h"
+#include "core/geometry/is_finite.h"
+#include "core/pick/screen_segment.h"
 
 namespace ryosen {
 
@@ -35,7 +44,77 @@ void add_near(std::vector<glm::dvec3>& places, std::span<const glm::dvec3> other
     if (length_of(place - box.middle()) <= most) places.push_back(place);
 }
 
+// Of strips that would leave too little there is none.
+CoveredShares shares_of(const Covered& covered, Size view) {
+  constexpr double least_free = 0.25;
+  CoveredShares shares{covered.left / view.width, covered.right / view.width, covered.above / view.height};
+  if (shares.left + shares.right > 1 - least_free) shares.left = shares.right = 0;
+  if (shares.above > 1 - least_free) shares.above = 0;
+  return shares;
+}
+
+// Within the circle that touches the sides of a square.
+bool is_any_in(const PixelRect& square, const Camera& camera, std::span<const glm::dvec3> places, Size view) {
+  const ScreenProjection screen(camera, view);
+  const double radius = 0.5 * square.width();
+  const glm::dvec2 middle(square.x0 + radius, square.y0 + radius);
+  std::atomic<bool> found = false;
+  const auto count = static_cast<std::uint32_t>(places.size());
+  for_each_part(count, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end && !found; ++i)
+      if (const auto at = screen.project(places[i]); at && glm::length(at->pixel - middle) < radius) found = true;
+  });
+  return found;
+}
+
+// How large a camera shows what it is fitted to, beside another one in the same direction.
+double unit_of(const Camera& camera) {
+  return camera.ortho_height ? *camera.ortho_height : length_of(camera.target - camera.eye);
+}
+
 }  // namespace
+
+Covered covered_view(const Session& session) {
+  Covered covered;
+  if (session.shows_axes) covered.corner = room_of_axes(session.view, session.size_scale());
+  if (!session.has_beside()) {
+    covered.left = session.covered_px.x;
+    covered.right = session.covered_px.y;
+  }
+  if (session.player) covered.above = caption_px(session);
+  return covered;
+}
+
+// Off the corner to the left of it or below it, by as little as it takes, where it shows more.
+Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view) {
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const auto fitted_to = [&](const Covered& c) {
+    return fitted(from, places, aspect, default_margin, shares_of(c, view));
+  };
+  const Camera camera = fitted_to(covered);
+  const auto is_free = [&](const Camera& c) { return !is_any_in(*covered.corner, c, places, view); };
+  if (!covered.corner || is_free(camera)) return camera;
+  std::optional<Camera> found;
+  for (const double share : {0.25, 0.5, 1.0}) {
+    Covered to_the_left = covered, below = covered;
+    to_the_left.right = std::max(covered.right, share * covered.corner->width());
+    below.above = std::max(covered.above, share * covered.corner->height());
+    for (const Camera& one : {fitted_to(to_the_left), fitted_to(below)})
+      if (is_free(one) && (!found || unit_of(one) < unit_of(*found))) found = one;
+    if (found) break;
+  }
+  return found.value_or(camera);
+}
+
+bool shows_all(const Camera& camera, Size view, const Covered& covered, std::span<const glm::dvec3> places) {
+  const ScreenProjection screen(camera, view);
+  return std::all_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
+    if (!is_finite(place)) return true;
+    const auto at = screen.project(place);
+    return at && at->pixel.x >= covered.left && at->pixel.x <= view.width - covered.right && at->pixel.y >= 0 &&
+           at->pixel.y <= view.height;
+  });
+}
 
 void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit) {
   if (all_have_edges(mesh)) return visit(mesh.positions());
@@ -51,17 +130,16 @@ void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit) {
   visit(places.with_edges);
 }
 
-Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view) {
-  const double aspect = static_cast<double>(view.width) / view.height;
+Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered) {
   Camera found = from;
   if (meshes.size() == 1) {
-    with_places_to_frame(**meshes.begin(), [&](auto places) { found = fitted(from, places, aspect); });
+    with_places_to_frame(**meshes.begin(), [&](auto places) { found = fitted_beside(covered, from, places, view); });
     return found;
   }
   std::vector<glm::dvec3> all;
   for (const Mesh* const mesh : meshes)
     with_places_to_frame(*mesh, [&](auto places) { all.insert(all.end(), places.begin(), places.end()); });
-  return fitted(from, all, aspect);
+  return fitted_beside(covered, from, all, view);
 }
 
 }  // namespace ryosen

@@ -1,14 +1,17 @@
-// What a view is framed by: the vertices with edges, and isolated ones that are not far from them.
+// What a view is framed by: the vertices with edges, and isolated ones that are not far from them; and what of it is free.
 #pragma once
 
 #include <functional>
 #include <initializer_list>
+#include <optional>
 #include <span>
 
 #include "core/mesh/mesh.h"
 #include "core/view/camera.h"
 
 namespace ryosen {
+
+class Session;
 
 using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
 
@@ -19,7 +22,21 @@ void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
 // the view at least: one that a scanner left in a corner of its room would make it a dot.
 void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
 
-// The camera in the same direction that shows these places of all of these meshes.
-Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view);
+// What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, which are as round
+// as that is wide. Whatever is framed keeps off the strips, and off the axes where one of its places would lie there.
+struct Covered {
+  double left = 0, right = 0, above = 0;
+  std::optional<PixelRect> corner;
+};
+// By what a tab has opened, the caption of what is played, and the axes.
+Covered covered_view(const Session& session);
+
+// The camera in the same direction that shows places in the free part of a view.
+Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view);
+// Whether a camera shows all of these that are finite beside the strips.
+bool shows_all(const Camera& camera, Size view, const Covered& covered, std::span<const glm::dvec3> places);
+
+// The camera in the same direction that shows the places to frame of all of these meshes.
+Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
 
 }  // namespace ryosen

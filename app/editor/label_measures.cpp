@@ -8,17 +8,6 @@
 
 namespace ryosen {
 
-namespace {
-
-// With four digits.
-std::string short_value(double value, MapUnit unit) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.4g", value);
-  return digits + std::string(sign_of(unit));
-}
-
-}  // namespace
-
 void add_measures(Session& session, std::vector<Label>& labels) {
   const Mesh& mesh = session.mesh();
   constexpr std::size_t most = 3;  // of more there is no place where it was measured
@@ -30,12 +19,10 @@ void add_measures(Session& session, std::vector<Label>& labels) {
     if (found.values.empty()) continue;
     const bool has_way = found.path.size() > 1;
     Label label{.at = has_way ? 0.5 * found.path[0] + 0.5 * found.path[1] : middle_of(mesh, measured.front()),
+                .text = short_text_of(found).in(session.language),
                 .priority = measure_priority,
                 .moves_aside = true,
                 .through = true};
-    for (const MeasuredValue& value : found.values)
-      label.text += (label.text.empty() ? "" : ", ") + value.name.in(session.language) + " " +
-                    short_value(value.value, value.unit);
     labels.push_back(std::move(label));
   }
 }

@@ -8,6 +8,8 @@ namespace ryosen {
 
 namespace {
 
+constexpr double caption_row_px = 19, caption_margin_px = 12;  // at display scale 1
+
 // Roughly, in pixels at display scale 1: other characters than Latin ones are as wide as they are high.
 double width_of(std::string_view character) { return character.size() > 1 ? 15.0 : 7.8; }
 
@@ -36,20 +38,25 @@ std::vector<std::string> broken_lines(std::string_view text, double most_px) {
 
 }  // namespace
 
+double caption_px(const Session& session) {
+  constexpr int usual_rows = 2;
+  return (caption_margin_px + usual_rows * caption_row_px) * session.label_scale();
+}
+
 void add_step(Session& session, std::vector<Label>& labels) {
-  constexpr double row_px = 19, margin_px = 12;
   const Player& player = *session.player;
   const steps::Step* const step = player.step();
   const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
   int row = 0;
-  const double scale = session.size_scale();
-  const double left = session.covered_px.x / scale + margin_px;
-  const double room = (session.view.width - session.covered_px.x - session.covered_px.y) / scale - 2 * margin_px;
+  const double scale = session.label_scale();
+  const double left = session.covered_px.x / scale + caption_margin_px;
+  const double room =
+      (session.view.width - session.covered_px.x - session.covered_px.y) / scale - 2 * caption_margin_px;
   for (std::string& line : broken_lines(number + caption.in(session.language), room))
     labels.push_back({.text = std::move(line),
                       .priority = legend_priority,
-                      .shift_px = {left, margin_px + (row++ + 0.5) * row_px},
+                      .shift_px = {left, caption_margin_px + (row++ + 0.5) * caption_row_px},
                       .pixel = glm::dvec2(0, 0),
                       .begins_there = true});
   if (!step) return;

@@ -59,7 +59,8 @@ class TakenCells {
 
 // Where there is room for a rectangle, by whole steps from where it is; of several places the nearest. None where the
 // view is full. O(view / step²) rectangles.
-std::optional<PixelRect> nearest_room(const TakenCells& taken, const PixelRect& rect, Size view, glm::ivec2 middle) {
+template <class HasRoom>
+std::optional<PixelRect> nearest_room(const HasRoom& has_room, const PixelRect& rect, Size view, glm::ivec2 middle) {
   constexpr int step = 8;
   const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
   std::optional<PixelRect> nearest;
@@ -68,7 +69,7 @@ std::optional<PixelRect> nearest_room(const TakenCells& taken, const PixelRect& 
     for (int x = rect.x0 % step; x + width <= view.width; x += step) {
       const double distance = glm::length(glm::dvec2(x + width / 2 - middle.x, y + height / 2 - middle.y));
       const PixelRect place{x, y, x + width, y + height};
-      if (distance >= least || !taken.has_room(place)) continue;
+      if (distance >= least || !has_room(place)) continue;
       nearest = place;
       least = distance;
     }
@@ -78,6 +79,74 @@ std::optional<PixelRect> nearest_room(const TakenCells& taken, const PixelRect& 
 
 // Below half a billion pixels either way, so that it can be counted in.
 bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
+
+// What the handles of the gizmo cover, with the room in which they are taken hold of.
+void take_handles(const Session& session, TakenCells& cells) {
+  const std::optional<Gizmo> gizmo = session.gizmo();
+  if (!gizmo) return;
+  const double around = 8 * session.size_scale();
+  const ScreenProjection screen(session.camera, session.view);
+  const auto take = [&](const glm::dvec3& place) {
+    const auto at = screen.project(place);
+    if (!at || !is_near(at->pixel)) return;
+    const glm::ivec2 low(glm::floor(at->pixel - around)), high(glm::ceil(at->pixel + around));
+    cells.take({low.x, low.y, high.x, high.y});
+  };
+  // A stroke is hardly longer than a hundred pixels.
+  constexpr int steps = 16;
+  const auto take_along = [&](const std::vector<GizmoStroke>& strokes) {
+    for (const GizmoStroke& stroke : strokes)
+      for (int i = 0; i <= steps; ++i) take(glm::mix(stroke.a, stroke.b, double(i) / steps));
+  };
+  for (const GizmoHandle& handle : gizmo->handles) {
+    take_along(handle.strokes);
+    take_along(handle.letter);
+  }
+}
+
+// Where labels lie, one after the other.
+class LabelPlaces {
+ public:
+  // `margin`: the room around each.
+  LabelPlaces(const Session& session, double scale, int margin)
+      : view_(session.view), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
+    take_handles(session, handles_);
+  }
+
+  // For one of this size at a pixel; none where it has no room.
+  std::optional<PixelRect> room_of(const Label& label, Size size, glm::dvec2 pixel) const {
+    const auto has_room = [&](const PixelRect& rect) {
+      return taken_.has_room(rect) && (!label.moves_aside || handles_.has_room(rect));
+    };
+    PixelRect rect = shifted(label, size, pixel, label.shift_px);
+    for (std::size_t i = 0; i < label.else_px.size() && !has_room(rect); ++i)
+      rect = shifted(label, size, pixel, label.else_px[i]);
+    if (has_room(rect)) return rect;
+    if (!label.moves_aside || glm::clamp(pixel, glm::dvec2(0), glm::dvec2(view_.width, view_.height)) != pixel)
+      return std::nullopt;
+    if (const auto near = nearest_room(has_room, rect, view_, glm::ivec2(pixel))) return near;
+    return nearest_room([&](const PixelRect& r) { return taken_.has_room(r); }, rect, view_, glm::ivec2(pixel));
+  }
+  // Those of a legend stand together.
+  void take(const PixelRect& rect, const Label& label) {
+    const int around = label.ground ? 0 : margin_;
+    taken_.take({rect.x0 - around, rect.y0 - around, rect.x1 + around, rect.y1 + around});
+  }
+
+ private:
+  PixelRect shifted(const Label& label, Size size, glm::dvec2 pixel, glm::dvec2 shift_px) const {
+    const glm::dvec2 there = pixel + shift_px * scale_;
+    const double before = label.begins_there ? 0 : 0.5 * size.width;
+    const int x = static_cast<int>(std::lround(there.x - before)),
+              y = static_cast<int>(std::lround(there.y - 0.5 * size.height));
+    return {x, y, x + size.width, y + size.height};
+  }
+
+  Size view_;
+  double scale_;
+  int margin_;
+  TakenCells taken_, handles_;
+};
 
 }  // namespace
 
@@ -95,7 +164,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
   const bool hides = session.settings.xray == Xray::off && !session.gesture();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
-  TakenCells taken(session.view);
+  LabelPlaces places(session, scale, margin);
   std::vector<PlacedLabel> placed;
   for (const Label& label : labels) {
     if (placed.size() == most_labels) break;
@@ -104,26 +173,13 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     if (clip && !label.pixel && clip->cuts(label.at)) continue;
     Size size = size_of(label.text);
     size.width = std::max(size.width, static_cast<int>(std::lround(label.least_width_px * scale)));
-    const auto rect_at = [&](glm::dvec2 shift_px) {
-      const glm::dvec2 there = at->pixel + shift_px * scale;
-      const double before = label.begins_there ? 0 : 0.5 * size.width;
-      const int x = static_cast<int>(std::lround(there.x - before)),
-                y = static_cast<int>(std::lround(there.y - 0.5 * size.height));
-      return PixelRect{x, y, x + size.width, y + size.height};
-    };
-    PixelRect rect = rect_at(label.shift_px);
-    for (std::size_t i = 0; i < label.else_px.size() && !taken.has_room(rect); ++i) rect = rect_at(label.else_px[i]);
-    const glm::dvec2 end(session.view.width, session.view.height);
-    const bool is_in_view = glm::clamp(at->pixel, glm::dvec2(0), end) == at->pixel;
-    if (label.moves_aside && is_in_view && !taken.has_room(rect))
-      rect = nearest_room(taken, rect, session.view, glm::ivec2(at->pixel)).value_or(rect);
-    if (!taken.has_room(rect)) continue;
+    const std::optional<PixelRect> rect = places.room_of(label, size, at->pixel);
+    if (!rect) continue;
     if (hides && !label.pixel && !label.through &&
         !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
       continue;
-    const int around = label.ground ? 0 : margin;  // those of a legend stand together
-    taken.take({rect.x0 - around, rect.y0 - around, rect.x1 + around, rect.y1 + around});
-    placed.push_back({{rect.x0, rect.y0}, size, label.text, label.ground});
+    places.take(*rect, label);
+    placed.push_back({{rect->x0, rect->y0}, size, label.text, label.ground});
   }
   return placed;
 }

@@ -18,13 +18,14 @@
 namespace ryosen {
 
 struct Label {
-  glm::dvec3 at{0};                          // in mesh space; the text is centred there
-  std::string text = {};                     // one line, UTF-8
-  int priority = 0;                          // a higher one goes first; among equal ones the one that comes earlier
-  Face own = {};                             // the face it is written on, which does not hide it
-  glm::dvec2 shift_px{0};                    // of the text from there, at display scale 1
-  std::vector<glm::dvec2> else_px = {};      // further shifts to try, in this order, where that has no room
-  bool moves_aside = false;                  // where it has none, to the nearest room of the view: it was asked for
+  glm::dvec3 at{0};                      // in mesh space; the text is centred there
+  std::string text = {};                 // one line, UTF-8
+  int priority = 0;                      // a higher one goes first; among equal ones the one that comes earlier
+  Face own = {};                         // the face it is written on, which does not hide it
+  glm::dvec2 shift_px{0};                // of the text from there, at display scale 1
+  std::vector<glm::dvec2> else_px = {};  // further shifts to try, in this order, where that has no room
+  // It was asked for: where it has none, or lies over the gizmo, it moves to the nearest room of the view.
+  bool moves_aside = false;
   std::optional<glm::dvec2> pixel = {};      // instead of `at`: of the view, never hidden
   bool through = false;                      // shown though the surface hides its place
   bool begins_there = false;                 // the place is the left end of the text, not its middle
@@ -71,6 +72,8 @@ void add_links(Session& session, std::vector<Label>& labels);
 void add_measures(Session& session, std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
 void add_step(Session& session, std::vector<Label>& labels);
+// How high at the top of the view a usual caption reaches, in pixels.
+double caption_px(const Session& session);
 // Adds the name of what is snapped to, beside the place where that is.
 void add_snap(Session& session, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor/words.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -106,6 +107,11 @@ Text short_text_of(const ColourMap& map, const MapFigures& figures) {
   return figures_text(map, figures, values);
 }
 
+Text short_text_of(const Measurement& found) {
+  const Text text = text_of(found);
+  return {with_short_numbers(text.en), with_short_numbers(text.ja)};
+}
+
 std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements) {
   constexpr std::size_t most = 3;  // as measurements between elements have
   std::string names;
@@ -119,7 +125,7 @@ Text measured_text(const Mesh& mesh, std::span<const Element> elements) {
   const bool is_there =
       std::all_of(elements.begin(), elements.end(), [&](const Element& e) { return is_alive(mesh, e); });
   if (!is_there) return {"an element of it is gone", "計測した要素がなくなりました"};
-  const Text text = text_of(measure(mesh, elements));
+  const Text text = short_text_of(measure(mesh, elements));
   return text.en.empty() ? Text{"a place is not finite", "座標が有限ではありません"} : text;
 }
 

@@ -21,6 +21,8 @@ std::vector<std::string> numbers_of(const ColourMap& map, std::span<const double
 // The values that a legend names, at most so many: evenly from the low end to the high one; of a map of counts whole, as far
 // as there are any in the range.
 std::vector<double> legend_values(const ColourMap& map, MapRange range, std::size_t most);
+// The same as it is shown, with short numbers as in the status line.
+Text short_text_of(const Measurement& found);
 // "v1 v5": what was measured, the first few of many.
 std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements);
 // Of elements as they are now; that one of them is gone, where that is so.

@@ -1,10 +1,12 @@
 #include "app/editor/playing.h"
 
 #include <atomic>
+#include <utility>
 
 #include "app/editor/command_functions.h"
 #include "app/editor/commands.h"
 #include "app/editor/exercises.h"
+#include "app/editor/framing.h"
 #include "app/editor/levels.h"
 #include "app/editor/script.h"
 #include "app/editor/session.h"
@@ -167,6 +169,11 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
     if (document.mesh().live().vertices > 0) session.player->camera_before = session.camera;
     session.player->was_framed = session.is_framed();
     session.player->go_to(document, session.player->size());
+    with_places_to_frame(session.mesh(), [&](std::span<const glm::dvec3> places) {
+      session.player->places_at_end.assign(places.begin(), places.end());
+    });
+    session.frame_all();
+  } else if (session.is_framed() && session.covered_px != glm::dvec2(0)) {
     session.frame_all();
   }
   session.player->go_to(document, 0);
@@ -186,9 +193,10 @@ Outcome not_on_a_step(const Session& session) {
 }
 
 void end_playing(Session& session) {
-  if (session.player) session.player->end(session.document());
-  if (session.player) look_as_before(session, *session.player);
-  session.player.reset();
+  const std::shared_ptr<Player> player = std::exchange(session.player, nullptr);
+  if (!player) return;
+  player->end(session.document());
+  look_as_before(session, *player);
 }
 
 Outcome leave_playing(Session& session) {

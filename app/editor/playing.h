@@ -66,7 +66,8 @@ class Player {
   // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
   bool begins_with_nothing() const { return sequence_->edits() && sequence_->mesh_at(0).live().vertices == 0; }
   std::optional<Camera> camera_before;
-  bool was_framed = false;  // and nobody had moved that: it may need another size by now
+  bool was_framed = false;                // and nobody had moved that: it may need another size by now
+  std::vector<glm::dvec3> places_at_end;  // that are framed instead of those of a step
 
   // Whether the document is the one that it was made for, at the same place of its history.
   bool fits(const Document& document) const;

@@ -5,23 +5,13 @@
 #include <utility>
 
 #include "app/editor/autosave.h"
+#include "app/editor/first_camera.h"
 #include "app/editor/framing.h"
 #include "app/editor/levels.h"
 #include "app/editor/playing.h"
 #include "app/editor/view_input.h"
 
 namespace ryosen {
-
-namespace {
-
-// From the front, slightly above and right, so that three sides of the shape are visible.
-Camera first_camera() {
-  Camera camera;
-  camera.eye = {0.42, 0.36, 1};
-  return camera;
-}
-
-}  // namespace
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
@@ -61,7 +51,10 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  const Camera camera_then = framing({&document->mesh()}, first_camera(), view);
+  const Camera first = turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
+  Covered covered = covered_view(*this);
+  covered.above = 0;  // what is played ends
+  const Camera camera_then = framing({&document->mesh()}, first, view, covered);
   document->before_writing = [this] {
     preparation_.reset();
     trials_.let_write();
@@ -254,7 +247,13 @@ std::string Session::document_name() const {
 }
 
 void Session::frame_all() {
-  camera = beside_ ? framing({&mesh(), &beside_->mesh()}, camera, view) : framing({&mesh()}, camera, view);
+  const Covered covered = covered_view(*this);
+  if (player && player->is_shown(*document_) && !player->places_at_end.empty())
+    camera = fitted_beside(covered, camera, player->places_at_end, view);
+  else if (beside_)
+    camera = framing({&mesh(), &beside_->mesh()}, camera, view, covered);
+  else
+    camera = framing({&mesh()}, camera, view, covered);
   framed_ = camera;
 }
 

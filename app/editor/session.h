@@ -2,6 +2,7 @@
 // command line, scripts and tests all change it through the same command lines.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +79,8 @@ struct Hover {
 
 class Session {
  public:
+  static constexpr int usual_font_px = 15;
+
   explicit Session(std::unique_ptr<Document> document);
 
   Document& document() { return *document_; }
@@ -121,7 +124,7 @@ class Session {
   ViewSettings settings;
   double ui_scale = 1;                  // of all of the window, times that of the display
   double display_scale = 1;             // set by the window
-  int font_size_px = 15;                // at scale 1
+  int font_size_px = usual_font_px;     // at scale 1
   int samples = 1;                      // a side of each pixel of the view
   double crease_deg = 30;               // edges that bend by more stay sharp where the surface is smooth
   std::vector<KeyBinding> bindings;     // the user's own keys
@@ -140,6 +143,8 @@ class Session {
 
   // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
   double size_scale() const { return display_scale * ui_scale; }
+  // The same of what is written there, which grows with the letters that somebody prefers.
+  double label_scale() const { return size_scale() * std::max(1.0, double(font_size_px) / usual_font_px); }
 
   // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel of the
   // picture or window, and the one that the pointer is on. A click on one looks from there.
@@ -181,7 +186,8 @@ class Session {
   // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);
 
-  bool strict = false;  // warnings refuse too
+  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h); set by the window
+  bool strict = false;           // warnings refuse too
   RunFiles files{
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.

@@ -81,6 +81,14 @@ void Gui::follow_view(Session& session, Size window) const {
   if (is_framed && session.view != before) session.frame_all();
 }
 
+// What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
+// again when it is closed. Else nothing moves under who opens a tab.
+void Gui::follow_covered(Session& session, Size window) const {
+  const glm::dvec2 covered = columns_.covered_px(view_area(window, session.layout));
+  const glm::dvec2 before = std::exchange(session.covered_px, covered);
+  if (covered != before && session.is_framed() && (session.player || covered == glm::dvec2(0))) session.frame_all();
+}
+
 PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
@@ -154,7 +162,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
-  session.covered_px = columns_.covered_px(view_area(window, session.layout));
+  follow_covered(session, window);
   draw_status(panel_context);
   draw_notes(panel_context);
   start_.draw(panel_context);

@@ -102,6 +102,7 @@ class Gui {
   PanelContext context(Session& session);
   void begin_frame(Size window, double seconds);
   void follow_view(Session& session, Size window) const;
+  void follow_covered(Session& session, Size window) const;
   void play_on(Session& session);
   void end_frame();
   ImGuiContext* imgui_;

@@ -71,6 +71,12 @@ void draw_body(PanelContext& context, OwnPanel& own) {
 
 }  // namespace
 
+void draw_panel_header(PanelContext& context, const PanelRow& row) {
+  ImGui::PushID(row.id.data(), row.id.data() + row.id.size());
+  draw_header(context, row, HeaderClick::folds);
+  ImGui::PopID();
+}
+
 void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header) {
   ImGui::PushID(own.row.id.data(), own.row.id.data() + own.row.id.size());
   if (draw_header(context, own.row, header)) {

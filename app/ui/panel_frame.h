@@ -18,6 +18,8 @@ struct OwnPanel {
 // What a click on the header does.
 enum class HeaderClick { folds, closes };
 
+// Its header alone, once more, where the panel's own is out of sight.
+void draw_panel_header(PanelContext& context, const PanelRow& row);
 void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header);
 
 }  // namespace ryosen

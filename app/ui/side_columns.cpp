@@ -69,22 +69,28 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 
 const char* column_window(PanelPlace side) { return names[side == PanelPlace::left ? 0 : 1].column; }
 
-// Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen.
-void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px) {
+// Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen. What is seen
+// below it begins with the header of its own panel, where that has been scrolled away.
+void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px,
+                            const PanelRow* below) {
   const float x = ImGui::GetCursorPosX(), end = ImGui::GetCursorPosY();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {x, begin});
   ImGui::SetCursorPos({0, ImGui::GetScrollY()});
   ImGui::BeginChild(
-      "held", {x + ImGui::GetWindowContentRegionMax().x, begin + height_px}, false,
+      "held",
+      {x + ImGui::GetWindowContentRegionMax().x, begin + height_px + (below ? ImGui::GetFrameHeightWithSpacing() : 0)},
+      false,
       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_AlwaysUseWindowPadding);
   ImGui::PopStyleVar();
   const ImVec2 from = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(), to{from.x + size.x, from.y + size.y};
-  const float line = std::max(context.scale, 1.f);
+  const float line = std::max(context.scale, 1.f), end_of_own = from.y + begin + height_px;
   ImGui::GetWindowDrawList()->AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_WindowBg));
-  ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - line}, to, ImGui::GetColorU32(ImGuiCol_Separator));
+  ImGui::GetWindowDrawList()->AddRectFilled({from.x, end_of_own - line}, {to.x, end_of_own},
+                                            ImGui::GetColorU32(ImGuiCol_Separator));
   const float top = ImGui::GetCursorPosY();
   draw_framed(context, own, HeaderClick::folds);
   const float height = ImGui::GetCursorPosY() - top;
+  if (below) draw_panel_header(context, *below);
   ImGui::EndChild();
   ImGui::SetCursorPosY(end);
   if (std::exchange(height_px, height) != height) context.state.unsettle();
@@ -108,6 +114,7 @@ float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float hei
   const float first = ImGui::GetCursorPosY();
   OwnPanel* over = nullptr;
   float kept_px = 0;
+  std::vector<Lying> lying;
   for (OwnPanel& own : panels) {
     if (!lies_in(context, own.row, side)) continue;
     const float begin = ImGui::GetCursorPosY();
@@ -121,10 +128,14 @@ float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float hei
     }
     if (is_held) kept_px = first + held_px;
     if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
+    lying.push_back({&own, begin, ImGui::GetCursorPosY()});
   }
   if (!over) return 0;
-  draw_over(context, *over, first, held_px);
-  return first + held_px;
+  const float header = ImGui::GetFrameHeightWithSpacing(), edge = ImGui::GetScrollY() + first + held_px;
+  const auto below = std::find_if(lying.begin() + 1, lying.end(),
+                                  [&](const Lying& l) { return l.begin < edge && edge + header < l.end; });
+  draw_over(context, *over, first, held_px, below == lying.end() ? nullptr : &below->own->row);
+  return first + held_px + (below == lying.end() ? 0 : header);
 }
 
 void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Areas& areas,

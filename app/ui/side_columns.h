@@ -24,7 +24,12 @@ class SideColumns {
 
  private:
   void draw_column(PanelContext& context, PanelPlace side, const Areas& areas, std::vector<OwnPanel>& panels);
-  void draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px);
+  // A panel of a column and where it lies there, scrolled or not.
+  struct Lying {
+    OwnPanel* own;
+    float begin, end;
+  };
+  void draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px, const PanelRow* below);
   float draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels);
   void show_wanted(PanelContext& context, float begin, float height, float kept_px);
   void draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels);

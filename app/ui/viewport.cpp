@@ -170,7 +170,7 @@ void Viewport::follow(Session& session) {
   view_->set_settings(settings_);
   const auto scale = static_cast<float>(session.size_scale());
   view_->set_display_scale(scale);
-  labels_.set_scale(scale);
+  labels_.set_scale(static_cast<float>(session.label_scale()));
   view_->set_clip(session.clip_plane());
   view_->set_tints(tints_in(settings_.theme));
   view_->set_camera(session.camera);

@@ -124,7 +124,7 @@ std::optional<MapRange> extent_of(std::span<const double> values) {
 namespace {
 
 MapRange about_middle(const ColourMap& map, MapRange range) {
-  if (map.scale != MapScale::about_middle) return range;
+  if (map.scale != MapScale::about_middle || map.is_count) return range;
   const double reach = std::max(range.high - map.middle, map.middle - range.low);
   return {map.middle - reach, map.middle + reach};
 }

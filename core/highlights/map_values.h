@@ -49,8 +49,8 @@ MapFigures figures_of(std::span<const double> values);
 // The lowest and the highest of those values that are finite; none where there are none.
 std::optional<MapRange> extent_of(std::span<const double> values);
 // What a map shows first: the middle nine tenths of the values, so that a few far ones do not make all others look alike,
-// and as far on both sides of the middle where the map has one; up to the ends where these are near, and all of them where
-// those are equal.
+// and as far on both sides of the middle where the map has one, unless it counts: then values may not exist there. Up to the
+// ends where these are near, and all of them where those are equal.
 MapRange first_range(const ColourMap& map, const MapFigures& figures);
 // The range that shows all values, likewise.
 MapRange whole_range(const ColourMap& map, const MapFigures& figures);

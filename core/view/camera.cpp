@@ -46,9 +46,14 @@ struct Extent {
   double right = -infinity, left = -infinity, above = -infinity, below = -infinity;
 };
 
+// Of the side planes of a frustum: how far each leans outwards per unit of depth.
+struct Slopes {
+  double right, left, above, below;
+};
+
 // In units of 2^exponent, from an origin amid them.
 Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const glm::dvec3& origin, int exponent,
-                 double tan_x, double tan_y) {
+                 const Slopes& slopes) {
   Extent e;
   const bool is_usual = std::abs(exponent) < 1000;
   const double factor = is_usual ? std::ldexp(1.0, -exponent) : 1.0;
@@ -58,10 +63,10 @@ Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const 
     if (!is_finite(q)) continue;
     e.low = glm::min(e.low, q);
     e.high = glm::max(e.high, q);
-    e.right = std::max(e.right, q.x - tan_x * q.z);
-    e.left = std::max(e.left, -q.x - tan_x * q.z);
-    e.above = std::max(e.above, q.y - tan_y * q.z);
-    e.below = std::max(e.below, -q.y - tan_y * q.z);
+    e.right = std::max(e.right, q.x - slopes.right * q.z);
+    e.left = std::max(e.left, -q.x - slopes.left * q.z);
+    e.above = std::max(e.above, q.y - slopes.above * q.z);
+    e.below = std::max(e.below, -q.y - slopes.below * q.z);
   }
   return e;
 }
@@ -154,39 +159,56 @@ glm::dvec3 place(const glm::dvec3& origin, const glm::dvec3& offset, int exponen
   return scaled(far_off + way * back, exponent);
 }
 
+// How much of each half of the view is free, behind the margin: of the whole it is as much on both sides.
+Slopes free_halves(const CoveredShares& covered, double margin) {
+  const double margin_x = 2 * margin * (1 - covered.left - covered.right), margin_y = 2 * margin * (1 - covered.above);
+  return {1 - 2 * covered.right - margin_x, 1 - 2 * covered.left - margin_x, 1 - 2 * covered.above - margin_y,
+          1 - margin_y};
+}
+
 }  // namespace
 
-Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin) {
+Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin,
+              const CoveredShares& covered) {
   Camera result = camera;
   const CameraAxes a = axes(camera);
-  const double share = 1 - 2 * margin;
-  const double tan_y = half_height(camera) * share;
-  const double tan_x = tan_y * aspect;
+  const Slopes free = free_halves(covered, margin);
+  const double free_x = (free.right + free.left) / 2, free_y = (free.above + free.below) / 2, tan = half_height(camera);
+  const Slopes slopes{tan * free.right * aspect, tan * free.left * aspect, tan * free.above, tan * free.below};
   const Box box = bounds_of(points);
   const glm::dvec3 origin = box.middle();
   const glm::dvec3 half_size = 0.5 * box.highest - 0.5 * box.lowest;
   const int exponent = largest_of(half_size) > 0 ? exponent_of(half_size) : 0;
   const Extent e = of_parts<Extent>(
-      points, [&](auto part) { return extent_of(part, a, origin, exponent, tan_x, tan_y); }, of_both);
+      points, [&](auto part) { return extent_of(part, a, origin, exponent, slopes); }, of_both);
   if (!(e.low.x <= e.high.x)) return result;
   const glm::dvec3 middle = 0.5 * (e.low + e.high);
   const glm::dvec3 size = e.high - e.low;
   const double widest = std::max({size.x / aspect, size.y, size.z * 1e-3});
   if (camera.ortho_height) {
-    const double height = widest > 0 ? widest / share : 1;
+    const double height =
+        widest > 0 ? std::max({size.x / aspect / free_x, size.y / free_y, size.z * 1e-3 / std::min(free_x, free_y)})
+                   : 1;
     const double radius = std::max(glm::length(size), height);
-    const glm::dvec3 target = a.right * middle.x + a.up * middle.y + a.forward * middle.z;
+    // By how much of half the view what is free lies beside the middle.
+    const double beside = (free.left - free.right) / 2 * aspect, below = (free.below - free.above) / 2;
+    const glm::dvec3 target =
+        a.right * (middle.x + beside * height / 2) + a.up * (middle.y + below * height / 2) + a.forward * middle.z;
     result.ortho_height = std::min(std::ldexp(height, exponent), std::numeric_limits<double>::max());
     result.target = place(origin, target, exponent, a.forward);
     result.eye = place(origin, target - a.forward * (2 * radius), exponent, a.forward);
     return result;
   }
   // The eye is at the depth where the left and right (or top and bottom) planes of the bounding frustum intersect.
-  const double back = std::max((e.right + e.left) / (2 * tan_x), (e.above + e.below) / (2 * tan_y));
+  const double back =
+      std::max((e.right + e.left) / (slopes.right + slopes.left), (e.above + e.below) / (slopes.above + slopes.below));
   // Keep some distance from the nearest point; a single position gets a view one unit high.
   const double nearest = e.low.z - (widest > 0 ? 0.1 * widest : 0.5 / half_height(camera));
   const double depth = widest > 0 ? std::min(-back, nearest) : nearest;
-  const glm::dvec3 eye = a.right * ((e.right - e.left) / 2) + a.up * ((e.above - e.below) / 2) + a.forward * depth;
+  // In the middle between where each pair of planes touches, at that depth.
+  const double beside = depth * (slopes.right - slopes.left) / 2, below = depth * (slopes.above - slopes.below) / 2;
+  const glm::dvec3 eye =
+      a.right * ((e.right - e.left) / 2 + beside) + a.up * ((e.above - e.below) / 2 + below) + a.forward * depth;
   result.eye = place(origin, eye, exponent, a.forward);
   result.target = place(origin, eye + a.forward * (middle.z - depth), exponent, a.forward);
   return result;

@@ -47,10 +47,16 @@ glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_dista
 // `margin` is the share of the view's width and height left free on each side.
 inline constexpr double default_margin = 0.06;
 
-// The camera with the same direction that shows all points, centred, as large as the margin allows. The target is at
-// the depth of the centre of their bounding box. If all points coincide the view is one unit high. An eye position that
-// would overflow is clamped. O(n).
-Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin);
+// The shares of the width of a view at its left and its right, and of its height at its top, in which nothing is seen.
+struct CoveredShares {
+  double left = 0, right = 0, above = 0;
+};
+
+// The camera with the same direction that shows all points, centred in what is not covered, as large as the margin allows,
+// which is a share of that. The target is at the depth of the centre of their bounding box, in the middle of the view. If
+// all points coincide the view is one unit high. An eye position that would overflow is clamped. O(n).
+Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin,
+              const CoveredShares& covered = {});
 
 // Turntable rotation about a point, which stays where it is in the view: azimuth about Y, elevation clamped at the poles.
 // Dragging half the view height turns 90 degrees.

@@ -32,12 +32,12 @@ std::string named_view_ids() {
   return ids;
 }
 
-Camera camera_of(const NamedView& view, std::span<const glm::dvec3> points, double aspect) {
+Camera camera_along(const NamedView& view) {
   Camera camera;
   camera.eye = -view.direction;
   camera.target = glm::dvec3(0);
   camera.up = view.up;
-  return fitted(camera, points, aspect);
+  return camera;
 }
 
 Camera turned_to(const NamedView& view, const Camera& camera) {

@@ -22,8 +22,8 @@ const NamedView* find_named_view(std::string_view id);
 // "front|back|...": what the command may name.
 std::string named_view_ids();
 
-// The camera that shows all of the points so; see fitted().
-Camera camera_of(const NamedView& view, std::span<const glm::dvec3> points, double aspect);
+// A camera that looks so, to be fitted.
+Camera camera_along(const NamedView& view);
 // A camera that looks so at its own target, from as far away.
 Camera turned_to(const NamedView& view, const Camera& camera);
 

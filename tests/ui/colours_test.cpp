@@ -44,14 +44,14 @@ TEST_F(ColoursPanelTest, a_drag_over_the_histogram_selects_what_lies_in_its_rang
 }
 
 TEST_F(ColoursPanelTest, a_map_of_counts_has_a_bar_for_each_value) {
-  ASSERT_TRUE(session.run("colours valence").done());  // 3 to 4, as far on both sides of 6: 3 to 9
+  ASSERT_TRUE(session.run("colours valence").done());
   frames(4);
-  drag(0.07, 0.07, 110);
+  drag(0.3, 0.3, 110);
   EXPECT_EQ(session.log().size(), 1u) << "only the poke";
   EXPECT_EQ(session.selected_names().size(), 4u) << "of three edges: those that the poke leaves";
-  drag(0.2, 0.2, 110);
+  drag(0.8, 0.8, 110);
   EXPECT_EQ(session.selected_names().size(), 5u);
-  drag(0.2, 0.07, 110);
+  drag(0.8, 0.3, 110);
   EXPECT_EQ(session.selected_names().size(), 9u);
   EXPECT_EQ(DrawnText(gui).count("3.0"), 0u);
 }

@@ -123,6 +123,38 @@ TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
   }
 }
 
+TEST_F(LabelsTest, of_measures_lie_beside_the_handles_of_the_gizmo) {
+  open("torus.off");
+  for (const GizmoKind kind : {GizmoKind::move, GizmoKind::turn, GizmoKind::scale})
+    for (const char* measured : {"v0 v1", "v0 v1 v2", "0-1"}) {
+      for (const char* line : {"measure clear", "select v0 v1"}) ASSERT_TRUE(session_.run(line).done());
+      ASSERT_TRUE(session_.run(std::string("measure ") + measured).done());
+      session_.gizmo_kind = kind;
+      const std::vector<PlacedLabel> all = placed();
+      ASSERT_EQ(all.size(), 1u);
+      const PixelRect rect = rect_of(all[0]);
+      ASSERT_TRUE(session_.gizmo());
+      for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+          ASSERT_EQ(session_.handle_at(session_.view_origin + glm::dvec2(x, y), {}), nullptr) << measured;
+    }
+}
+
+TEST_F(LabelsTest, grow_with_the_letters_that_are_preferred) {
+  open("cube.obj", {.backend = Backend::osmesa, .size = {800, 600}});
+  const Image without = picture(R"(camera {"eye":[9,9,9],"target":[99,9,9]})");  // no mesh is in view
+  const auto pixels_of_legend = [&] {
+    const Image with = picture("colours sides");
+    int changed = 0;
+    for (int y = 300; y < 600; ++y)
+      for (int x = 0; x < 200; ++x) changed += with.at(x, y) != without.at(x, y);
+    return changed;
+  };
+  const int usual = pixels_of_legend();
+  session_.font_size_px = 30;
+  EXPECT_GT(pixels_of_legend(), 3 * usual) << "twice as high and as wide";
+}
+
 // The pixels of the labels differ from those without them, and only those.
 TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
   for (const bool panels : {false, true}) {

@@ -59,5 +59,26 @@ TEST(pointer_column, stays_where_it_is_over_what_is_refused_what_is_legal_and_no
   for (const char* const sort : {"nothing", "an element", "legal", "refused"}) EXPECT_GT(seen[sort], 10) << sort;
 }
 
+// However far the column is scrolled below it: else what comes there looks as if it were of what is under the pointer.
+TEST(pointer_column, what_is_seen_below_it_has_its_own_header) {
+  test::Laid laid("fin.obj", {1280, 460});
+  laid.gui.pointer({999, 330});  // beside all that has a tooltip
+  laid.frames(3);
+  int pinned = 0;
+  for (int notch = 0; notch < 100; ++notch) {
+    laid.gui.wheel(-0.1);
+    laid.frames(3);
+    const test::DrawnText drawn(laid.gui);
+    constexpr double held_ends = 205;  // what lies above is covered
+    const double last_row = drawn.place("Searchforself").y;
+    if (last_row < held_ends + 60) continue;
+    const double header = drawn.last_place("Problems").y;
+    EXPECT_GT(header, held_ends) << notch;
+    EXPECT_LT(header, last_row) << notch;
+    pinned += drawn.place("Repairall").y < header;
+  }
+  EXPECT_GT(pinned, 0) << "its own header was scrolled away";
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -1,8 +1,10 @@
 // What is played step by step in the window: by commands, by keys and by the panel; the document stays as it is.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <set>
 
+#include "app/editor/framing.h"
 #include "app/editor/labels.h"
 #include "app/editor/playing.h"
 #include "app/editor/words.h"
@@ -58,6 +60,41 @@ TEST_F(StepsPanelTest, no_gap_stands_where_no_cell_changes) {
     EXPECT_LT(drawn.place("Text000").y - drawn.place("Play").y, 0.6f * static_cast<float>(size_.height)) << i;
   }
   EXPECT_GT(without, 0);
+}
+
+// In a narrow window the panel lies over the view, and what is played goes beside it.
+TEST(steps_flyout, what_is_played_is_seen_beside_it) {
+  test::Laid laid("cube.obj", {640, 480});
+  Session& session = laid.session;
+  const auto say = [&](const std::string& line) {
+    ASSERT_TRUE(laid.gui.run(session, line).done()) << line;
+    laid.frames(4);
+  };
+  const auto shows_all_of = [&](std::span<const glm::dvec3> places) {
+    Covered covered = covered_view(session);
+    EXPECT_GT(covered.right, 200);
+    return shows_all(session.camera, session.view, covered, places);
+  };
+  const Camera before = session.camera;
+  say("panel steps flyout");
+  EXPECT_EQ(session.camera, before) << "who opens a tab is not moved";
+  say("steps walk v0");
+  EXPECT_TRUE(shows_all_of(session.mesh().positions()));
+  say("steps close");
+  say("panel none");
+  EXPECT_LT(glm::length(session.camera.eye - before.eye), 1e-9);
+  say("new");
+  say("steps script cube");
+  ASSERT_FALSE(session.player->places_at_end.empty());
+  for (const char* const line : {"steps at 12", "frame all", "steps last", "panel steps flyout"}) {
+    say(line);
+    EXPECT_TRUE(shows_all_of(session.player->places_at_end)) << line;
+    for (const glm::dvec3& place : session.player->places_at_end)
+      EXPECT_GT(project(session.camera, session.view, place)->pixel.y, caption_px(session)) << line;
+  }
+  say("panel none");
+  EXPECT_EQ(session.covered_px, glm::dvec2(0));
+  EXPECT_TRUE(session.is_framed());
 }
 
 // However much there is to play, the panels below stay in sight.

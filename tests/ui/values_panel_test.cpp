@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "app/editor/framing.h"
 #include "core/analysis/measures.h"
 #include "core/mesh/copies.h"
 #include "core/ops/op.h"
@@ -98,6 +99,53 @@ TEST_F(ValuesPanel, tells_only_what_a_field_takes_that_does_not_show_it) {
   EXPECT_EQ(drawn("oneofFaces,Ratio,Errormustbegiven"), 1u) << "below all fields, not under each of the three";
   EXPECT_EQ(drawn("oneoffaces,ratio,error"), 0u);
   EXPECT_EQ(drawn("aratiofrom0to1"), 1u);
+}
+
+TEST_F(ValuesPanel, brings_what_would_come_into_view_and_looks_back_when_it_goes) {
+  const auto write = [&](std::string_view text) {
+    for (int i = 0; i < 4; ++i) press(ImGuiKey_Backspace);
+    type(text);
+  };
+  const auto shows_mesh = [&] { return shows_all(session.camera, session.view, {}, session.mesh().positions()); };
+  ASSERT_TRUE(session.run("wheel -1 640,400").done());
+  const Camera before = session.camera;
+  ASSERT_TRUE(gui.run(session, "values cube").done());
+  frames(3);
+  write("0.1");
+  ASSERT_EQ(session.mesh().live().vertices, 16u);
+  EXPECT_EQ(session.camera, before) << "what lies in view moves nothing";
+  write("9");
+  EXPECT_TRUE(shows_mesh());
+  EXPECT_NE(session.camera, before);
+  write("0.1");
+  EXPECT_EQ(session.camera, before) << "a smaller one needs no other view";
+  write("9");
+  EXPECT_TRUE(shows_mesh());
+  ASSERT_TRUE(session.run("panel none").done());
+  frames(3);
+  EXPECT_EQ(session.camera, before);
+  ASSERT_TRUE(gui.run(session, "values cube").done());
+  frames(3);
+  write("9");
+  press(ImGuiKey_Enter);
+  frames(3);
+  EXPECT_EQ(session.mesh().live().vertices, 16u);
+  EXPECT_FALSE(session.document().is_on_trial());
+  EXPECT_TRUE(shows_mesh()) << "what was made stays in view";
+}
+
+TEST_F(ValuesPanel, leaves_the_camera_to_who_moves_it_while_values_are_written) {
+  ASSERT_TRUE(gui.run(session, "values cube").done());
+  frames(3);
+  type("9");
+  ASSERT_TRUE(session.is_framed());
+  session.camera.eye *= 0.5;
+  const Camera moved = session.camera;
+  type("9");
+  EXPECT_EQ(session.camera, moved);
+  ASSERT_TRUE(session.run("panel none").done());
+  frames(3);
+  EXPECT_EQ(session.camera, moved);
 }
 
 TEST_F(ValuesPanel, takes_the_selection_for_elements) {

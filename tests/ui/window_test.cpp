@@ -66,8 +66,10 @@ TEST_F(WindowTest, shows_itself_before_a_large_file_is_read) {
 
 // Where the window shows the middle of an edge that is seen, as a session with the same panels says.
 std::string on_an_edge(const std::string& asset) {
-  test::Laid laid(asset, {1280, 800});
+  test::Laid laid("cube.obj", {1280, 800});
   Session& session = laid.session;
+  session.turns_to_solids = session.shows_axes = true;
+  laid.open(asset);
   const Mesh& m = session.mesh();
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));
@@ -167,6 +169,7 @@ struct OnEdge {
 };
 OnEdge on_long_edge(const std::string& file, double share) {
   test::Laid laid("cube.obj", {1280, 800});
+  laid.session.turns_to_solids = laid.session.shows_axes = true;
   EXPECT_TRUE(laid.session.run("open " + file).done());
   laid.session.frame_all();
   const Mesh& m = laid.session.mesh();

@@ -207,7 +207,7 @@ void ValuesPanel::draw(PanelContext& context) {
   if (!read.values || !(pressed || entered)) return;
   has_run_ = true;
   to_keys_ = 0;
-  preview_.end(context.session);
+  preview_.hand_over(context.session);
   context.run_from(line_of(*row, *read.values), context.session.open_panel);
 }
 

@@ -30,6 +30,7 @@ void WindowHand::open_made(std::vector<std::string> words) {
 void WindowHand::open_file() {
   open(file_);
   laid_ = std::make_unique<Laid>("cube.obj", hand_window);
+  session().turns_to_solids = session().shows_axes = true;
   ASSERT_TRUE(session().run("open " + file_argument(file_)).done());
   laid_->gui.place_view(session(), hand_window);
   session().frame_all();

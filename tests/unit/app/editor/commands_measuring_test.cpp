@@ -5,6 +5,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/labels.h"
 #include "app/editor/measure_text.h"
+#include "app/editor/words.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/shapes.h"
 
@@ -57,6 +58,30 @@ TEST(commands_measuring, a_legend_of_equal_values_says_the_value_once) {
   labels.clear();
   add_map_legend(*session, labels);
   EXPECT_EQ(labels.size(), 8u);
+}
+
+TEST(commands_measuring, a_legend_of_counts_names_none_that_there_cannot_be) {
+  Session session(std::move(Document::open(test::asset("ball.off"))).value());  // 4, and 16 at the poles
+  ASSERT_TRUE(session.run("colours valence all").done());
+  std::vector<Label> labels;
+  add_map_legend(session, labels);
+  ASSERT_EQ(labels.size(), 8u);
+  EXPECT_EQ(labels[0].text, "4");
+  EXPECT_EQ(labels[6].text, "16");
+}
+
+// In the picture, in the panel and in the status line.
+TEST(commands_measuring, a_measure_is_told_with_the_same_digits_everywhere) {
+  const auto session = measured_cube();
+  ASSERT_TRUE(session->run("move_vertex v0 -0.123456789,0,0").done());
+  session->language = Language::english;
+  const std::string said = session->run("measure v0 v2").sentence.en;
+  EXPECT_GT(said.size(), 16u) << "scripts have all digits";
+  std::vector<Label> labels;
+  add_measures(*session, labels);
+  ASSERT_EQ(labels.size(), 1u);
+  EXPECT_EQ(labels[0].text, with_short_numbers(said));
+  EXPECT_EQ(measured_text(session->mesh(), session->measures[0]).en, with_short_numbers(said));
 }
 
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {

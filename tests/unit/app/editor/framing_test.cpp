@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "app/editor/session.h"
@@ -58,6 +59,55 @@ TEST(framing, shows_isolated_vertices_where_there_is_nothing_else) {
   const Mesh mesh = from_indexed(source);
   const Camera camera = framing({&mesh}, {}, view);
   for (const glm::dvec3& each : mesh.positions()) EXPECT_TRUE(is_seen(each, camera));
+}
+
+TEST(framing, keeps_off_what_covers_the_view_and_fills_the_rest) {
+  const Mesh mesh = triangle_with({0.1, 0.2, 0.9});
+  for (const bool ortho : {false, true})
+    for (const Covered& covered : {Covered{0, 290, 50, {}}, Covered{150, 0, 0, {}}, Covered{100, 200, 120, {}}}) {
+      const Camera camera = framing({&mesh}, with_ortho({}, ortho), view, covered);
+      glm::dvec2 low(1e9), high(-1e9);
+      for (const glm::dvec3& place : mesh.positions()) {
+        const auto at = project(camera, view, place);
+        ASSERT_TRUE(at);
+        low = glm::min(low, at->pixel);
+        high = glm::max(high, at->pixel);
+      }
+      const glm::dvec2 from(covered.left, covered.above), to(view.width - covered.right, view.height);
+      EXPECT_TRUE(low.x >= from.x && low.y >= from.y && high.x <= to.x && high.y <= to.y) << ortho << covered.right;
+      EXPECT_GT(std::max((high.x - low.x) / (to.x - from.x), (high.y - low.y) / (to.y - from.y)), 0.87) << ortho;
+      EXPECT_TRUE(shows_all(camera, view, covered, mesh.positions()));
+    }
+  const Camera whole = framing({&mesh}, {}, view);
+  EXPECT_FALSE(shows_all(whole, view, {0, 290, 0, {}}, mesh.positions()));
+  EXPECT_EQ(framing({&mesh}, {}, view, {300, 300, 0, {}}), whole) << "hardly anything would be left";
+}
+
+TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_them) {
+  for (const Size size : {Size{748, 754}, Size{620, 640}}) {
+    Session session(std::move(Document::open(test::asset("isolated_vertex.obj"))).value());
+    session.view = size;
+    const PixelRect corner = *room_of_axes(size, 1);
+    const auto is_under = [&] {
+      const auto at = project(session.camera, size, session.mesh().position(Vertex(3)));
+      const glm::dvec2 middle(corner.x0 + 0.5 * corner.width(), 0.5 * corner.height());
+      return at && glm::length(at->pixel - middle) < 0.5 * corner.width();
+    };
+    session.frame_all();
+    EXPECT_TRUE(is_under());
+    session.shows_axes = true;
+    session.frame_all();
+    EXPECT_FALSE(is_under()) << size.width;
+    ASSERT_TRUE(session.run("view front").done());
+    EXPECT_FALSE(is_under()) << size.width;
+    session.set_document(std::move(Document::open(test::asset("isolated_vertex.obj"))).value());
+    EXPECT_FALSE(is_under()) << size.width;
+  }
+  Session session(std::move(Document::open(test::asset("torus.off"))).value());
+  const Camera before = session.camera;
+  session.shows_axes = true;
+  session.frame_all();
+  EXPECT_LT(glm::length(session.camera.eye - before.eye), 1e-9) << "nothing lies there";
 }
 
 TEST(framing, counts_until_the_camera_moves) {

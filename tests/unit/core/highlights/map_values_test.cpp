@@ -118,6 +118,19 @@ TEST(map_values, show_the_middle_nine_tenths_first) {
   EXPECT_EQ(first_range(linear, equal), (MapRange{7, 7}));
 }
 
+// On both sides alike a map of valences would end below 0.
+TEST(map_values, of_counts_are_shown_as_far_as_there_are_any) {
+  const ColourMap& valence = *find_colour_map("valence");
+  std::vector<double> values(200, 4.0);
+  values.push_back(16);
+  EXPECT_EQ(whole_range(valence, figures_of(values)), (MapRange{4, 16}));
+  for (int i = 0; i < 50; ++i) values.push_back(16);
+  EXPECT_EQ(first_range(valence, figures_of(values)), (MapRange{4, 16}));
+  EXPECT_EQ(place_on_scale(valence, {4, 16}, 6), 0.5);
+  EXPECT_EQ(place_on_scale(valence, {4, 16}, 16), 1);
+  EXPECT_EQ(place_on_scale(valence, {4, 16}, 4), 0.4);
+}
+
 TEST(map_values, count_what_lies_outside_nowhere_or_at_the_ends) {
   const std::vector<double> values{-5, 0, 1, 2, 3, 4, 9, std::nan("")};
   EXPECT_EQ(histogram(values, {0, 4}, 2), (std::vector<std::uint32_t>{2, 3}));

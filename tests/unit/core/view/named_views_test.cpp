@@ -24,7 +24,7 @@ TEST(named_views, look_along_their_axes_at_all_of_the_points) {
   for (const Row& row : rows) {
     const NamedView* const named = find_named_view(row.id);
     ASSERT_TRUE(named) << row.id;
-    const Camera camera = camera_of(*named, points, 16.0 / 9);
+    const Camera camera = fitted(camera_along(*named), points, 16.0 / 9);
     EXPECT_LT(glm::length(axes(camera).forward - row.forward), 1e-12) << row.id;
     if (row.up != glm::dvec3(0)) {
       EXPECT_LT(glm::length(axes(camera).up - row.up), 1e-12) << row.id;

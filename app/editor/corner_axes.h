@@ -30,9 +30,9 @@ struct CornerAxes {
   std::array<PlacedAxisEnd, 6> ends;  // the farthest from the eye first
 };
 
-// In the upper right corner, sized by the scale of the display; none where the view has no room for them.
-// All that they may cover, however they are turned; no such room either.
+// All that they may cover, however they are turned; none where the view has no room for them.
 std::optional<PixelRect> room_of_axes(Size view, double scale);
+// In the upper right corner, sized by the scale of the display; none where there is no such room.
 std::optional<CornerAxes> corner_axes(const Camera& camera, Size view, double scale);
 // The nearest to the eye at a pixel of the view; null where there is none.
 const AxisEnd* end_at(const CornerAxes& axes, glm::dvec2 pixel);

@@ -210,6 +210,7 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
     : session_(session),
       player_(std::move(session.player)),
       camera_(session.camera),
+      was_framed_(session.is_framed()),
       may_be_anew_(effect == Effect::steps) {
   session.player.reset();
   if (!player_) return;
@@ -224,6 +225,7 @@ void PlayerAside::bring_back(Outcome& outcome) {
     session_.player = player_;
     session_.camera = camera_;
     player_->go_to(document, player_->position());
+    if (was_framed_) session_.frame_all();
   } else if (may_be_anew_) {
     make_anew(outcome);
   } else {

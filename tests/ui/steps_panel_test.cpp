@@ -367,6 +367,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
     EXPECT_EQ(session.player->position(), 9u) << line;
     EXPECT_EQ(session.mesh().hash(), shown) << line;
     EXPECT_EQ(session.camera, camera) << line;
+    EXPECT_TRUE(session.is_framed()) << line;
   }
   const Outcome outcome = say("split 0-1");
   EXPECT_FALSE(session.player);

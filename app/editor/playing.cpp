@@ -210,12 +210,10 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
     : session_(session),
       player_(std::move(session.player)),
       camera_(session.camera),
-      was_framed_(session.is_framed()),
+      document_serial_(session.document().serial()),
       may_be_anew_(effect == Effect::steps) {
   session.player.reset();
-  if (!player_) return;
-  player_->end(session.document());
-  if (!may_be_anew_) look_as_before(session, *player_);
+  if (player_) player_->end(session.document());
 }
 
 void PlayerAside::bring_back(Outcome& outcome) {
@@ -223,12 +221,11 @@ void PlayerAside::bring_back(Outcome& outcome) {
   Document& document = session_.document();
   if (player_->fits(document) && !document.is_on_trial()) {
     session_.player = player_;
-    session_.camera = camera_;
     player_->go_to(document, player_->position());
-    if (was_framed_) session_.frame_all();
   } else if (may_be_anew_) {
     make_anew(outcome);
   } else {
+    if (document.serial() == document_serial_) look_as_before(session_, *player_);
     outcome.say(end_of(*player_));
   }
 }

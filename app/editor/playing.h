@@ -112,7 +112,8 @@ class PlayerAside {
   Session& session_;
   std::shared_ptr<Player> player_;
   Camera camera_;
-  bool was_framed_, may_be_anew_;
+  std::uint64_t document_serial_;
+  bool may_be_anew_;
 };
 // The refusal of what points into the view while that shows a step of another mesh than the one that is open.
 Outcome not_on_a_step(const Session& session);

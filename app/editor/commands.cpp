@@ -96,4 +96,12 @@ Text name_of_command(std::string_view id) {
   return {std::string(id), std::string(id)};
 }
 
+Text name_of_line(std::string_view line) {
+  const std::string_view id = line.substr(0, line.find(' '));
+  if (const auto row = find_command_row(id))
+    for (const NamedCall& call : row->named)
+      if (call.line == line) return {std::string(call.en), std::string(call.ja)};
+  return name_of_command(id);
+}
+
 }  // namespace ryosen

@@ -77,6 +77,8 @@ std::vector<CommandRow> command_table();
 std::optional<CommandRow> find_command_row(std::string_view id);
 // As the window calls it: an operator or an algorithm by its name, others by their id.
 Text name_of_command(std::string_view id);
+// The same of a line, which may be a call that has a name of its own.
+Text name_of_line(std::string_view line);
 
 // The help, with the ids behind it that the row lists.
 std::string help_of(const CommandRow& row, Language language);

@@ -78,7 +78,7 @@ Outcome PanelContext::keep(Outcome outcome) {
   if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
     state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
-    const Text name = name_of_command(outcome.performed.substr(0, outcome.performed.find(' '))) + Text{": ", "："};
+    const Text name = name_of_line(outcome.performed) + Text{": ", "："};
     state.last_shorter = {name + outcome.sentence};
     add_shorter_report(state.last_shorter, session, name, outcome.sentence);
   }

@@ -49,8 +49,8 @@ class ShownLevels {
 };
 
 void end_levels(Session& session);
-// The same for a line that edits the mesh beneath: what is to be said once it has, where a level was shown that the line
-// does not keep.
+// The same for a line that may edit the mesh beneath: what is to be said once it has, where a level was shown that the
+// line does not keep.
 std::optional<Text> end_levels_for(Session& session, std::string_view line);
 // Whether a level is shown, in place of the mesh of the document; and the way back, told.
 bool shows_level(const Session& session);

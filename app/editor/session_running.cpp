@@ -46,7 +46,7 @@ Outcome Session::run_line(const std::string& line) {
   } else if (!row->keeps_trial) {
     end_trial();
   }
-  [[maybe_unused]] const std::uint64_t serial = document_->serial();
+  const std::uint64_t serial = document_->serial();
   const std::size_t position = document_->position();
   [[maybe_unused]] const std::size_t entries = document_->history().size();
   [[maybe_unused]] const std::size_t logged = lines_logged_;
@@ -59,7 +59,7 @@ Outcome Session::run_line(const std::string& line) {
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   running_ = outer;
   if (played) played->bring_back(outcome);
-  if (left && document_->position() != position) outcome.say(*left);
+  if (left && document_->serial() == serial && document_->position() != position) outcome.say(*left);
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
   assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&

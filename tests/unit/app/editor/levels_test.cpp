@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/editor/session.h"
+#include "app/editor/words.h"
 #include "core/algo/edge_rules.h"
 #include "core/analysis/invariants.h"
 #include "tests/support/app/program.h"
@@ -106,6 +107,16 @@ TEST_F(LevelsTest, end_with_any_edit) {
   EXPECT_GT(faces(), 20u) << "the whole mesh was poked";
   EXPECT_EQ(session_.document().history().size(), entries + 1);
   EXPECT_EQ(say("levels at 20").exit_code, ExitCode::refused);
+}
+
+TEST_F(LevelsTest, are_not_spoken_of_where_another_mesh_is_opened) {
+  ASSERT_TRUE(say("poke f0").done());
+  ASSERT_TRUE(say("levels").done());
+  ASSERT_TRUE(say("levels at 20").done());
+  const Outcome outcome = say("open " + file_argument(asset("cube.obj")));
+  ASSERT_TRUE(outcome.done());
+  EXPECT_FALSE(session_.levels);
+  EXPECT_EQ(outcome.sentence.en.find("before its levels of detail"), std::string::npos) << outcome.sentence.en;
 }
 
 TEST_F(LevelsTest, refuse_words_that_no_mesh_makes_right) {

@@ -1,10 +1,12 @@
 #include "core/algo/repair/report.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/algo/repair/guard.h"
 #include "core/analysis/problems.h"
 #include "core/base/count_text.h"
+#include "core/base/sort_unique.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -58,13 +60,16 @@ bool names(const Problem& problem, const Element& element) {
   return at != problem.elements.end() && at->index == element.index;
 }
 
-// Of what the steps have left.
+// Of what the steps have left. Several may have left the same.
 void count_left(RepairReport& report, std::span<const Problem> problems) {
   for (const Problem& problem : problems) report.problems += problem.count();
+  std::vector<Element> others;
   for (const LeftForReason& left : report.left)
-    for (const Element& element : left.elements)
-      report.others += std::none_of(problems.begin(), problems.end(),
-                                    [&](const Problem& problem) { return names(problem, element); });
+    std::copy_if(left.elements.begin(), left.elements.end(), std::back_inserter(others), [&](const Element& element) {
+      return std::none_of(problems.begin(), problems.end(), [&](const Problem& p) { return names(p, element); });
+    });
+  sort_unique(others);
+  report.others = others.size();
 }
 
 // What is still found, of all kinds or of those that a single repair is for: counted, and told unless it has been.

@@ -61,6 +61,9 @@ TEST(repair_report, counts_as_problems_what_a_list_of_problems_has) {
   const RepairReport apart = report_by(test::make_mesh(test::fin()), {"weld_equal", "detach_nonmanifold"}, true);
   EXPECT_EQ(apart.problems, 3u) << "the boundary loops of three sheets";
   EXPECT_EQ(apart.others, 2u) << "the points at the ends of the edge";
+  const RepairReport twice =
+      report_by(test::make_mesh(test::fin()), {"weld_equal", "weld_close", "detach_nonmanifold"}, true);
+  EXPECT_EQ(twice.others, 2u) << "though both weldings leave them";
   const RepairReport twisted = report_by(test::make_mesh(test::moebius_strip()), {"orient"}, false);
   ASSERT_EQ(twisted.left.size(), 1u);
   EXPECT_EQ(twisted.problems, twisted.left[0].elements.size()) << "counted once, though told with its reason";

@@ -83,10 +83,16 @@ void Gui::follow_view(Session& session, Size window) const {
 
 // What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
 // again when it is closed. Else nothing moves under who opens a tab.
-void Gui::follow_covered(Session& session, Size window) const {
+void Gui::follow_covered(Session& session, Size window) {
   const glm::dvec2 covered = columns_.covered_px(view_area(window, session.layout));
   const glm::dvec2 before = std::exchange(session.covered_px, covered);
-  if (covered != before && session.is_framed() && (session.player || covered == glm::dvec2(0))) session.frame_all();
+  if (!session.is_framed()) return;
+  if (std::exchange(framed_, session.camera) != session.camera) is_framed_beside_ = before != glm::dvec2(0);
+  const bool is_free_again = covered == glm::dvec2(0) && is_framed_beside_;
+  if (covered == before || !(session.player || is_free_again)) return;
+  session.frame_all();
+  framed_ = session.camera;
+  is_framed_beside_ = covered != glm::dvec2(0);
 }
 
 PanelContext Gui::context(Session& session) {

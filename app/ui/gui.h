@@ -102,7 +102,7 @@ class Gui {
   PanelContext context(Session& session);
   void begin_frame(Size window, double seconds);
   void follow_view(Session& session, Size window) const;
-  void follow_covered(Session& session, Size window) const;
+  void follow_covered(Session& session, Size window);
   void play_on(Session& session);
   void end_frame();
   ImGuiContext* imgui_;
@@ -116,6 +116,8 @@ class Gui {
   Fonts fonts_;
   bool has_fonts_ = false, has_japanese_ = false;
   Theme theme_ = Theme::dark;
+  Camera framed_;  // the last one that was framed, and whether that was beside what a tab had opened
+  bool is_framed_beside_ = false;
   std::optional<double> next_step_at_;  // by the time of frames
   bool is_down_[3] = {}, was_pressed_[3] = {};
   std::string laid_out_panel_;                 // that was open over the view in the last frame

@@ -97,6 +97,28 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
   EXPECT_TRUE(session.is_framed());
 }
 
+TEST(steps_flyout, closing_it_moves_nothing_that_was_not_framed_beside_it) {
+  test::Laid laid("cube.obj", {640, 480});
+  Session& session = laid.session;
+  const auto say = [&](const std::string& line) {
+    ASSERT_TRUE(laid.gui.run(session, line).done()) << line;
+    laid.frames(4);
+  };
+  const Camera before = session.camera;
+  say("translate by=3,0,0");
+  for (const char* const line : {"panel steps flyout", "panel none"}) {
+    say(line);
+    EXPECT_EQ(session.camera, before) << line;
+  }
+  say("panel steps flyout");
+  say("frame all");
+  const Camera beside = session.camera;
+  EXPECT_NE(beside, before);
+  say("panel none");
+  EXPECT_NE(session.camera, beside) << "all of the view is free again";
+  EXPECT_TRUE(session.is_framed());
+}
+
 // However much there is to play, the panels below stay in sight.
 TEST_F(StepsPanelTest, the_list_of_what_there_is_to_play_has_a_height_of_its_own) {
   ASSERT_TRUE(say("panel steps").done());

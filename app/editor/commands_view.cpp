@@ -26,7 +26,8 @@ Outcome run_view(Session& session, Words arguments, std::string_view) {
     session.camera = turned_to(*view, session.camera);
     return {};
   }
-  session.camera = framing({&session.mesh()}, camera_along(*view), session.view, covered_view(session));
+  Session* const beside = session.beside();
+  session.camera = framing_of(session, beside ? &beside->mesh() : nullptr, camera_along(*view));
   return {};
 }
 

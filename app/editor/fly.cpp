@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/editor/framing.h"
 #include "core/base/sort_unique.h"
 #include "core/geometry/is_finite.h"
 #include "core/geometry/polygon_normal.h"
@@ -212,8 +213,9 @@ void fly_to(Session& session, std::span<const Element> elements) {
   std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
   mirror(places, middle_of_all(session.mesh(), elements));
   const double aspect = static_cast<double>(session.view.width) / session.view.height;
+  const CoveredShares covered = covered_shares(session);
   session.camera = best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
-    return fitted(looking_from(session.camera, from, session.camera.target), places, aspect, margin);
+    return fitted(looking_from(session.camera, from, session.camera.target), places, aspect, margin, covered);
   });
 }
 

@@ -44,13 +44,22 @@ void add_near(std::vector<glm::dvec3>& places, std::span<const glm::dvec3> other
     if (length_of(place - box.middle()) <= most) places.push_back(place);
 }
 
+constexpr double least_free = 0.25;
+
+bool leaves_width(const Covered& covered, Size view) {
+  return covered.left + covered.right <= (1 - least_free) * view.width;
+}
+bool leaves_height(const Covered& covered, Size view) { return covered.above <= (1 - least_free) * view.height; }
+
 // Of strips that would leave too little there is none.
+Covered kept_off(Covered covered, Size view) {
+  if (!leaves_width(covered, view)) covered.left = covered.right = 0;
+  if (!leaves_height(covered, view)) covered.above = 0;
+  return covered;
+}
+
 CoveredShares shares_of(const Covered& covered, Size view) {
-  constexpr double least_free = 0.25;
-  CoveredShares shares{covered.left / view.width, covered.right / view.width, covered.above / view.height};
-  if (shares.left + shares.right > 1 - least_free) shares.left = shares.right = 0;
-  if (shares.above > 1 - least_free) shares.above = 0;
-  return shares;
+  return {covered.left / view.width, covered.right / view.width, covered.above / view.height};
 }
 
 // Within the circle that touches the sides of a square.
@@ -85,8 +94,13 @@ Covered covered_view(const Session& session) {
   return covered;
 }
 
+CoveredShares covered_shares(const Session& session) {
+  return shares_of(kept_off(covered_view(session), session.view), session.view);
+}
+
 // Off the corner to the left of it or below it, by as little as it takes, where it shows more.
-Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view) {
+Camera fitted_beside(const Covered& all_covered, const Camera& from, std::span<const glm::dvec3> places, Size view) {
+  const Covered covered = kept_off(all_covered, view);
   const double aspect = static_cast<double>(view.width) / view.height;
   const auto fitted_to = [&](const Covered& c) {
     return fitted(from, places, aspect, default_margin, shares_of(c, view));
@@ -99,20 +113,25 @@ Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const
     Covered to_the_left = covered, below = covered;
     to_the_left.right = std::max(covered.right, share * covered.corner->width());
     below.above = std::max(covered.above, share * covered.corner->height());
-    for (const Camera& one : {fitted_to(to_the_left), fitted_to(below)})
+    const auto try_beside = [&](const Covered& more) {
+      const Camera one = fitted_to(more);
       if (is_free(one) && (!found || unit_of(one) < unit_of(*found))) found = one;
+    };
+    if (leaves_width(to_the_left, view)) try_beside(to_the_left);
+    if (leaves_height(below, view)) try_beside(below);
     if (found) break;
   }
   return found.value_or(camera);
 }
 
-bool shows_all(const Camera& camera, Size view, const Covered& covered, std::span<const glm::dvec3> places) {
+bool shows_all(const Camera& camera, Size view, const Covered& all_covered, std::span<const glm::dvec3> places) {
+  const Covered covered = kept_off(all_covered, view);
   const ScreenProjection screen(camera, view);
   return std::all_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
     if (!is_finite(place)) return true;
     const auto at = screen.project(place);
-    return at && at->pixel.x >= covered.left && at->pixel.x <= view.width - covered.right && at->pixel.y >= 0 &&
-           at->pixel.y <= view.height;
+    return at && at->pixel.x >= covered.left && at->pixel.x <= view.width - covered.right &&
+           at->pixel.y >= covered.above && at->pixel.y <= view.height;
   });
 }
 
@@ -140,6 +159,15 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
   for (const Mesh* const mesh : meshes)
     with_places_to_frame(*mesh, [&](auto places) { all.insert(all.end(), places.begin(), places.end()); });
   return fitted_beside(covered, from, all, view);
+}
+
+Camera framing_of(const Session& session, const Mesh* beside, const Camera& from) {
+  const Covered covered = covered_view(session);
+  const Player* const player = session.player.get();
+  if (player && player->is_shown(session.document()) && !player->places_at_end.empty())
+    return fitted_beside(covered, from, player->places_at_end, session.view);
+  if (beside) return framing({&session.mesh(), beside}, from, session.view, covered);
+  return framing({&session.mesh()}, from, session.view, covered);
 }
 
 }  // namespace ryosen

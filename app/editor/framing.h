@@ -23,13 +23,16 @@ void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
 void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
 
 // What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, which are as round
-// as that is wide. Whatever is framed keeps off the strips, and off the axes where one of its places would lie there.
+// as that is wide. What is framed keeps off the strips, unless they leave hardly any of the view, and off the axes where
+// one of its places would lie there.
 struct Covered {
   double left = 0, right = 0, above = 0;
   std::optional<PixelRect> corner;
 };
 // By what a tab has opened, the caption of what is played, and the axes.
 Covered covered_view(const Session& session);
+// The strips of that alone, as shares of the view; none where they leave hardly any of it.
+CoveredShares covered_shares(const Session& session);
 
 // The camera in the same direction that shows places in the free part of a view.
 Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view);
@@ -38,5 +41,8 @@ bool shows_all(const Camera& camera, Size view, const Covered& covered, std::spa
 
 // The camera in the same direction that shows the places to frame of all of these meshes.
 Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
+// The same for all that a session shows, beside what lies over its view: its mesh, with the one that it is compared with,
+// or what is played, as it ends.
+Camera framing_of(const Session& session, const Mesh* beside, const Camera& from);
 
 }  // namespace ryosen

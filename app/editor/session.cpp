@@ -29,9 +29,7 @@ bool Session::is_at_start() const {
   return !begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
 }
 
-bool Session::is_empty() const {
-  return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts();
-}
+bool Session::is_empty() const { return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts(); }
 
 void Session::show(const PanelRow& panel, bool on) {
   if (on && panel.place != PanelPlace::over) layout.wanted = panel.id;
@@ -246,16 +244,7 @@ std::string Session::document_name() const {
   return language == Language::japanese ? "（無題）" : "(unnamed)";
 }
 
-void Session::frame_all() {
-  const Covered covered = covered_view(*this);
-  if (player && player->is_shown(*document_) && !player->places_at_end.empty())
-    camera = fitted_beside(covered, camera, player->places_at_end, view);
-  else if (beside_)
-    camera = framing({&mesh(), &beside_->mesh()}, camera, view, covered);
-  else
-    camera = framing({&mesh()}, camera, view, covered);
-  framed_ = camera;
-}
+void Session::frame_all() { camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, camera); }
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);

@@ -27,6 +27,17 @@ bool is_in_view(const Session& session, const glm::dvec3& place) {
          at->pixel.y <= session.view.height;
 }
 
+TEST(fly, shows_elements_beside_what_a_tab_has_opened) {
+  const auto session = session_of("torus.off");
+  session->covered_px = {0, 0.5 * session->view.width};
+  ASSERT_TRUE(session->run("select v0").done());
+  ASSERT_TRUE(session->run("frame selected").done());
+  const auto at = project(session->camera, session->view, session->mesh().position(Vertex(0)));
+  ASSERT_TRUE(at);
+  EXPECT_NEAR(at->pixel.x, 0.25 * session->view.width, 0.05 * session->view.width);
+  EXPECT_NEAR(at->pixel.y, 0.5 * session->view.height, 0.05 * session->view.height);
+}
+
 TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
   for (const char* name : {"stanford_bunny.obj", "torus.off"}) {
     const auto session = session_of(name);

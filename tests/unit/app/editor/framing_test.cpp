@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "app/editor/playing.h"
+#include "app/editor/words.h"
 #include "app/editor/session.h"
 #include "core/indexed/from_indexed.h"
 #include "tests/support/app/program.h"
@@ -81,6 +83,47 @@ TEST(framing, keeps_off_what_covers_the_view_and_fills_the_rest) {
   const Camera whole = framing({&mesh}, {}, view);
   EXPECT_FALSE(shows_all(whole, view, {0, 290, 0, {}}, mesh.positions()));
   EXPECT_EQ(framing({&mesh}, {}, view, {300, 300, 0, {}}), whole) << "hardly anything would be left";
+}
+
+// The axes ask for more than a panel has left: nothing goes below the panel to get out of their way.
+TEST(framing, keeps_off_a_strip_though_the_axes_leave_hardly_any_room_beside_it) {
+  constexpr Size narrow{400, 640};
+  IndexedMesh source;
+  source.positions = {{-0.1, -1, 0}, {0.1, -1, 0}, {0.1, 1, 0}, {-0.1, 1, 0}};
+  source.corners = {0, 1, 2, 3};
+  source.face_offsets = {0, 4};
+  const Mesh mesh = from_indexed(source);
+  Covered covered{250, 0, 0, room_of_axes(narrow, 1)};
+  ASSERT_TRUE(covered.corner);
+  const Camera camera = framing({&mesh}, {}, narrow, covered);
+  for (const glm::dvec3& place : mesh.positions()) EXPECT_GT(project(camera, narrow, place)->pixel.x, covered.left);
+}
+
+TEST(framing, shows_all_where_nothing_of_it_lies_below_what_is_kept_off) {
+  const Mesh mesh = triangle_with({0.1, 0.2, 0});
+  const Camera camera = framing({&mesh}, {}, view);
+  EXPECT_TRUE(shows_all(camera, view, {}, mesh.positions()));
+  EXPECT_FALSE(shows_all(camera, view, {0, 0, 200, {}}, mesh.positions())) << "below a caption";
+  EXPECT_TRUE(shows_all(camera, view, {300, 300, 0, {}}, mesh.positions())) << "no camera can keep off these";
+}
+
+TEST(framing, named_views_show_what_all_is_framed_by) {
+  Session playing(std::make_unique<Document>());
+  ASSERT_TRUE(playing.run("steps script cube").done() && playing.run("steps at 1").done());
+  ASSERT_FALSE(playing.player->places_at_end.empty());
+  ASSERT_TRUE(playing.run("view front").done());
+  EXPECT_TRUE(shows_all(playing.camera, playing.view, covered_view(playing), playing.player->places_at_end));
+
+  const test::TemporaryFolder folder;
+  Session far_off(std::make_unique<Document>());
+  const std::string file = file_argument(folder.at("far.obj"));
+  for (const std::string& line : {std::string("cube"), std::string("translate by=9,0,0"), "save " + file})
+    ASSERT_TRUE(far_off.run(line).done()) << line;
+  Session session(std::move(Document::open(test::asset("cube.obj"))).value());
+  ASSERT_TRUE(session.run("compare " + file).done());
+  ASSERT_TRUE(session.run("view front").done());
+  ASSERT_TRUE(session.beside());
+  EXPECT_TRUE(shows_all(session.camera, session.beside()->view, {}, session.beside()->mesh().positions()));
 }
 
 TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_them) {

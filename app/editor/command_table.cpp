@@ -384,8 +384,9 @@ const std::vector<CommandRow>& last_rows() {
       of_view(
           {"cancel", "",
            "closes the open panel, else lets a held verdict go, else puts the tool away, else selects nothing, else "
-           "leaves an exercise",
-           "パネル、保持中の判定、ツール、選択、演習の順に取り消す", Effect::none, run_cancel}),
+           "leaves what is played, a level of detail or a question",
+           "パネル、保持中の判定、ツール、選択の順に取り消し、最後に再生・詳細度・問題を終える", Effect::none,
+           run_cancel}),
       of_view({"quit", "", "ends the program", "終了する", Effect::none, run_quit}),
   };
   return rows;

@@ -121,8 +121,8 @@ Outcome leave_question(Session& session) {
   return outcome;
 }
 
-// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, the tool, the
-// selection, an exercise.
+// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a question
+// of the program, the tool, the selection, and last what is played, a level of detail, or a question of the practice.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
   if (session.band || session.armed_gesture) {

@@ -12,6 +12,8 @@ std::string value_text(double value, MapUnit unit);
 std::vector<std::string> numbers_alike(std::span<const double> values);
 // "distance 1.5, angle 90°"
 Text text_of(const Measurement& found);
+// The same as it is shown, with short numbers as in the status line.
+Text short_text_of(const Measurement& found);
 // "Edge length: 1 to 2, mean 1.5, median 1.4, of 12"
 Text text_of(const ColourMap& map, const MapFigures& figures);
 // The same as it is shown: the numbers in one notation, as the ends of a legend.
@@ -21,8 +23,6 @@ std::vector<std::string> numbers_of(const ColourMap& map, std::span<const double
 // The values that a legend names, at most so many: evenly from the low end to the high one; of a map of counts whole, as far
 // as there are any in the range.
 std::vector<double> legend_values(const ColourMap& map, MapRange range, std::size_t most);
-// The same as it is shown, with short numbers as in the status line.
-Text short_text_of(const Measurement& found);
 // "v1 v5": what was measured, the first few of many.
 std::string names_of_measured(const Mesh& mesh, std::span<const Element> elements);
 // Of elements as they are now; that one of them is gone, where that is so.

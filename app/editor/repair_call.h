@@ -13,6 +13,7 @@ namespace ryosen {
 inline constexpr std::string_view default_repairs = "default";
 // The command that does all of them.
 inline constexpr std::string_view repair_all_line = "repair default";
+static_assert(repair_all_line.ends_with(default_repairs));
 
 struct ReadRepairs {
   RepairCall call;

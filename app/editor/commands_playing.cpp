@@ -65,7 +65,9 @@ Outcome go_to_step(Session& session, std::size_t position) {
     return failed(ExitCode::refused, {"the mesh has changed since; play it again: steps " + call,
                                       "再生を始めた後にメッシュが変わりました。もう一度：steps " + call});
   }
+  const bool returns = !player.is_shown(session.document()) && player.camera_before;
   player.go_to(session.document(), position);
+  if (returns) session.frame_all();  // the mesh beneath was looked at meanwhile
   if (player.position() == player.size()) player.is_running = false;
   Outcome outcome;
   if (player.step()) outcome.sentence = player.step()->caption;

@@ -52,6 +52,12 @@ void look_as_before(Session& session, const Player& player) {
   if (player.was_framed) session.frame_all();
 }
 
+Text done_beneath(const Player& player) {
+  const Text name = player.name();
+  return {"Done on the open mesh; the view goes on with the step of '" + name.en + "'.",
+          "開いているメッシュで実行しました。ビューは「" + name.ja + "」の手順のままです。"};
+}
+
 Text end_of(const Player& player) {
   const Text name = player.name();
   return {"The steps of '" + name.en + "' are left.", "「" + name.ja + "」の再生を終えました。"};
@@ -116,7 +122,7 @@ std::string shown_name(const Session& session, bool with_beneath) {
   const Document& document = session.document();
   const std::string file = (document.is_modified() ? "* " : "") + session.document_name();
   const Player* const player = session.player.get();
-  if (!player || !player->edits() || !player->fits(document)) return file;
+  if (!player || !player->edits() || !player->is_shown(document)) return file;
   Text name = Text{"Playing: ", "再生中："} + player->name();
   const bool has_file = document.is_modified() || !document.path().empty();
   if (has_file && with_beneath) name = name + Text{" (beneath: " + file + ")", "（下に " + file + "）"};
@@ -211,16 +217,18 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
       player_(std::move(session.player)),
       camera_(session.camera),
       document_serial_(session.document().serial()),
-      may_be_anew_(effect == Effect::steps) {
+      may_be_anew_(effect == Effect::steps),
+      is_about_elements_(effect == Effect::none) {
   session.player.reset();
   if (player_) player_->end(session.document());
 }
 
 void PlayerAside::bring_back(Outcome& outcome) {
-  if (!player_) return;
+  if (!player_ || session_.player) return;
   Document& document = session_.document();
   if (player_->fits(document) && !document.is_on_trial()) {
     session_.player = player_;
+    if (outcome.done() && is_about_elements_) return show_beneath(outcome);
     player_->go_to(document, player_->position());
   } else if (may_be_anew_) {
     make_anew(outcome);
@@ -228,6 +236,14 @@ void PlayerAside::bring_back(Outcome& outcome) {
     if (document.serial() == document_serial_) look_as_before(session_, *player_);
     outcome.say(end_of(*player_));
   }
+}
+
+// Until the next step, and from where it was looked at before, unless the command looks from elsewhere.
+void PlayerAside::show_beneath(Outcome& outcome) {
+  if (session_.camera == camera_) look_as_before(session_, *player_);
+  const Text name = player_->name();
+  outcome.say({"The view shows the open mesh; the next step shows '" + name.en + "' again.",
+               "ビューは開いているメッシュです。次の手順で「" + name.ja + "」に戻ります。"});
 }
 
 void PlayerAside::make_anew(Outcome& outcome) {
@@ -243,9 +259,7 @@ void PlayerAside::make_anew(Outcome& outcome) {
   session_.player->is_running = player_->is_running;
   session_.camera = camera_;
   session_.player->go_to(session_.document(), std::min(position, session_.player->size()));
-  if (session_.shows_step())
-    outcome.sentence = {"Done on the open mesh; the view goes on with the step of '" + name.en + "'.",
-                        "開いているメッシュで実行しました。ビューは「" + name.ja + "」の手順のままです。"};
+  if (session_.shows_step()) outcome.sentence = done_beneath(*session_.player);
 }
 
 }  // namespace ryosen

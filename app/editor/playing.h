@@ -98,23 +98,26 @@ void end_playing(Session& session);
 // The same as somebody asks for it, told.
 Outcome leave_playing(Session& session);
 
-// Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step:
-// what goes through the history, writes or changes nothing is no edit. Where it was made of another mesh than it is then
-// it is made anew, or ends: the outcome says so.
+// Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step,
+// unless the command has begun to play something else: what goes through the history, writes or changes nothing is no
+// edit. What is about elements shows the mesh beneath until the next step. Where it was made of another mesh than it is
+// then it is made anew, or ends. The outcome says so.
 class PlayerAside {
  public:
   PlayerAside(Session& session, Effect effect);
   void bring_back(Outcome& outcome);
 
  private:
+  void show_beneath(Outcome& outcome);
   void make_anew(Outcome& outcome);
 
   Session& session_;
   std::shared_ptr<Player> player_;
   Camera camera_;
   std::uint64_t document_serial_;
-  bool may_be_anew_;
+  bool may_be_anew_, is_about_elements_;
 };
+
 // The refusal of what points into the view while that shows a step of another mesh than the one that is open.
 Outcome not_on_a_step(const Session& session);
 

@@ -44,6 +44,7 @@ Outcome Session::run_line(const std::string& line) {
     played.emplace(*this, row->effect);
     left = end_levels_for(*this, without_blanks(line));
   } else if (!row->keeps_trial) {
+    if (document_->is_on_trial()) played.emplace(*this, row->effect);
     end_trial();
   }
   const std::uint64_t serial = document_->serial();

@@ -382,8 +382,9 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
   ASSERT_TRUE(say("steps at 9").done());
   const Camera camera = session.camera;
   const std::uint64_t shown = session.mesh().hash();
-  for (const std::string& line : {std::string("collapse 0-99"), "save " + (folder.path() / "a.obj").string(),
-                                  std::string("open nowhere.obj"), std::string("repair")}) {
+  for (const std::string& line :
+       {std::string("collapse 0-99"), "save " + (folder.path() / "a.obj").string(), std::string("open nowhere.obj"),
+        std::string("repair"), std::string("key Enter"), std::string("select v99")}) {
     const Outcome outcome = say(line);
     ASSERT_TRUE(session.player) << line << ": " << outcome.sentence.en;
     EXPECT_EQ(session.player->position(), 9u) << line;
@@ -391,6 +392,13 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
     EXPECT_EQ(session.camera, camera) << line;
     EXPECT_TRUE(session.is_framed()) << line;
   }
+  const Outcome selected = say("select v0");
+  EXPECT_NE(selected.sentence.en.find("The view shows the open mesh"), std::string::npos) << selected.sentence.en;
+  EXPECT_EQ(session.mesh().live().vertices, 7u);
+  EXPECT_NE(session.camera, camera) << "as it was looked at before";
+  ASSERT_TRUE(say("steps at 9").done());
+  EXPECT_EQ(session.mesh().hash(), shown);
+  EXPECT_TRUE(session.is_framed());
   const Outcome outcome = say("split 0-1");
   EXPECT_FALSE(session.player);
   EXPECT_EQ(session.mesh().live().vertices, 8u);

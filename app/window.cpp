@@ -62,6 +62,7 @@ class Editor {
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());  // of the size that the user prefers
     resize();
     session_.frame_all();
+    viewport_->prepare_refining(session_);
     session_.autosave = &autosave_;
     autosave_.begin(session_.document());
   }

@@ -86,6 +86,8 @@ class View {
   // draw() goes on, when all is drawn, to draw a part at a time with several samples a pixel, until is_refined(). What
   // changes is drawn with those of resize() at first. No effect where they are as many.
   void set_refining(bool refines) { refines_ = refines; }
+  // Makes what refining needs, at a picture of the present size, so that its first part takes no longer than the others.
+  void prepare_refining();
   bool is_refined() const { return !can_refine_ || (is_drawn() && refinement_.is_done()); }
   // Such a draw() refines parts of at most so much effort together, which is about nanoseconds of one core; one part at
   // least, of a few pixels where it must be. 0, as at first: a tile.

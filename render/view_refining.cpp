@@ -38,6 +38,14 @@ void View::refine() {
   }
 }
 
+void View::prepare_refining() {
+  if (size_.width == 0 || size_.height == 0) return;
+  const PixelRect all = PixelRect::all(size_);
+  const PixelRect one{all.x0, all.y0, all.x0 + 1, all.y0 + 1};
+  refine({one, one});
+  dirty_.add(one);
+}
+
 void View::refine(const Refinement::Part& part) {
   constexpr int scale = Refinement::samples, tile_px = Refinement::tile_px;
   const PixelRect rect = part.rect;

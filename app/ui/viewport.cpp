@@ -209,6 +209,12 @@ std::optional<FramePace::Clock::duration> Viewport::time_to_own_frame(FramePace:
   return std::max(FramePace::Clock::duration(0), changed_at_ + FramePace::rest_after - now);
 }
 
+void Viewport::prepare_refining(Session& session) {
+  follow(session);
+  view_->draw();
+  view_->prepare_refining();
+}
+
 void Viewport::hurry() {
   view_->set_thinning(1);
   view_->set_most_triangles(0);

@@ -33,6 +33,8 @@ class Viewport {
   void took(FramePace::Clock::duration time);
   // When the next frame is due, though nothing happens; none if the whole is drawn.
   std::optional<FramePace::Clock::duration> time_to_next_frame(FramePace::Clock::time_point now) const;
+  // For windows, once: makes what refining needs while nobody waits for a reaction.
+  void prepare_refining(Session& session);
   // From now on all is drawn at once, until keep_pace() is called again, and then refined.
   void hurry();
   // Redraws what changed.

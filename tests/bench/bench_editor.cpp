@@ -242,6 +242,7 @@ void refined_tile(benchmark::State& state, Source source, std::vector<std::strin
   const auto session = open_session(source);
   for (const std::string& line : lines) session->run(line);
   Viewport& viewport = *screen.viewport;
+  viewport.prepare_refining(*session);
   FramePace::Clock::time_point moment{};
   const auto frame = [&] {
     moment += std::chrono::seconds(1);  // nothing moves for longer than that takes to be seen

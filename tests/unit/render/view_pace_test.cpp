@@ -151,6 +151,19 @@ TEST(view, refined_is_the_picture_with_several_samples) {
     }
 }
 
+// What is made before has left nothing in the picture.
+TEST(view, prepared_refining_shows_nothing_else) {
+  Scene ball = sphere_scene(16);
+  const auto view = full_view(ball, {300, 213}, Xray::off);
+  view->draw();
+  const Image plain = view->read_pixels();
+  view->prepare_refining();
+  EXPECT_FALSE(view->is_drawn());
+  view->draw();
+  EXPECT_FALSE(view->is_refined());
+  EXPECT_TRUE(view->read_pixels() == plain);
+}
+
 TEST(view, is_refined_in_parts_of_no_more_effort_than_they_may_take) {
   Scene ball = sphere_scene(60);
   const auto view = full_view(ball, {320, 240}, Xray::off);

@@ -105,7 +105,7 @@ class Directions {
 // How many of a sample of elements are seen with a camera.
 class Sight {
  public:
-  Sight(Session& session, std::span<const Element> elements) : session_(session) {
+  Sight(Session& session, std::span<const Element> elements) : session_(session), covered_(covered_shares(session)) {
     constexpr std::size_t most = 16;
     const std::size_t step = (elements.size() + most - 1) / most;
     for (std::size_t i = 0; i < elements.size(); i += step) sample_.push_back(elements[i]);
@@ -131,7 +131,8 @@ class Sight {
     const glm::dvec3 middle = middle_of(m, e);
     const auto at = project(camera, session_.view, middle);
     const double width = session_.view.width, height = session_.view.height;
-    if (!at || at->pixel.x < 0 || at->pixel.y < 0 || at->pixel.x >= width || at->pixel.y >= height) return false;
+    if (!at || at->pixel.x < covered_.left * width || at->pixel.y < covered_.above * height) return false;
+    if (at->pixel.x >= (1 - covered_.right) * width || at->pixel.y >= height) return false;
     const auto front = session_.picker().pick(m, camera, session_.view, at->pixel, PickMode::face);
     if (!front) return true;
     const double depth = depth_of(camera, front->place);
@@ -147,6 +148,7 @@ class Sight {
   }
 
   Session& session_;
+  CoveredShares covered_;  // nothing is seen there
   std::vector<Element> sample_;
   double size_ = 0;  // of what an orthographic picture shows
 };
@@ -225,8 +227,12 @@ void keep_in_sight(Session& session, const Element& element) {
   const Sight sight(session, one);
   if (sight.seen(session.camera) == 1) return;
   const glm::dvec3 middle = middle_of(session.mesh(), element);
-  session.camera = best_camera(sight, Directions(session, one),
-                               [&](const glm::dvec3& from) { return looking_from(session.camera, from, middle); });
+  const CoveredShares covered = covered_shares(session);
+  const glm::dvec2 to_free_middle(0.5 * (covered.left - covered.right) * session.view.width,
+                                  0.5 * covered.above * session.view.height);
+  session.camera = best_camera(sight, Directions(session, one), [&](const glm::dvec3& from) {
+    return panned(looking_from(session.camera, from, middle), to_free_middle, session.view, middle);
+  });
 }
 
 }  // namespace ryosen

@@ -1,5 +1,8 @@
 #include "app/editor/levels.h"
 
+#include <utility>
+
+#include "app/editor/commands.h"
 #include "app/editor/session.h"
 #include "core/algo/algorithms.h"
 
@@ -55,12 +58,36 @@ void end_levels(Session& session) {
   session.levels.reset();
 }
 
-std::optional<Text> end_levels_for(Session& session, std::string_view line) {
-  const bool is_left = shows_level(session) && line != session.levels->line();
-  end_levels(session);
-  if (!is_left) return {};
-  return Text{"This was done on the mesh as it was before its levels of detail.",
-              "詳細度の表示を終え、元のメッシュに対して実行しました。"};
+LevelAside::LevelAside(Session& session, Effect effect, std::string_view line)
+    : session_(session),
+      levels_(std::move(session.levels)),
+      was_shown_(levels_ && levels_->is_shown(session.document())),
+      is_kept_(was_shown_ && line == levels_->line()),
+      is_about_elements_(effect == Effect::none),
+      document_serial_(session.document().serial()) {
+  session.levels.reset();
+  if (levels_) levels_->end(session.document());
+  revision_ = session.document().revision();
+}
+
+LevelAside::~LevelAside() {
+  if (levels_ && !session_.levels) session_.levels = std::move(levels_);
+}
+
+void LevelAside::bring_back(Outcome& outcome) {
+  const std::shared_ptr<ShownLevels> levels = std::exchange(levels_, nullptr);
+  if (!levels || session_.levels) return;
+  Document& document = session_.document();
+  if (levels->fits(document) && document.revision() == revision_) {
+    session_.levels = levels;
+    if (!was_shown_) return;
+    if (!is_about_elements_ || !outcome.done()) return levels->go_to(document, levels->levels().level());
+    outcome.say({"The view shows the open mesh; the slider of Levels of detail shows a level again.",
+                 "ビューは開いているメッシュです。詳細度のスライダーで段階の表示に戻ります。"});
+  } else if (was_shown_ && !is_kept_ && document.serial() == document_serial_) {
+    outcome.say({"This was done on the mesh as it was before its levels of detail.",
+                 "詳細度の表示を終え、元のメッシュに対して実行しました。"});
+  }
 }
 
 bool shows_level(const Session& session) { return session.levels && session.levels->is_shown(session.document()); }

@@ -49,12 +49,27 @@ class ShownLevels {
 };
 
 void end_levels(Session& session);
-// The same for a line that may edit the mesh beneath: what is to be said once it has, where a level was shown that the
-// line does not keep.
-std::optional<Text> end_levels_for(Session& session, std::string_view line);
 // Whether a level is shown, in place of the mesh of the document; and the way back, told.
 bool shows_level(const Session& session);
 Outcome leave_level(Session& session);
+
+enum class Effect;
+
+// Takes the level that is shown out of the way of a command line that is about the mesh beneath, and shows it again: an
+// edit ends the levels, what is refused, writes or does nothing is no edit. What is about elements shows the mesh beneath
+// until another level is asked for. The outcome says so.
+class LevelAside {
+ public:
+  LevelAside(Session& session, Effect effect, std::string_view line);
+  ~LevelAside();  // without an outcome, the levels are kept
+  void bring_back(Outcome& outcome);
+
+ private:
+  Session& session_;
+  std::shared_ptr<ShownLevels> levels_;
+  bool was_shown_, is_kept_, is_about_elements_;
+  std::uint64_t document_serial_, revision_ = 0;
+};
 
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
 // one of the history. Empty where there is none.

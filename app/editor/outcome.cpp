@@ -1,5 +1,8 @@
 #include "app/editor/outcome.h"
 
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
 #include <utility>
 
 #include "core/base/count_text.h"
@@ -7,7 +10,20 @@
 
 namespace ryosen {
 
+namespace {
+
+// A sentence stands alone without its full stop.
+void end_sentence(std::string& text, std::string_view full_stop, std::initializer_list<std::string_view> ends) {
+  const bool is_ended =
+      std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return text.ends_with(end); });
+  if (!text.empty() && !is_ended) text += full_stop;
+}
+
+}  // namespace
+
 void Outcome::say(const Text& more) {
+  end_sentence(sentence.en, ".", {".", "!", "?", ":"});
+  end_sentence(sentence.ja, "。", {"。", "！", "？", "：", "."});
   sentence.en += (sentence.en.empty() ? "" : " ") + more.en;
   sentence.ja += more.ja;
 }

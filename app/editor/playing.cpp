@@ -223,7 +223,12 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
   if (player_) player_->end(session.document());
 }
 
+PlayerAside::~PlayerAside() {
+  if (!is_back_ && player_ && !session_.player) session_.player = std::move(player_);
+}
+
 void PlayerAside::bring_back(Outcome& outcome) {
+  is_back_ = true;
   if (!player_ || session_.player) return;
   Document& document = session_.document();
   if (player_->fits(document) && !document.is_on_trial()) {

@@ -105,6 +105,7 @@ Outcome leave_playing(Session& session);
 class PlayerAside {
  public:
   PlayerAside(Session& session, Effect effect);
+  ~PlayerAside();  // without an outcome, it is kept, and shows its step when it is told to
   void bring_back(Outcome& outcome);
 
  private:
@@ -115,7 +116,7 @@ class PlayerAside {
   std::shared_ptr<Player> player_;
   Camera camera_;
   std::uint64_t document_serial_;
-  bool may_be_anew_, is_about_elements_;
+  bool may_be_anew_, is_about_elements_, is_back_ = false;
 };
 
 // The refusal of what points into the view while that shows a step of another mesh than the one that is open.

@@ -38,17 +38,20 @@ Outcome Session::run_line(const std::string& line) {
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
   std::optional<PlayerAside> played;
-  std::optional<Text> left;
+  std::optional<LevelAside> level;
   if (row->effect != Effect::none) {
     cancel_gesture();
     played.emplace(*this, row->effect);
-    left = end_levels_for(*this, without_blanks(line));
+    level.emplace(*this, row->effect, without_blanks(line));
   } else if (!row->keeps_trial) {
-    if (document_->is_on_trial()) played.emplace(*this, row->effect);
+    if (document_->is_on_trial()) {
+      played.emplace(*this, row->effect);
+      level.emplace(*this, row->effect, without_blanks(line));
+    }
     end_trial();
   }
-  const std::uint64_t serial = document_->serial();
-  const std::size_t position = document_->position();
+  [[maybe_unused]] const std::uint64_t serial = document_->serial();
+  [[maybe_unused]] const std::size_t position = document_->position();
   [[maybe_unused]] const std::size_t entries = document_->history().size();
   [[maybe_unused]] const std::size_t logged = lines_logged_;
   [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
@@ -60,7 +63,7 @@ Outcome Session::run_line(const std::string& line) {
   Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
   running_ = outer;
   if (played) played->bring_back(outcome);
-  if (left && document_->serial() == serial && document_->position() != position) outcome.say(*left);
+  if (level) level->bring_back(outcome);
   // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
   assert(row->effect != Effect::none || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&

@@ -15,23 +15,30 @@ void draw_slider(PanelContext& context, const ShownLevels& levels) {
   const auto least = static_cast<int>(levels.faces(levels.levels().last()));
   const auto most = static_cast<int>(levels.faces(0));
   auto faces = static_cast<int>(levels.faces());
-  const std::string label = grouped(faces) + context.text(" faces", " 面");
+  const bool is_shown = levels.is_shown(context.session.document());
+  ImGui::TextUnformatted(
+      (grouped(faces) + context.text(" faces", " 面") + (is_shown ? "" : context.text(", not shown", "（非表示）")))
+          .c_str());
   ImGui::SetNextItemWidth(-1);
   const bool is_moved =
-      ImGui::SliderInt("##level", &faces, least, most, label.c_str(),
+      ImGui::SliderInt("##level", &faces, least, most, "",
                        ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
   tip(context.text("Goes through all collapses, forward and back.", "すべての稜線削除を前後にたどります。"));
   const std::string line = levels.line();
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  const bool keeps = ImGui::Button(context.text("Keep this level", "この段階にする"), {width, 0});
-  tip(context.text("Simplifies the mesh to this, as an edit that can be undone.",
-                   "この面数に簡略化します。元に戻せる編集になります。") +
-      ("\n" + line));
+  const bool goes_on = is_shown ? ImGui::Button(context.text("Keep this level", "この段階にする"), {width, 0})
+                                : ImGui::Button(context.text("Show this level", "この段階を表示"), {width, 0});
+  if (is_shown)
+    tip(context.text("Simplifies the mesh to this, as an edit that can be undone.",
+                     "この面数に簡略化します。元に戻せる編集になります。") +
+        ("\n" + line));
+  else
+    tip(context.text("Shows it in place of the mesh that is open.", "開いているメッシュの代わりに表示します。"));
   ImGui::SameLine(0, gap);
   const bool closes = ImGui::Button(context.text("Close", "閉じる"), {width, 0});
   tip(context.text("Shows the mesh as it is.", "元のメッシュに戻します。"));
-  if (is_moved) context.run("levels at " + std::to_string(faces));
-  if (keeps) context.run("levels keep");
+  if (is_moved || (goes_on && !is_shown)) context.run("levels at " + std::to_string(faces));
+  if (goes_on && is_shown) context.run("levels keep");
   if (closes) context.run("levels close");
 }
 

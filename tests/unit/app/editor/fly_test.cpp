@@ -70,6 +70,24 @@ TEST(fly, keeps_the_direction_where_that_shows_it) {
   EXPECT_LT(glm::length(axes(session->camera).forward - before), 1e-9);
 }
 
+TEST(fly, a_walk_stays_beside_what_a_tab_has_opened) {
+  const auto session = session_of("torus.off");
+  session->covered_px = {0.6 * session->view.width, 0};
+  ASSERT_TRUE(session->run("select h0").done());
+  ASSERT_TRUE(session->run("frame selected").done());
+  const glm::dvec3 eye = session->camera.eye;
+  const Mesh& m = session->mesh();
+  for (int i = 0; i < 60; ++i) {
+    ASSERT_TRUE(session->run(i % 3 == 2 ? "walk twin" : "walk next").done());
+    const Halfedge h = session->selection[0].halfedge();
+    const auto at = project(session->camera, session->view, (m.position(m.from(h)) + m.position(m.to(h))) / 2.0);
+    ASSERT_TRUE(at);
+    EXPECT_GE(at->pixel.x, 0.6 * session->view.width - 1e-6) << i;
+    EXPECT_LE(at->pixel.x, session->view.width) << i;
+  }
+  EXPECT_NE(session->camera.eye, eye) << "else nothing was tried";
+}
+
 TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
   const auto session = session_of("torus.off");
   const Mesh& m = session->mesh();

@@ -109,6 +109,30 @@ TEST_F(LevelsTest, end_with_any_edit) {
   EXPECT_EQ(say("levels at 20").exit_code, ExitCode::refused);
 }
 
+// What is no edit leaves them; what is about elements shows the mesh beneath, and says so.
+TEST_F(LevelsTest, stay_where_nothing_is_edited) {
+  ASSERT_TRUE(say("levels").done());
+  ASSERT_TRUE(say("levels at 20").done());
+  const auto is_at_level = [&] {
+    return session_.levels && session_.levels->is_shown(session_.document()) && faces() <= 20;
+  };
+  const std::string file = folder_.at("saved.ply");
+  for (const std::string& line : {std::string("redo"), std::string("collapse 0-0"), "open " + file, "save " + file}) {
+    say(line);
+    EXPECT_TRUE(is_at_level()) << line;
+  }
+  EXPECT_GT(Document::open(file).value()->mesh().live().faces, 20u) << "the mesh that is open is what is saved";
+  EXPECT_FALSE(say("select f999999").done());
+  EXPECT_TRUE(is_at_level()) << "a refusal";
+  const Outcome selected = say("select all");
+  ASSERT_TRUE(selected.done());
+  EXPECT_NE(selected.sentence.en.find("selected. The view shows the open mesh"), std::string::npos)
+      << selected.sentence.en;
+  EXPECT_GT(faces(), 20u);
+  ASSERT_TRUE(say("levels at 20").done());
+  EXPECT_TRUE(is_at_level());
+}
+
 TEST_F(LevelsTest, are_not_spoken_of_where_another_mesh_is_opened) {
   ASSERT_TRUE(say("poke f0").done());
   ASSERT_TRUE(say("levels").done());

@@ -140,12 +140,14 @@ void draw_line(PanelContext& context, float width, float padding) {
     const float ends = width_of(hints[1]) + width_of(hints[2]) + 2 * hint_gap() + word_gap();
     hints[0].does = fitted(hints[0].does, all - ends);
   }
-  if (said.empty() || context.session.gesture() || !context.session.asked_line.empty())
-    return draw_hints(context, hints, all);
+  const bool asks = !context.session.asked_line.empty();
+  // What is asked stands before what was said, but for why it is asked again.
+  const bool is_refused = context.state.last_kind != Outcome::Kind::done && said != hints[0].does;
+  if (said.empty() || context.session.gesture() || (asks && !is_refused)) return draw_hints(context, hints, all);
   float hinted = 0;
   for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
   // What was said comes before the hints.
-  const float least = 0.75f * all, wanted = ImGui::CalcTextSize(with_short_numbers(said).c_str()).x;
+  const float least = (asks ? 0.5f : 0.75f) * all, wanted = ImGui::CalcTextSize(with_short_numbers(said).c_str()).x;
   const float room = std::min(wanted, std::max(all - hinted, least));
   const ImVec2 begin = ImGui::GetCursorPos();
   draw_hints(context, hints, all - room - hint_gap());

@@ -330,6 +330,26 @@ TEST_F(MenuKeys, the_palette_measures_what_is_selected) {
   EXPECT_EQ(session.open_panel, "") << "so that the mesh can be pointed at";
 }
 
+// What was pointed at is refused, and asked for again: the status line tells why until something else is pointed at.
+TEST_F(MenuKeys, what_is_asked_for_again_says_why) {
+  ASSERT_TRUE(session.run("ask make_face v7 v3 v2").done());
+  frames(3);
+  EXPECT_TRUE(shows("Pointatavertex"));
+  press("Enter");
+  EXPECT_EQ(session.asked_line, "make_face") << "it begins anew";
+  ASSERT_NE(gui.said().en, "");
+  EXPECT_TRUE(shows(without_spaces(gui.said().en).substr(0, 24))) << gui.said().en;
+  EXPECT_TRUE(shows("Pointatavertex"));
+  const glm::dvec2 at =
+      session.view_origin + project(session.camera, session.view, session.mesh().position(Vertex(3)))->pixel;
+  for (const char* const does : {"press left ", "release left "})
+    gui.run(session, does + std::to_string(std::lround(at.x)) + "," + std::to_string(std::lround(at.y)));
+  frames(3);
+  EXPECT_EQ(session.asked_line, "make_face v3") << gui.said().en;
+  EXPECT_TRUE(shows("Pointatavertex"));
+  EXPECT_EQ(gui.said().en, "");
+}
+
 TEST_F(MenuKeys, the_palette_names_what_is_missing_and_takes_a_refusal_away_with_its_command) {
   press("F3");
   write("select shorter");

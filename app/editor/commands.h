@@ -116,8 +116,6 @@ class ScopedCommand {
   ScopedCommand& operator=(const ScopedCommand&) = delete;
 };
 
-// Whether what is selected, or a part of it, can be what an operator works on.
-bool fits_selection(const Session& session, const OpInfo& op);
 // All ids, operators and their aliases included: for "did you mean".
 std::vector<std::string> command_ids();
 // Not a command: usage, with the closest id or alias named.

@@ -4,6 +4,7 @@
 
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
+#include "app/editor/operator_selection.h"
 #include "app/editor/words.h"
 #include "core/base/count_text.h"
 #include "core/base/split_list.h"
@@ -185,17 +186,9 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   return outcome;
 }
 
-// The names of the selected elements that it works on, in their order.
-std::vector<std::string> names_for(const Session& session, const OpInfo& op, Words further) {
-  Elements fitting;  // where one alone is enough; else it is their order that counts
-  for (const Element& e : session.selection)
-    if (takes(op, e.kind, further)) fitting.push_back(e);
-  return session.names_of(fitting.empty() ? session.selection : fitting);
-}
-
 Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
   if (session.selection.empty()) return nothing_selected(op);
-  const std::vector<std::string> names = names_for(session, op, words.subspan(1));
+  const std::vector<std::string> names = names_taken(session, op, words.subspan(1));
   std::vector<std::string_view> arguments(names.begin(), names.end());
   arguments.insert(arguments.end(), words.begin() + 1, words.end());
   if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);
@@ -221,17 +214,6 @@ std::vector<std::string> alternatives(std::string_view whole) {
 }
 
 }  // namespace
-
-bool fits_selection(const Session& session, const OpInfo& op) {
-  const Elements& selected = session.selection;
-  const auto is_taken = [&](const Element& e) { return takes(op, e.kind, {}); };
-  if (selected.empty() || op.on_selection == OnSelection::none) return false;
-  if (op.on_selection != OnSelection::all) return !called_with(session.mesh(), op, selected, {}).taken.empty();
-  constexpr std::size_t most = 1000;  // with more, only those count that it takes any number of
-  if (selected.size() > most) return std::any_of(selected.begin(), selected.end(), is_taken);
-  const std::vector<std::string> names = names_for(session, op, {});
-  return !fault_of_arguments(op.id, std::vector<std::string_view>(names.begin(), names.end()));
-}
 
 CommandRow row_of(const OpInfo& op, std::string_view called) {
   const std::string word(called);

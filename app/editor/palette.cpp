@@ -7,6 +7,7 @@
 #include "app/editor/asking.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/keys.h"
+#include "app/editor/operator_selection.h"
 #include "app/editor/view_switches.h"
 #include "app/editor/words.h"
 #include "core/highlights/colour_maps.h"

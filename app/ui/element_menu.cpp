@@ -3,11 +3,14 @@
 #include <utility>
 
 #include "app/editor/commands.h"
+#include "app/editor/operator_selection.h"
 #include "app/editor/pick_modes.h"
 #include "app/ui/panels.h"
+#include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
 #include "core/mesh/middle.h"
 #include "core/ops/each.h"
+#include "core/ops/groups.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
 
@@ -15,23 +18,9 @@ namespace ryosen {
 
 namespace {
 
-bool works_on(const OpInfo& op, const Session& session) {
-  const Elements& selection = session.selection;
-  if (op.on_selection == OnSelection::none || selection.empty()) return false;
-  if (op.on_selection == OnSelection::all) return selection.size() > 1 || takes(op, selection[0].kind, {});
-  return !called_with(session.mesh(), op, selection, {}).taken.empty();
-}
-
-// Of one element alone it is known before whether it may be done.
-Verdict verdict_on_one(const Session& session, const OpInfo& op) {
-  if (session.selection.size() != 1) return {};
-  const Parsed<AnyOp> parsed = parse_line(session.mesh(), std::string(op.id) + " " + session.selected_names()[0]);
-  return parsed.op ? check(session.mesh(), *parsed.op) : Verdict();
-}
-
 void operator_item(PanelContext& context, const OpInfo& op) {
   const std::string line = std::string(op.id) + " selected", chord = chord_of(context.session, line);
-  const Verdict verdict = verdict_on_one(context.session, op);
+  const Verdict verdict = verdict_on_selection(context.session, op);
   if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, verdict.legal())) context.run(line);
   std::string help = context.text(op.help_en, op.help_ja);
   for (const Text& sentence : describe_first(context.session.mesh(), verdict.reasons))
@@ -42,7 +31,8 @@ void operator_item(PanelContext& context, const OpInfo& op) {
 // What takes a place as well: the line is begun with the middle of the element, for the user to change.
 void place_item(PanelContext& context, const OpInfo& op) {
   const Elements& selection = context.session.selection;
-  if (selection.size() != 1 || op.on_selection != OnSelection::each || !verdict_on_one(context.session, op).legal())
+  if (selection.size() != 1 || op.on_selection != OnSelection::each ||
+      !verdict_on_selection(context.session, op).legal())
     return;
   const std::string name = context.session.selected_names()[0];
   const std::string_view words[] = {name, "0,0,0"};
@@ -69,6 +59,38 @@ void middle_item(PanelContext& context, const OpInfo& op) {
   tip(context.text(op.help_en, op.help_ja));
 }
 
+void operator_items(PanelContext& context, const OpGroupRow& group) {
+  for (const OpInfo& op : all_ops()) {
+    if (op.group != group.group || !fits_selection(context.session, op)) continue;
+    operator_item(context, op);
+    place_item(context, op);
+    middle_item(context, op);
+  }
+}
+
+void group_menu(PanelContext& context, const OpGroupRow& group) {
+  const auto fits = [&](const OpInfo& op) { return op.group == group.group && fits_selection(context.session, op); };
+  if (std::none_of(all_ops().begin(), all_ops().end(), fits)) return;
+  const bool is_open = begin_submenu(context.text(group.en, group.ja));
+  tip(context.text(group.help_en, group.help_ja));
+  if (!is_open) return;
+  operator_items(context, group);
+  ImGui::EndMenu();
+}
+
+// What may be selected from what is selected; with nothing, what may be selected at all.
+void selector_menu(PanelContext& context) {
+  if (!begin_submenu(context.text("Select", "選択"))) return;
+  for (const Selector& row : selectors()) {
+    if (row.value != Selector::Value::none && row.usual.empty()) continue;
+    if (!row.needs && !row.needs_any && !context.session.selection.empty()) continue;
+    if (!missing_for(row, context.session.selection).en.empty()) continue;
+    const std::string line = select_line(row), chord = chord_of(context.session, line);
+    if (ImGui::MenuItem(context.text(row.name_en, row.name_ja), chord.c_str())) context.run(line);
+  }
+  ImGui::EndMenu();
+}
+
 void gesture_items(PanelContext& context) {
   const auto item = [&](const char* en, const char* ja, const char* line) {
     if (ImGui::MenuItem(context.text(en, ja), chord_of(context.session, line).c_str())) context.run(line);
@@ -90,7 +112,7 @@ std::string title(PanelContext& context) {
   const std::vector<Element>& selection = context.session.selection;
   if (selection.empty()) return context.text("Nothing is selected", "選択なし");
   if (selection.size() == 1) return context.session.selected_names()[0];
-  return std::to_string(selection.size()) + context.text(" selected", " 個を選択中");
+  return grouped(static_cast<std::int64_t>(selection.size())) + context.text(" selected", " 個を選択中");
 }
 
 // Beside the pointer, or where there is no room above or below it: it is on no entry then.
@@ -120,20 +142,12 @@ void draw_element_menu(PanelContext& context) {
   dim_text(context, title(context).c_str());
   ImGui::Separator();
   if (!context.session.selection.empty()) gesture_items(context);
-  for (const OpInfo& op : all_ops())
-    if (works_on(op, context.session)) {
-      operator_item(context, op);
-      place_item(context, op);
-      middle_item(context, op);
-    }
+  for (const OpGroupRow& group : op_groups)
+    if (!group.is_apart) operator_items(context, group);
+  for (const OpGroupRow& group : op_groups)
+    if (group.is_apart) group_menu(context, group);
   ImGui::Separator();
-  for (const Selector& row : selectors()) {
-    if (row.value != Selector::Value::none && row.usual.empty()) continue;
-    if (!row.needs && !row.needs_any && !context.session.selection.empty()) continue;
-    if (!missing_for(row, context.session.selection).en.empty()) continue;
-    const std::string line = select_line(row), chord = chord_of(context.session, line);
-    if (ImGui::MenuItem(context.text(row.name_en, row.name_ja), chord.c_str())) context.run(line);
-  }
+  selector_menu(context);
   const std::string frame = context.session.selection.empty() ? "frame all" : "frame selected";
   const UiText name = context.session.selection.empty() ? UiText::frame_all : UiText::frame_selected;
   if (ImGui::MenuItem(context.text(name), chord_of(context.session, frame).c_str())) context.run(frame);

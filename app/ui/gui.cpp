@@ -139,6 +139,7 @@ void Gui::begin_frame(Size window, double seconds) {
   }
   // Arrows walk through menus and what lies over the view; Enter presses there as Space does.
   const bool walks = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  state_.menus_have_keys = walks;
   io.ConfigFlags = walks ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                          : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
   const bool enters = io.KeysDown[ImGuiKey_Enter] && io.KeysDownDuration[ImGuiKey_Enter] < 0;
@@ -159,6 +160,7 @@ void Gui::end_frame() {
 
 void Gui::frame(Session& session, Size window, double seconds) {
   begin_frame(window, seconds);
+  play_on(session);
   follow_view(session, window);
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.waits_for_work = false;
@@ -188,11 +190,10 @@ void Gui::frame(Session& session, Size window, double seconds) {
       state_.waiting.push_back(std::move(waiting));
     else
       context(session).run_from(waiting.line, waiting.asks_again);
-  play_on(session);
   if (!std::exchange(state_.wants_records, false) && !state_.records.rest()) state_.waits_for_work = true;
 }
 
-// Whatever panels are shown.
+// Whatever panels are shown; they and the view are to show the same step.
 void Gui::play_on(Session& session) {
   constexpr double seconds_per_step = 0.8;
   if (!session.player || !session.player->is_running) return next_step_at_.reset();

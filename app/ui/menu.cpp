@@ -1,234 +1,19 @@
+// The bar of menus, with the name of what is shown and the switch of the language.
 #include <imgui_internal.h>  // moves of the keyboard that no menu has taken
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "app/editor/commands.h"
-#include "app/editor/exercises.h"
-#include "app/editor/keys.h"
-#include "app/editor/levels.h"
 #include "app/editor/menu_bar.h"
-#include "app/editor/playing.h"
-#include "app/editor/view_switches.h"
 #include "app/editor/words.h"
+#include "app/ui/menu_entries.h"
 #include "app/ui/panels.h"
-#include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
-#include "core/view/named_views.h"
-// clang-format off
-#include <imgui_stdlib.h>  // needs imgui.h before it
-// clang-format on
 
 namespace ryosen {
 
 namespace {
-
-void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
-  const std::string chord = chord_of(context.session, line);
-  if (ImGui::MenuItem(name, chord.empty() ? nullptr : chord.c_str(), ticked, enabled)) context.run(line);
-}
-void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {
-  item(context, context.text(name), line, enabled, ticked);
-}
-
-// The panels of a menu: what opens one over the view ends in dots, those of the columns are ticked where they are shown.
-void panel_items(PanelContext& context, PanelMenu menu) {
-  for (const PanelRow& row : panel_list()) {
-    if (row.menu != menu) continue;
-    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.is_shown(row);
-    const std::string name = std::string(context.title(row)) + (is_over ? "..." : "");
-    const char* const switched = is_over ? "" : is_ticked ? " off" : " on";
-    item(context, name.c_str(), "panel " + std::string(row.id) + switched, true, is_ticked);
-  }
-}
-
-void draw_recent_menu(PanelContext& context) {
-  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
-  for (const std::string& file : context.session.recent) item(context, file.c_str(), "open " + file_argument(file));
-  ImGui::EndMenu();
-}
-
-void draw_file_menu(PanelContext& context) {
-  item(context, context.text("Start page", "開始画面"), "start");
-  item(context, context.text("New", "新規"), "new");
-  panel_items(context, PanelMenu::file_read);
-  draw_recent_menu(context);
-  const auto compare = find_command_row("compare");
-  if (context.session.has_beside() && compare)
-    for (const NamedCall& call : compare->named) item(context, context.text(call.en, call.ja), std::string(call.line));
-  ImGui::Separator();
-  item(context, UiText::save, "save", !context.session.document().path().empty());
-  panel_items(context, PanelMenu::file_write);
-  ImGui::Separator();
-  item(context, UiText::quit, "quit");
-}
-
-void algorithm_item(PanelContext& context, const AlgorithmRow& row) {
-  const std::string name = context.text(row.name_en, row.name_ja);
-  if (row.parameters.empty())
-    item(context, name.c_str(), line_of(row, ParameterValues()));
-  else
-    item(context, (name + "...").c_str(), "values " + std::string(row.id));
-}
-
-// What keys do with the selection, and by hand, whatever they are bound to now.
-void key_items(PanelContext& context, KeyMenu menu) {
-  for (const KeyRow& row : key_table())
-    if (row.menu == menu)
-      item(context, context.text(row.menu_en, row.menu_ja), row.command,
-           menu != KeyMenu::edit || !context.session.selection.empty());
-}
-
-void draw_edit_menu(PanelContext& context) {
-  const Document& document = context.session.document();
-  item(context, UiText::undo, "undo", document.position() > 0 || shows_level(context.session));
-  item(context, UiText::redo, "redo", document.position() < document.history().size());
-  ImGui::Separator();
-  for (const OpInfo& op : all_ops()) {
-    if (op.key == '\0') continue;  // operators without a key are only in the tools panel
-    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.tool == op.id);
-  }
-  ImGui::Separator();
-  key_items(context, KeyMenu::edit);
-  item(context, context.text("Duplicate in place", "その場に複製"), "duplicate elements=selected",
-       !context.session.selection.empty());
-  item(context, context.text("Mirror...", "鏡像..."), "values mirror");
-  ImGui::Separator();
-  if (begin_submenu(context.text("Algorithms", "アルゴリズム"))) {
-    for (const AlgorithmRow& row : algorithm_table())
-      if (!row.is_primitive) algorithm_item(context, row);
-    ImGui::EndMenu();
-  }
-  panel_items(context, PanelMenu::edit);
-}
-
-// All elements that have a problem of a kind.
-void draw_select_problems(PanelContext& context) {
-  if (!begin_submenu(context.text("What is broken", "問題のある要素"))) return;
-  const HighlightSets& sets = context.session.highlights();
-  for (const ProblemRow& row : problem_table())
-    if (row.is_local() || row.is_on_request)
-      item(context, context.text(row.name_en, row.name_ja), select_line(row), sets.count(row.kind) > 0);
-  ImGui::EndMenu();
-}
-
-// A menu with a field for its value, which has the keyboard at once.
-void draw_selector_field(PanelContext& context, const Selector& row) {
-  const char* const name =
-      row.menu_en.empty() ? context.text(row.name_en, row.name_ja) : context.text(row.menu_en, row.menu_ja);
-  if (!begin_submenu(name, missing_for(row, context.session.selection).en.empty())) return;
-  dim_text(context, context.text(row.value_en, row.value_ja));
-  std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
-  if (ImGui::IsWindowAppearing() || is_left_alone("##value")) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(120 * context.scale);
-  const bool entered =
-      ImGui::InputText("##value", &value, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  ImGui::SameLine();
-  ImGui::BeginDisabled(!parse_value(row, value));
-  const bool pressed = ImGui::Button(context.text("Select", "選択"));
-  ImGui::EndDisabled();
-  if ((entered || pressed) && parse_value(row, value)) {
-    context.run("select " + std::string(row.id) + " " + value);
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndMenu();
-}
-
-// What needs a value that has no usual one and no field is only a command.
-void draw_select_menu(PanelContext& context) {
-  for (const Selector& row : selectors()) {
-    if (!is_in_menu(row)) continue;
-    if (!row.value_en.empty()) {
-      draw_selector_field(context, row);
-      continue;
-    }
-    item(context, context.text(row.name_en, row.name_ja), select_line(row),
-         missing_for(row, context.session.selection).en.empty());
-  }
-  draw_select_problems(context);
-  ImGui::Separator();
-  key_items(context, KeyMenu::select);
-  ImGui::Separator();
-  item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
-  item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
-  item(context, UiText::unhide, "unhide", !context.session.hidden().empty());
-  ImGui::Separator();
-  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
-    context.begin_command("keep ");
-  for (const auto& [name, elements] : context.session.selections.kept)
-    if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str()))
-      context.run("select kept " + file_argument(name));
-}
-
-// Of two values that a key goes between the second one, ticked where it is on; else one entry for each.
-bool is_one_entry(const ViewSwitch& row) { return row.toggles() && row.values.size() == 2; }
-bool is_one_line(const ViewSwitch& row) { return is_one_entry(row) || !row.menu_en.empty(); }
-void draw_switch(PanelContext& context, const ViewSwitch& row) {
-  const std::size_t now = row.value(context.session);
-  const bool is_one = is_one_entry(row);
-  for (std::size_t i = is_one ? 1 : 0; i < row.values.size(); ++i) {
-    const SwitchValue& value = row.values[i];
-    item(context, context.text(value.name_en, value.name_ja),
-         is_one ? toggle_line(row) : std::string(row.id) + " " + std::string(value.id), true, i == now);
-  }
-}
-// With lines between groups, but not between single entries.
-void draw_switches(PanelContext& context) {
-  const ViewSwitch* before = nullptr;
-  for (const ViewSwitch& row : view_switches()) {
-    if (before && !(is_one_line(*before) && is_one_line(row))) ImGui::Separator();
-    if (row.menu_en.empty()) {
-      draw_switch(context, row);
-    } else if (begin_submenu(context.text(row.menu_en, row.menu_ja))) {
-      draw_switch(context, row);
-      ImGui::EndMenu();
-    }
-    before = &row;
-  }
-  ImGui::Separator();
-}
-
-void draw_view_menu(PanelContext& context) {
-  item(context, UiText::frame_all, "frame all");
-  item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
-  ImGui::Separator();
-  if (begin_submenu(context.text("Look from", "視点"))) {
-    for (const NamedView& view : named_views())
-      item(context, context.text(view.name_en, view.name_ja), "view " + std::string(view.id));
-    ImGui::EndMenu();
-  }
-  ImGui::Separator();
-  draw_switches(context);
-  if (begin_submenu(context.text("Panels", "パネル"))) {
-    panel_items(context, PanelMenu::view);
-    ImGui::EndMenu();
-  }
-}
-
-void draw_add_menu(PanelContext& context) {
-  for (const AlgorithmRow& row : algorithm_table())
-    if (row.is_primitive) algorithm_item(context, row);
-}
-
-// What the textbooks build or do step by step, as their scripts play it. In no menu within the menu: beside this one there
-// is no room for names that long in a narrow window.
-void script_items(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
-  ImGui::Separator();
-  ImGui::TextColored(context.colours().dim, "%s", title);
-  for (const ExerciseScript& script : scripts)
-    item(context, name_of_exercise(script).in(context.language()).c_str(), "steps script " + std::string(script.id));
-}
-
-void draw_help_menu(PanelContext& context) {
-  panel_items(context, PanelMenu::help);
-  script_items(context, context.text("Exercises", "演習"), exercise_scripts());
-  script_items(context, context.text("Figures 2 to 7 of text 002", "テキスト 002 の図 2〜7"), figure_scripts());
-}
-
-// In the order of menu_bar.
-constexpr std::array<void (*)(PanelContext&), std::size(menu_bar)> menus{
-    draw_file_menu, draw_edit_menu, draw_select_menu, draw_view_menu, draw_add_menu, draw_help_menu};
 
 // With its first entry chosen. Where the pointer lies counts again once it moves.
 void open_for_keys(const char* title) {
@@ -314,7 +99,7 @@ void draw_menu(PanelContext& context) {
     if (!is_open) continue;
     open = &menu_bar[i];
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, row_gap(all.y)});
-    menus[i](context);
+    draw_entries(context, menu_bar[i]);
     ImGui::EndMenu();
     ImGui::PopStyleVar();
   }

@@ -35,9 +35,8 @@ struct WaitingLine {
 
 // What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
-  Text last_outcome;  // of the last command that was sent from here
-  std::vector<Text>
-      last_shorter;  // the same in fewer words, for where there is no room: without the command's values ...
+  Text last_outcome;               // of the last command that was sent from here
+  std::vector<Text> last_shorter;  // the same in fewer words, for where there is no room, the longest first
   Outcome::Kind last_kind = Outcome::Kind::done;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
@@ -45,18 +44,19 @@ struct GuiState {
   std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
   int unsettled_frames = 0;      // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
-  bool is_tight = false;      // the column that is drawn is too long for its window: what says nothing may be left out
-  float saved_px = 0;         // that its panels have saved by that
-  bool closes_menus = false;  // in the next frame
-  bool opens_menu = false;    // that of what is selected, in the next frame
-  float menu_room_px = 1;     // its height at most
-  bool asks_for_key = false;  // the next key goes there:
-  std::string asked_key;      // its chord
-  bool shows_japanese = false;  // a panel has Japanese words to show, whatever the language
-  bool waits_for_work = false;  // a panel draws what is found beside the frames, when it is there
-  RecordBook records;           // of all forms, for the panels that show them
-  bool wants_records = false;   // one of them is drawn in this frame
-  std::string begun_command;    // what the command window takes into its field when it is open
+  bool is_tight = false;  // the column that is drawn is too long for its window: what says nothing may be left out
+  float saved_px = 0;     // that its panels have saved by that
+  bool menus_have_keys = false;  // one was open when the frame began
+  bool closes_menus = false;     // in the next frame
+  bool opens_menu = false;       // that of what is selected, in the next frame
+  float menu_room_px = 1;        // its height at most
+  bool asks_for_key = false;     // the next key goes there:
+  std::string asked_key;         // its chord
+  bool shows_japanese = false;   // a panel has Japanese words to show, whatever the language
+  bool waits_for_work = false;   // a panel draws what is found beside the frames, when it is there
+  RecordBook records;            // of all forms, for the panels that show them
+  bool wants_records = false;    // one of them is drawn in this frame
+  std::string begun_command;     // what the command window takes into its field when it is open
   std::map<std::string_view, std::string> selector_values;  // what stands in the fields of the menu, by id
 
   // A panel may need this many frames to open, to settle its size, or to close.

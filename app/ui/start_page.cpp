@@ -286,7 +286,7 @@ void StartPage::draw(PanelContext& context) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   context.state.notes.push_back({static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
                                  static_cast<int>(at.y + size.y)});
-  follow_keys();
+  if (!context.state.menus_have_keys) follow_keys();
   ImGui::End();
   if (!taken_.empty()) context.run(taken_);
 }

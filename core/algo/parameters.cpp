@@ -59,10 +59,16 @@ bool is_in_range(const ParameterRow& row, double number) {
          (row.excludes_largest ? number < most : number <= most);
 }
 
+// A whole number without an exponent, as one writes it.
+std::string bound_text(double bound) {
+  const bool is_whole = std::abs(bound) < largest_count && bound == std::floor(bound);
+  return is_whole ? std::to_string(static_cast<std::int64_t>(bound)) : format_double(bound);
+}
+
 Text range_text(const ParameterRow& row) {
   const double least = smallest_of(row), most = largest_of(row);
   const bool has_least = std::isfinite(least), has_most = std::isfinite(most) && most < largest_count;
-  const std::string a = format_double(least), b = format_double(most);
+  const std::string a = bound_text(least), b = bound_text(most);
   Text text;
   if (has_least) text.en += (row.excludes_smallest ? " above " : " from ") + a;
   if (has_least) text.ja += a + (row.excludes_smallest ? " より大きく" : " 以上");

@@ -210,7 +210,11 @@ TEST_F(StepsPanelTest, it_plays_by_itself_and_stops_at_the_end) {
   EXPECT_TRUE(session.player->is_running);
   frames(30);
   EXPECT_EQ(session.player->position(), 0u) << "not yet: frames are a fiftieth of a second";
-  frames(30);
+  for (int i = 0; i < 30; ++i) {
+    frames(1);
+    const std::string at = std::to_string(session.player->position()) + "/" + std::to_string(session.player->size());
+    ASSERT_TRUE(has(at)) << "the panel shows the step that the view shows: " << at;
+  }
   EXPECT_GE(session.player->position(), 1u);
   frames(400);
   EXPECT_EQ(session.player->position(), session.player->size());

@@ -84,18 +84,23 @@ class HoleFiller {
   AlgorithmResult result() const {
     AlgorithmResult result{filled_, 0, {}};
     result.text = count_text(filled_, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
-    if (filled_ > 0)
-      result.text = result.text + count_text(faces_, " by # triangle", " by # triangles", "（三角形 #") +
-                    count_text(vertices_, " and # new vertex", " and # new vertices", "、新しい頂点 #）");
+    if (filled_ > 0) {
+      result.text = result.text + count_text(faces_, " by # triangle", " by # triangles", "（三角形 #");
+      if (vertices_ > 0)
+        result.text = result.text + count_text(vertices_, " and # new vertex", " and # new vertices", "、新しい頂点 #");
+      result.text.ja += "）";
+    }
     for (const WhyOpenRow& row : reasons_to_stay_open()) add_left(row, result);
     if (result.left > 0) {
       result.text.en += "; " + std::to_string(result.left) + " could not be";
       result.text.ja += "。ふさげない穴 " + std::to_string(result.left);
     }
+    const bool is_only = result.left_for.size() == 1;
     std::string_view between_en = ": ", between_ja = "：";
     for (const LeftForReason& left : result.left_for) {
-      result.text.en += std::string(between_en) + clause(left, left.reason.en, "because ", ", ", " and # more");
-      result.text.ja += std::string(between_ja) + clause(left, left.reason.ja, "", "、", "、ほか #");
+      result.text.en +=
+          std::string(between_en) + clause(left, is_only, left.reason.en, "because ", ", ", " and # more");
+      result.text.ja += std::string(between_ja) + clause(left, is_only, left.reason.ja, "", "、", "、ほか #");
       between_en = "; ";
       between_ja = "、";
     }
@@ -192,7 +197,7 @@ class HoleFiller {
   }
 
   // "3 because every patch has a face without area (0-1, 4-8, 9-12)"
-  std::string clause(const LeftForReason& left, const std::string& reason, std::string_view because,
+  std::string clause(const LeftForReason& left, bool is_only, const std::string& reason, std::string_view because,
                      std::string_view comma, std::string_view more) const {
     constexpr std::size_t most_names = 3;
     const std::size_t named = std::min(most_names, left.elements.size());
@@ -200,7 +205,9 @@ class HoleFiller {
     for (std::size_t i = 0; i < named; ++i)
       names += (i > 0 ? std::string(comma) : "") + name_of(mesh(), left.elements[i]);
     if (named < left.elements.size()) names += with_number(more, left.elements.size() - named);
-    return std::to_string(left.elements.size()) + " " + std::string(because) + reason + " (" + names + ")";
+    // The number has been told where there is one reason alone.
+    const std::string counted = is_only ? "" : std::to_string(left.elements.size()) + " " + std::string(because);
+    return counted + reason + " (" + names + ")";
   }
 
   Edit& edit_;

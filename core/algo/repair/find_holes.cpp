@@ -24,8 +24,8 @@ constexpr std::array<WhyOpenRow, 9> why_open_rows{{
      {detach_nonmanifold}},
     {WhyOpen::has_wire, "an edge without a face hangs there", "面のない稜線が付いているため"},
     {WhyOpen::cut_edge,
-     "an edge has more than one face (# or #)",
-     "面が二つ以上ある稜線を通るため（# か #）",
+     "the loop runs along an edge that has several faces already (# or # first)",
+     "すでに面が二つ以上ある稜線を通るため（先に # か #）",
      {detach_nonmanifold, orient_faces}},
     {WhyOpen::coincides,
      "its border lies on another one (# joins them)",
@@ -39,9 +39,9 @@ constexpr std::array<WhyOpenRow, 9> why_open_rows{{
      "試したどのふさぎ方でも曲面または自分自身と交わるため"},
 }};
 
-std::string_view id_of(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
+Text name_of_remedy(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
   for (const AlgorithmRow& row : algorithm_table())
-    if (row.run == run) return row.id;
+    if (row.run == run) return {std::string(row.name_en), std::string(row.name_ja)};
   return {};
 }
 
@@ -63,10 +63,15 @@ WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std
 
 Text WhyOpenRow::text() const {
   Text text{std::string(en), std::string(ja)};
-  for (const auto remedy : remedies)
-    for (std::string* const clause : {&text.en, &text.ja})
-      if (const std::size_t at = clause->find('#'); remedy && at != std::string::npos)
-        clause->replace(at, 1, id_of(remedy));
+  const auto fill_in = [](std::string& clause, const std::string& name) {
+    if (const std::size_t at = clause.find('#'); at != std::string::npos) clause.replace(at, 1, name);
+  };
+  for (const auto remedy : remedies) {
+    if (!remedy) continue;
+    const Text name = name_of_remedy(remedy);
+    fill_in(text.en, "'" + name.en + "'");
+    fill_in(text.ja, "「" + name.ja + "」");
+  }
   return text;
 }
 

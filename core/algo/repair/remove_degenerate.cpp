@@ -261,20 +261,29 @@ class Removal {
     return gone > 0;
   }
 
+  // How many in each way: ": 2 edges collapsed, 3 deleted".
+  Text ways() const {
+    Text text;
+    const auto add = [&](std::size_t n, const char* one, const char* many, const char* ja) {
+      if (n > 0) text = text + (text.en.empty() ? Text{": ", "（"} : Text{", ", "、"}) + count_text(n, one, many, ja);
+    };
+    add(collapsed_, "# edge collapsed", "# edges collapsed", "稜線削除 #");
+    add(given_, "# corner given to the face across", "# corners given to the face across", "向かいの面への統合 #");
+    add(deleted_, "# deleted", "# deleted", "面の削除 #");
+    return text + Text{"", "）"};
+  }
+
   AlgorithmResult result() const {
     AlgorithmResult result;
     result.changed = collapsed_ + given_ + deleted_ > 0 ? all_ - flat_.size() : 0;
     result.left = flat_.size();
-    add_left(result.left_for,
-             {"every way to take it away would make the surface unsound", "どの方法で取り除いても曲面が不健全になるため"},
-             {flat_.begin(), flat_.end()});
+    add_left(
+        result.left_for,
+        {"every way to take it away would make the surface unsound", "どの方法で取り除いても曲面が不健全になるため"},
+        {flat_.begin(), flat_.end()});
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
-    if (result.changed > 0)
-      result.text = result.text + count_text(collapsed_, ": # edge collapsed", ": # edges collapsed", "（稜線削除 #") +
-                    count_text(given_, ", # corner given to the face across", ", # corners given to the face across",
-                               "、向かいの面への統合 #") +
-                    count_text(deleted_, ", # deleted", ", # deleted", "、面の削除 #）");
+    if (result.changed > 0) result.text = result.text + ways();
     if (opened_ > 0)
       result.text = result.text + count_text(opened_, "; this opened one boundary loop",
                                              "; this opened # boundary loops", "。境界ループが # 本増えました");

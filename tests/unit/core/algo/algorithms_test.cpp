@@ -94,6 +94,7 @@ TEST_F(Algorithms, malformed_values_are_refused_and_what_is_expected_is_said) {
     for (const ParameterRow& parameter : row.parameters) {
       const Text expected = expected_value(parameter);
       EXPECT_NE(expected.en, expected.ja);
+      EXPECT_EQ(expected.en.find("e+"), std::string::npos) << row.id << ": " << expected.en;
       for (const std::string& text : malformed_values(parameter)) {
         ParameterValues values(row.parameters);
         const auto fault = values.set(parameter.id, text, "--it");

@@ -109,10 +109,9 @@ TEST(fill_holes, a_border_that_only_its_own_sheet_could_close_stays_open) {
   const AlgorithmResult result = fill(mesh);
   EXPECT_EQ(result.changed, 0u);
   EXPECT_EQ(result.text.en,
-            "0 holes were filled; 1 could not be: 1 because every patch that was tried crosses the surface or itself "
-            "(0-1).");
+            "0 holes were filled; 1 could not be: every patch that was tried crosses the surface or itself (0-1).");
   EXPECT_EQ(result.text.ja,
-            "穴を 0 個ふさぎました。ふさげない穴 1：1 試したどのふさぎ方でも曲面または自分自身と交わるため (0-1)。");
+            "穴を 0 個ふさぎました。ふさげない穴 1：試したどのふさぎ方でも曲面または自分自身と交わるため (0-1)。");
 }
 
 TEST(fill_holes, each_reason_is_told) {

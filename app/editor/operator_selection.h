@@ -1,0 +1,28 @@
+// What an operator would be called with on the selection, and whether it may be done: what menus and the palette offer.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/ops/all.h"
+
+namespace ryosen {
+
+class Session;
+
+// The names of the selected elements that it takes with these arguments behind each, in their order; of all of them where
+// one alone is not enough.
+std::vector<std::string> names_taken(const Session& session, const OpInfo& op,
+                                     std::span<const std::string_view> arguments);
+
+// Whether what is selected, or a part of it, can be what an operator works on.
+bool fits_selection(const Session& session, const OpInfo& op);
+
+// What speaks against it on a selection that fits: nothing where one of its calls may be done, else the verdict of the
+// first. Of a large selection, or of one that is united one by one, it is not known before. Cost: that of at most 64
+// verdicts.
+Verdict verdict_on_selection(const Session& session, const OpInfo& op);
+
+}  // namespace ryosen

@@ -1,0 +1,13 @@
+// What stands in the menus of the bar.
+#pragma once
+
+#include "app/editor/menu_bar.h"
+
+namespace ryosen {
+
+struct PanelContext;
+
+// The entries of a row of menu_bar, in the menu that is open.
+void draw_entries(PanelContext& context, const MenuRow& menu);
+
+}  // namespace ryosen

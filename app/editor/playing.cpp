@@ -186,6 +186,11 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
   return {};
 }
 
+bool shows_another_mesh(const Session& session) {
+  const Document& document = session.document();
+  return document.is_on_trial() && (shows_level(session) || (session.player && session.player->is_shown(document)));
+}
+
 Outcome not_on_a_step(const Session& session) {
   if (session.levels && session.levels->is_shown(session.document()))
     return failed(ExitCode::refused,

@@ -119,7 +119,9 @@ class PlayerAside {
   bool may_be_anew_, is_about_elements_, is_back_ = false;
 };
 
-// The refusal of what points into the view while that shows a step of another mesh than the one that is open.
+// Whether the view shows a step or a level of detail in place of the mesh that is open.
+bool shows_another_mesh(const Session& session);
+// The refusal of what points into the view, or means what is selected, while that is so.
 Outcome not_on_a_step(const Session& session);
 
 }  // namespace ryosen

@@ -96,6 +96,29 @@ TEST(playing, clicks_leave_the_step_and_select_nothing) {
   EXPECT_TRUE(session->document().history().empty());
 }
 
+// What is selected cannot be seen then: a key took it away from the mesh beneath.
+TEST(playing, what_is_selected_beneath_is_not_edited) {
+  const auto session = playing_session("cube.obj");
+  for (const char* const shows : {"steps script square", "levels"}) {
+    do_all(*session, {"mode face", "select f0", shows});
+    do_all(*session, {std::string(shows) == "levels" ? "levels at 4" : "steps last"});
+    ASSERT_TRUE(session->shows_step()) << shows;
+    const std::uint64_t shown = session->mesh().hash();
+    for (const char* const line : {"delete selected", "weld selected mid", "duplicate elements=selected",
+                                   "either extrude selected | extrude_edges selected"}) {
+      const Outcome outcome = session->run(line);
+      EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
+      EXPECT_NE(outcome.sentence.en.find("Esc or "), std::string::npos) << outcome.sentence.en;
+      EXPECT_EQ(session->mesh().hash(), shown) << line;
+    }
+    do_all(*session, {std::string(shows) == "levels" ? "levels close" : "steps close"});
+    EXPECT_TRUE(session->document().history().empty());
+    EXPECT_EQ(session->selection, Elements{Face(0)});
+  }
+  do_all(*session, {"delete selected"});
+  EXPECT_EQ(session->mesh().live().faces, 5u);
+}
+
 TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {
   const auto session = playing_session("figures/003-image41.obj");
   do_all(*session, {"mode face", "select f0", "hide f3", "measure f0", "self_intersections", "steps collapse 0-1"});

@@ -44,7 +44,7 @@ Json without_names(const Problem& problem) {
   json["severity"] = problem.row().severity == ProblemSeverity::problem ? "problem" : "info";
   json["count"] = problem.count();
   json["elements"] = Json::array();
-  if (problem.row().is_on_request) {
+  if (problem.row().is_on_request()) {
     json["pairs"] = Json::array();
     json["complete"] = problem.intersections.is_all();
   }
@@ -226,7 +226,7 @@ std::string json_line_of(const CheckReport& report) {
   for (const NamedProblem& problem : report.problems) {
     go_into("\"elements\":[]");
     problem.names.for_each(problem.problem.count(), [&](std::string_view name) { append_name(name, out); });
-    if (!problem.problem.row().is_on_request) continue;
+    if (!problem.problem.row().is_on_request()) continue;
     go_into("\"pairs\":[]");
     append_pairs(problem.problem.intersections.pairs, out);
   }

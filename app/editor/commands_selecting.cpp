@@ -97,7 +97,7 @@ std::optional<Text> fault_of(const Selecting& asked) {
                   "select：書き方は " + syntax + "（MAP は " + colour_map_ids() + "）"};
     return Text{"select: expected " + syntax, "select：書き方は " + syntax};
   }
-  const bool is_kept = asked.problem && (asked.problem->is_local() || asked.problem->is_on_request);
+  const bool is_kept = asked.problem && (asked.problem->is_local() || asked.problem->is_on_request());
   if (asked.problem && asked.names.empty() && !is_kept)
     return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
                 "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
@@ -148,6 +148,17 @@ Outcome select(Session& session, Elements found) {
                                    : count_text(found.size(), "one element is selected", "# elements are selected",
                                                 "# 個を選択しました");
   session.selection = std::move(found);
+  return outcome;
+}
+
+// All that has been found of it, and where that is nothing because nobody has searched, a word about how.
+Outcome select_all_of(Session& session, const ProblemRow& row) {
+  Outcome outcome = select(session, all_of(session, row));
+  if (row.is_on_request() && !session.has_searched(row.kind)) {
+    const std::string en(row.several_en), ja(row.name_ja), by(row.searched_by);
+    outcome.sentence = {"nothing is selected: " + en + " are not searched for yet, which " + by + " does",
+                        "選択はありません：「" + ja + "」はまだ探していません（" + by + " で探します）"};
+  }
   return outcome;
 }
 
@@ -228,7 +239,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     return select(session, std::move(found));
   }
   if (asked.is_kept) return select_kept(session, *kept_name(asked.names));
-  if (asked.problem && asked.names.empty()) return select(session, all_of(session, *asked.problem));
+  if (asked.problem && asked.names.empty()) return select_all_of(session, *asked.problem);
   Elements found;
   if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.about(*asked.problem, found[0]);

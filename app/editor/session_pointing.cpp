@@ -277,7 +277,7 @@ Picker::Depth Session::pick_depth() const {
 }
 
 std::vector<Element> Session::about(const ProblemRow& row, Element element) {
-  if (row.is_on_request && has_searched(row.kind)) {
+  if (row.is_on_request() && has_searched(row.kind)) {
     std::vector<Element> found{element};
     for (const auto& [a, b] : searched_->pairs)
       if (Element(a) == element || Element(b) == element) found.emplace_back(Element(a) == element ? b : a);

@@ -104,7 +104,7 @@ void draw_select_problems(PanelContext& context) {
   if (!begin_submenu(context.text("What is broken", "問題のある要素"))) return;
   const HighlightSets& sets = context.session.highlights();
   for (const ProblemRow& row : problem_table())
-    if (row.is_local() || row.is_on_request)
+    if (row.is_local() || row.is_on_request())
       item(context, context.text(row.name_en, row.name_ja), select_line(row), sets.count(row.kind) > 0);
   ImGui::EndMenu();
 }

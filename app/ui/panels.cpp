@@ -114,9 +114,9 @@ bool lacks_file(const Session& session, const std::string& line) {
 
 }  // namespace
 
-Outcome PanelContext::run(const std::string& line) {
+Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
   if (lacks_file(session, line)) return open(PanelOpener::unnamed_save);
-  if (!loses_edits(session, line)) return run_from(line, {});
+  if (!loses_edits(session, line)) return run_from(line, panel_id);
   leave({false, {}, line});
   return {};
 }

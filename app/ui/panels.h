@@ -46,6 +46,7 @@ struct GuiState {
   std::optional<PendingLeave> pending;
   bool is_tight = false;  // the column that is drawn is too long for its window: what says nothing may be left out
   float saved_px = 0;     // that its panels have saved by that
+  bool asks_to_be_seen = false;  // the panel that is drawn: its column is to scroll to it
   bool menus_have_keys = false;  // one was open when the frame began
   bool closes_menus = false;     // in the next frame
   bool opens_menu = false;       // that of what is selected, in the next frame
@@ -85,9 +86,9 @@ struct PanelContext {
 
   // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
   // looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
-  // to save to is known, it asks first.
-  Outcome run(const std::string& line);
-  // Without that question. Closes this panel, which opens again where the line fails.
+  // to save to is known, it asks first. A panel that names itself is closed, and opens again where the line fails.
+  Outcome run(const std::string& line, const std::string& panel_id = {});
+  // Without that question.
   Outcome run_from(const std::string& line, const std::string& panel_id);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(const Navigation::Click& click);

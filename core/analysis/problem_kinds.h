@@ -64,8 +64,10 @@ struct ProblemRow {
   // What `face` would say if the vertices were at these places, while they are moved and nothing is done yet; null where
   // places make no difference.
   bool (*face_at)(const Mesh&, Face, std::span<const glm::dvec3> places) = nullptr;
-  // Takes a search of its own that nobody makes unasked (find_self_intersections).
-  bool is_on_request = false;
+  // The command whose search finds it, which nobody makes unasked; empty where it is always known.
+  std::string_view searched_by = {};
+  // What one may do where no repair takes it away: a sentence.
+  std::string_view by_hand_en = {}, by_hand_ja = {};
   // Speaks of vertices for themselves: the line in the file is theirs, not that of a face there.
   bool is_of_the_vertex = false;
   // Does not speak of vertices that a line beside the mesh uses.
@@ -77,6 +79,7 @@ struct ProblemRow {
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
 
   bool is_local() const { return vertex || edge || face; }
+  bool is_on_request() const { return !searched_by.empty(); }
   // What its findings are; faces too where it has no predicate about elements of the mesh.
   Element::Kind sort() const {
     return vertex ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;

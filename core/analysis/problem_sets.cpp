@@ -139,7 +139,7 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
     ask(row, reach_.vertices);
     ask(row, reach_.edges);
     ask(row, reach_.faces);
-    if (row.is_on_request)
+    if (row.is_on_request())
       for (const std::uint32_t k : of(row.kind).to_vector()) set(row, k, false);
     // Slots that undoing took away.
     if (!row.is_local()) continue;

@@ -109,7 +109,7 @@ void for_each_own_mark(const HighlightRow& row, Visit visit) {
 template <class Visit>
 void for_each_mark(const HighlightRow& row, Visit visit) {
   for (const ProblemRow& problem : problem_table())
-    if ((problem.is_local() || problem.is_on_request) && row.kinds.contains(problem.kind)) visit(mark_of(problem.kind));
+    if ((problem.is_local() || problem.is_on_request()) && row.kinds.contains(problem.kind)) visit(mark_of(problem.kind));
   for_each_own_mark(row, visit);
 }
 

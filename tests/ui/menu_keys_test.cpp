@@ -394,6 +394,23 @@ TEST_F(MenuKeys, the_palette_cuts_no_name_short_for_a_long_line) {
   EXPECT_EQ(DrawnText(gui).cut_sideways(), "");
 }
 
+// What takes long is carried out behind the palette, which comes back with the line where that fails.
+TEST_F(MenuKeys, the_palette_comes_back_with_a_file_that_cannot_be_opened) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\n");
+  press("F3");
+  write("open " + file);
+  press("Enter");
+  frames(5);
+  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_TRUE(shows("cut.ply")) << "the line stands there to be mended";
+  EXPECT_TRUE(shows(without_spaces(gui.said().en).substr(0, 16))) << gui.said().en;
+  press("Escape");
+  press("F3");
+  frames(3);
+  EXPECT_FALSE(shows("cut.ply")) << "it opens empty as ever";
+}
+
 // A command that lacks something is begun, as by a click on it; refused only when it is entered once more.
 TEST_F(MenuKeys, a_bare_command_that_lacks_something_is_begun) {
   press("F3");

@@ -76,6 +76,27 @@ TEST_F(PracticePanelTest, shows_a_question_and_its_judgement_with_what_goes_on_f
   }
 }
 
+// Below other panels too, whose column it scrolls: with all that may be answered, which is higher than a judgement.
+TEST_F(PracticePanelTest, shows_the_next_question_whole_below_other_panels) {
+  size_ = {1280, 800};
+  open("fin.obj");
+  for (const char* const panel : {"inspector", "problems", "history", "practice"})
+    session.run("panel " + std::string(panel) + " on");
+  frames(6);
+  ASSERT_TRUE(has("Nextquestion"));
+  int higher = 0;
+  for (int n = 0; n < 12; ++n) {
+    const double before = test::DrawnText(gui).place("Nextquestion").y;
+    if (has("Yes,itmay.")) take("Yes,itmay.");
+    higher += test::DrawnText(gui).place("Nextquestion").y < before;
+    take("Nextquestion");
+    frames(6);
+    const test::DrawnText drawn(gui);
+    for (const char* const text : {"Anyquestion", "Nextquestion"}) ASSERT_EQ(drawn.count(text), 1u) << text << " " << n;
+  }
+  EXPECT_GT(higher, 0) << "no judgement was lower than its question";
+}
+
 // Two answers that begin alike could not be told apart by their beginnings.
 TEST_F(PracticePanelTest, shows_the_answers_whole) {
   for (int n = 0; n < 4; ++n) {

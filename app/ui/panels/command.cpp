@@ -37,6 +37,7 @@ class CommandPanel : public Panel {
   // What was typed names a command and goes on: that command comes first.
   bool is_begun() const { return !found_.empty() && typed_.starts_with(found_[0].line + " "); }
   std::optional<std::size_t> meant() const;
+  void begin(PanelContext& context);
   void enter(PanelContext& context);
   void take(PanelContext& context, const PaletteEntry& entry);
   void run(PanelContext& context, const std::string& line);
@@ -50,12 +51,12 @@ class CommandPanel : public Panel {
   std::size_t line_ = 0;            // of these, that stands in the field; lines_.size(): none
   bool takes_keys_ = false;         // the field is to have the keyboard
   WholeRows rows_;                  // of what was found
-  // What was chosen when it was refused, as long as nothing else is.
+  // What was chosen when it was refused, as long as nothing else is; and when it was sent.
   struct Refused {
     std::string command;
     int chosen;
   };
-  std::optional<Refused> refused_;
+  std::optional<Refused> refused_, sent_;
   bool goes_to_end_ = false;
   bool scrolls_ = false;  // to what is chosen
 };
@@ -185,11 +186,20 @@ void CommandPanel::draw_refusal(PanelContext& context) {
   ImGui::PopTextWrapPos();
 }
 
-void CommandPanel::draw(PanelContext& context) {
-  if (ImGui::IsWindowAppearing()) {
-    type("");
-    line_ = lines_.size();
+// Empty, but for a line that took long, was refused, and has opened this again.
+void CommandPanel::begin(PanelContext& context) {
+  const std::optional<Refused> sent = std::exchange(sent_, std::nullopt);
+  const bool is_refused = sent && context.state.last_kind != Outcome::Kind::done;
+  type(is_refused ? typed_ : "");
+  if (is_refused) {
+    chosen_ = sent->chosen;
+    refused_ = sent;
   }
+  line_ = lines_.size();
+}
+
+void CommandPanel::draw(PanelContext& context) {
+  if (ImGui::IsWindowAppearing()) begin(context);
   if (!context.state.begun_command.empty()) type(std::exchange(context.state.begun_command, {}));
   if (std::exchange(takes_keys_, false) || is_left_alone("##command")) {
     ImGui::SetKeyboardFocusHere();
@@ -242,9 +252,10 @@ void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {
 
 void CommandPanel::run(PanelContext& context, const std::string& line) {
   const std::string own = context.session.open_panel;
-  if (!context.run(line).done()) {
+  sent_ = Refused{command(), chosen_};
+  if (!context.run(line, own).done()) {
     takes_keys_ = true;
-    refused_ = Refused{command(), chosen_};
+    refused_ = std::exchange(sent_, std::nullopt);
     return;
   }
   std::erase(lines_, line);

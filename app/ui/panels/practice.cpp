@@ -212,6 +212,7 @@ void PracticePanel::draw(PanelContext& context) {
   if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
     ++seed_;
     go_on(session);
+    context.state.asks_to_be_seen = true;  // what there is to choose from is higher than the judgement
   }
 }
 

@@ -176,6 +176,7 @@ void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std:
   if (is_open) {
     // Carried out behind this frame.
     if (repairs_.draw(context, row.kind, is_mended)) hold(context.session);
+    if (!row.by_hand_en.empty() && !is_mended) dim_text(context, context.text(row.by_hand_en, row.by_hand_ja));
     draw_elements(context, row, count);
     ImGui::TreePop();
   }

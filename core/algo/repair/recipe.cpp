@@ -147,7 +147,7 @@ void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine
   const FileFaces file{has_quarantine ? input.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
   if (findings.empty())
     for (const ProblemRow& row : problem_table())
-      if (!row.is_on_request) findings.push_back({row.kind});
+      if (!row.is_on_request()) findings.push_back({row.kind});
   for (const Problem& problem : find_problems(mesh, sets, file))
     for (KindCount& entry : findings)
       if (entry.kind == problem.kind) entry.*at = problem.count();

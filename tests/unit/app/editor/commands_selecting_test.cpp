@@ -69,7 +69,10 @@ TEST(selecting, finds_all_problems_of_a_kind) {
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("select boundary_loop").done());
   EXPECT_EQ(session.selection.size(), session.highlights().count(ProblemKind::boundary_loop));
-  EXPECT_TRUE(session.run("select self_intersection").done()) << "of which nobody has searched for any";
+  const Outcome unsearched = session.run("select self_intersection");
+  EXPECT_TRUE(unsearched.done());
+  EXPECT_NE(unsearched.sentence.en.find("not searched for yet, which self_intersections does"), std::string::npos)
+      << unsearched.sentence.en;
   EXPECT_TRUE(session.selection.empty());
   EXPECT_EQ(session.run("select quarantined_face").exit_code, ExitCode::usage) << "they are not in the mesh";
 }
@@ -83,7 +86,7 @@ TEST(selecting, every_problem_has_a_line_of_its_own) {
     ASSERT_TRUE(session.run(line).done()) << line;
   std::size_t shared = 0;
   for (const ProblemRow& row : problem_table()) {
-    if (!row.is_local() && !row.is_on_request) continue;
+    if (!row.is_local() && !row.is_on_request()) continue;
     const std::string line = select_line(row);
     for (const KeyRow& key : key_table()) EXPECT_NE(key.command, line);
     ASSERT_TRUE(session.run(line).done()) << line;

@@ -71,7 +71,7 @@ TEST(problem_sets, rows_have_stable_ids_and_one_predicate) {
   for (const ProblemRow& row : problem_table()) {
     EXPECT_EQ(find_problem_row(row.id), &row);
     EXPECT_EQ((row.vertex != nullptr) + (row.edge != nullptr) + (row.face != nullptr) + (row.quarantined != nullptr) +
-                  row.is_on_request,
+                  row.is_on_request(),
               1)
         << row.id;
     EXPECT_FALSE(row.name_en.empty() || row.name_ja.empty()) << row.id;

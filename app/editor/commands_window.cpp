@@ -5,6 +5,7 @@
 #include "app/editor/keys.h"
 #include "app/editor/levels.h"
 #include "app/editor/panel_list.h"
+#include "app/editor/playing.h"
 #include "app/editor/script.h"
 
 namespace ryosen {

@@ -47,6 +47,11 @@ bool begins_a_word(std::string_view text, std::string_view word) {
   return false;
 }
 
+std::string capitalized(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string with_short_numbers(std::string_view line) {
   std::string shown;
   for (std::size_t at = 0; at < line.size();) {

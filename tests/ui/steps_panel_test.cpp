@@ -132,11 +132,11 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   ASSERT_TRUE(say("panel steps").done());
   EXPECT_TRUE(has("Acube"));
   gui.pointer(test::DrawnText(gui).place("Acube"));
-  for (int notch = 0; notch < 60 && !has("one-ringv0"); ++notch) {
+  for (int notch = 0; notch < 60 && !has("One-ringv0"); ++notch) {
     gui.wheel(-1);
     frames(2);
   }
-  EXPECT_TRUE(has("one-ringv0"));
+  EXPECT_TRUE(has("One-ringv0"));
   const std::uint64_t hash = session.mesh().hash();
   const auto expect_playing = [&](const std::string& call) {
     ASSERT_TRUE(say("steps " + call).done()) << call;

@@ -107,6 +107,27 @@ TEST_F(TabKey, leaves_every_panel_where_enter_presses_what_is_marked) {
   }
 }
 
+// The list is of the folder that a path has come to.
+TEST_F(TabKey, goes_into_the_folder_whose_name_it_completes) {
+  const std::filesystem::path folder = folder_.path() / "meshes" / "small";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy(test::asset("cube.obj"), folder / "a_cube.obj");
+  show("open");
+  gui.text(folder_.path().string() + "/me");
+  frames(3);
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(test::DrawnText(gui).count("small/"), 1u) << "the only folder that begins so";
+  gui.text("sm");
+  frames(3);
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(test::DrawnText(gui).count("a_cube.obj"), 1u);
+  gui.text("a_c");
+  frames(3);
+  press(ImGuiKey_Tab);
+  press(ImGuiKey_Enter);
+  EXPECT_EQ(session.document().path(), folder / "a_cube.obj");
+}
+
 TEST_F(TabKey, completes_the_name_of_a_file_and_goes_on_from_it) {
   ASSERT_TRUE(session.run("open " + folder_.copy(test::asset("cube.obj"), "lonely.obj")).done());
   show("open");

@@ -31,7 +31,7 @@ constexpr FileUse to_save{"save", "Save", "保存", true, false, true};
 constexpr FileUse to_save_selected{"save_selected", "Save", "保存", true, false, false};
 
 // A folder, what is in it, and the name in the field, which has the keyboard: Up and Down go through the entries, Tab
-// completes a path and goes on where there is no more of it, Enter takes it.
+// completes a path, goes into a folder and on from the field where there is no more of it, Enter takes it.
 class FileBrowser : public Panel {
  public:
   explicit FileBrowser(const FileUse& use) : use_(use) {}
@@ -148,7 +148,10 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
   if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
     const std::string path = completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); });
     goes_on_ = path == typed;
-    return goes_on_ ? void() : put(path);
+    if (goes_on_) return;
+    if (!path.ends_with('/')) return put(path);
+    enter(folder_ / without_tilde(path));  // its files are listed, and the name goes on there
+    return put("");
   }
   if (data.EventFlag != ImGuiInputTextFlags_CallbackHistory || entries_.empty()) return;
   const auto at = std::find_if(entries_.begin(), entries_.end(), [&](const FolderEntry& entry) {

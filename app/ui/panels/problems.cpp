@@ -3,6 +3,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/quarantine_text.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"
@@ -192,7 +193,7 @@ void ProblemsPanel::draw_left(PanelContext& context) {
   const std::vector<LeftForReason> all = report->left;  // a press may take it away
   for (std::size_t i = 0; i < all.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    dim_text(context, all[i].reason.in(context.language()).c_str());
+    dim_text(context, capitalized((all[i].reason + Text{".", "。"}).in(context.language())).c_str());
     std::vector<Element> there;
     constexpr std::size_t most = 24;
     for (const Element& element : all[i].elements)

@@ -3,6 +3,7 @@
 
 #include "app/editor/exercises.h"
 #include "app/editor/playing.h"
+#include "app/editor/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
@@ -58,10 +59,10 @@ std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
       words.insert(words.end(), arguments.begin(), arguments.end());
       std::string call = words[0];
       for (const std::string& argument : arguments) call += " " + argument;
-      all.push_back({name_of_played(words).in(context.language()), std::move(call), help});
+      all.push_back({capitalized(name_of_played(words).in(context.language())), std::move(call), help});
     };
     const auto add_script = [&](std::string_view name) { add(std::vector{std::string(name)}); };
-    all.push_back({context.text(steps_row.en, steps_row.ja), "", help});
+    all.push_back({capitalized(context.text(steps_row.en, steps_row.ja)), "", help});
     if (steps_row.plays_script) {
       for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
         for (const ExerciseScript& script : scripts) add_script(script.id);

@@ -55,9 +55,9 @@ Outcome leave_level(Session& session);
 
 enum class Effect;
 
-// Takes the level that is shown out of the way of a command line that is about the mesh beneath, and shows it again: an
-// edit ends the levels, what is refused, writes or does nothing is no edit. What is about elements shows the mesh beneath
-// until another level is asked for. The outcome says so.
+// Takes the level that is shown out of the way of a command line that is about the mesh beneath, and shows it again; an edit
+// of that ends the levels. What is about elements shows the mesh beneath until another level is asked for; only then is it
+// edited (Session::run). The outcome says so.
 class LevelAside {
  public:
   LevelAside(Session& session, Effect effect, std::string_view line);

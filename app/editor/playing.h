@@ -99,9 +99,9 @@ void end_playing(Session& session);
 Outcome leave_playing(Session& session);
 
 // Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step,
-// unless the command has begun to play something else: what goes through the history, writes or changes nothing is no
-// edit. What is about elements shows the mesh beneath until the next step. Where it was made of another mesh than it is
-// then it is made anew, or ends. The outcome says so.
+// unless the command has begun to play something else. What is about elements shows the mesh beneath until the next step;
+// only then is that edited (Session::run). Where it was made of another mesh than it is then it is made anew, or ends. The
+// outcome says so.
 class PlayerAside {
  public:
   PlayerAside(Session& session, Effect effect);
@@ -121,7 +121,7 @@ class PlayerAside {
 
 // Whether the view shows a step or a level of detail in place of the mesh that is open.
 bool shows_another_mesh(const Session& session);
-// The refusal of what points into the view, or means what is selected, while that is so.
+// The refusal of what points into the view, or would edit the mesh beneath, while that is so.
 Outcome not_on_a_step(const Session& session);
 
 }  // namespace ryosen

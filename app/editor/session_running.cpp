@@ -1,5 +1,4 @@
 // A command line is carried out, and kept in the log.
-#include <algorithm>
 #include <cassert>
 #include <new>
 #include <optional>
@@ -14,16 +13,6 @@
 #include "core/base/out_of_memory.h"
 
 namespace ryosen {
-
-namespace {
-
-bool is_about_selection(Words words) {
-  constexpr std::string_view value = "=selected";
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view word) { return word == value.substr(1) || word.ends_with(value); });
-}
-
-}  // namespace
 
 Outcome Session::run(const std::string& line) {
   const std::uint64_t serial = document_->serial();
@@ -48,10 +37,9 @@ Outcome Session::run_line(const std::string& line) {
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
-  // What is selected is on the mesh that is open, and cannot be seen meanwhile. A level is made to what it was made of.
+  // What is seen is not what would be edited. A level is made to what it was made of.
   const bool makes_level = shows_level(*this) && without_blanks(line) == levels->line();
-  if (row->effect == Effect::edits && is_about_selection(words) && shows_another_mesh(*this) && !makes_level)
-    return not_on_a_step(*this);
+  if (row->effect == Effect::edits && shows_another_mesh(*this) && !makes_level) return not_on_a_step(*this);
   std::optional<PlayerAside> played;
   std::optional<LevelAside> level;
   if (row->effect != Effect::none) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/editor/commands.h"
+#include "app/editor/playing.h"
 #include "app/editor/repair_call.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
@@ -51,17 +52,25 @@ void draw_row_text(const ImVec4& colour, const std::string& text) {
 
 }  // namespace
 
+// Why no repair can be pressed; empty where they can.
+Text RepairRows::why_off(const Session& session, bool is_mended) {
+  if (is_mended) return {"Nothing is left to mend.", "直すものは残っていません。"};
+  if (!shows_another_mesh(session)) return {};
+  return {"Repairs are done on the mesh that is open; Esc shows it.",
+          "修復は開いているメッシュに行います。Esc でその表示に戻ります。"};
+}
+
 // More of it beside the button that is pointed at.
 void RepairRows::draw_report(PanelContext& context, const std::string& line, const char* name, const char* help,
-                             bool is_mended) {
+                             const Text& why_off) {
   const float width = ImGui::GetContentRegionAvail().x, pitch = ImGui::GetTextLineHeightWithSpacing();
   const ImVec2 begin = ImGui::GetItemRectMin();
   const ImVec2 end{begin.x + width, ImGui::GetCursorScreenPos().y + row_lines * pitch};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
   const RepairReport* report = nullptr;
-  const bool is_asked = !is_mended && (is_pointed || !context.session.is_dear_to_try());
+  const bool is_asked = why_off.en.empty() && (is_pointed || !context.session.is_dear_to_try());
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
-  if (is_mended) said = {"Nothing is left to mend.", "直すものは残っていません。"};
+  if (!why_off.en.empty()) said = why_off;
   if (is_asked) {
     wants_trial_ = true;
     report = tried(context.session, line);
@@ -97,7 +106,7 @@ bool RepairRows::draw_fields(PanelContext& context, const AlgorithmRow& row, Fie
   return entered;
 }
 
-bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, bool is_mended) {
+bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, const Text& why_off) {
   Fields& fields = fields_of(row);
   const ReadValues read = read_fields(row.parameters, fields.texts);
   ImGui::PushID(row.id.data(), row.id.data() + row.id.size());
@@ -114,14 +123,14 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, boo
   const std::string shown = fitted(name, ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x);
   const bool is_refused = !read.values && fields.are_open;
   ImGui::BeginGroup();
-  ImGui::BeginDisabled(is_mended || is_refused);
+  ImGui::BeginDisabled(!why_off.en.empty() || is_refused);
   bool is_pressed = ImGui::SmallButton(shown.c_str());
   ImGui::EndDisabled();
   std::string line = called(row, true);
   if (read.values) {
     const std::string values = read.values->line();
     line += values.empty() ? "" : " " + values;
-    draw_report(context, line, name, help, is_mended);
+    draw_report(context, line, name, help, why_off);
   } else {
     const std::string fault = read.sentence.in(context.language());
     draw_row_text(context.colours().warning, fault);
@@ -134,7 +143,7 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, boo
       if (fields.texts[i].empty()) fields.texts[i] = first_text(row.parameters[i], context.session.mesh());
     is_pressed = false;
   }
-  if (fields.are_open) is_pressed |= draw_fields(context, row, fields) && read.values && !is_mended;
+  if (fields.are_open) is_pressed |= draw_fields(context, row, fields) && read.values && why_off.en.empty();
   if (is_pressed) context.run(line);
   ImGui::PopID();
   return is_pressed;
@@ -142,9 +151,10 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, boo
 
 bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
   bool is_pressed = false;
+  const Text off = why_off(context.session, is_mended);
   for (const AlgorithmRow& repair : algorithm_table())
     if (std::find(repair.solves.begin(), repair.solves.end(), kind) != repair.solves.end())
-      is_pressed |= draw_repair(context, repair, is_mended);
+      is_pressed |= draw_repair(context, repair, off);
   return is_pressed;
 }
 
@@ -159,11 +169,12 @@ bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
     if (!std::exchange(is_first, false)) help += context.text(", ", "、");
     help += context.text(step.row->name_en, step.row->name_ja);
   }
+  const Text off = why_off(context.session, is_mended);
   ImGui::BeginGroup();
-  ImGui::BeginDisabled(is_mended);
+  ImGui::BeginDisabled(!off.en.empty());
   const bool is_pressed = ImGui::Button(name, {ImGui::GetContentRegionAvail().x, 0});
   ImGui::EndDisabled();
-  draw_report(context, line, name, help.c_str(), is_mended);
+  draw_report(context, line, name, help.c_str(), off);
   if (is_pressed) context.run(line);
   return is_pressed;
 }

@@ -12,8 +12,8 @@ namespace ryosen {
 // What stands in the fields of the repairs, and which of them are unfolded.
 class RepairRows {
  public:
-  // All repairs of a kind. True when one was pressed. Where nothing is left to mend, none can be. A row takes as much room
-  // whatever it says.
+  // All repairs of a kind. True when one was pressed. None can be where nothing is left to mend, or what is shown is not
+  // the mesh that is open. A row takes as much room whatever it says.
   bool draw(PanelContext& context, ProblemKind kind, bool is_mended);
   // The button of all that keep the geometry, and what it would do. True when it was pressed.
   bool draw_all(PanelContext& context, bool is_mended);
@@ -26,10 +26,12 @@ class RepairRows {
     std::vector<std::string> texts;
   };
   Fields& fields_of(const AlgorithmRow& row);
-  bool draw_repair(PanelContext& context, const AlgorithmRow& row, bool is_mended);
+  static Text why_off(const Session& session, bool is_mended);
+  bool draw_repair(PanelContext& context, const AlgorithmRow& row, const Text& why_off);
   bool draw_fields(PanelContext& context, const AlgorithmRow& row, Fields& fields);
   // Below the button that was drawn last, in whose group it is; ends that.
-  void draw_report(PanelContext& context, const std::string& line, const char* name, const char* help, bool is_mended);
+  void draw_report(PanelContext& context, const std::string& line, const char* name, const char* help,
+                   const Text& why_off);
 
   std::map<std::string, Fields, std::less<>> fields_;  // by the id of the repair
   bool wants_trial_ = false;

@@ -41,6 +41,26 @@ TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   EXPECT_EQ(session.mesh().live().faces, 2u);
 }
 
+// What was tried on a step was done to the mesh beneath.
+TEST_F(ProblemsPanel, nothing_is_repaired_while_another_mesh_is_shown) {
+  open("isolated_vertex.obj");
+  const std::uint64_t hash = session.mesh().hash();
+  for (const char* const line : {"steps script square", "steps forward"}) ASSERT_TRUE(session.run(line).done());
+  frames(4);
+  const glm::dvec2 all = place("Repairall");
+  EXPECT_FALSE(is_drawn("Trial:"));
+  EXPECT_TRUE(is_drawn("Repairsaredoneonthemesh"));
+  click(all);
+  frames(3);
+  ASSERT_TRUE(session.player);
+  EXPECT_EQ(gui.said().en, "") << "the button is off";
+  EXPECT_EQ(session.run("repair").exit_code, ExitCode::refused);
+  ASSERT_TRUE(session.run("steps close").done());
+  EXPECT_EQ(session.mesh().hash(), hash);
+  frames(4);
+  EXPECT_TRUE(is_drawn("Trial:"));
+}
+
 TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_runs_it) {
   open("moebius.off");
   unfold("1boundaryloop");

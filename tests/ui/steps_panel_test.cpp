@@ -380,7 +380,7 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
 }
 
 // Only an edit of the mesh beneath ends it, which is said; what changes nothing, and what writes, leaves it as it is.
-TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
+TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_other_command) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(say("steps script cube").done());
   ASSERT_TRUE(say("steps at 9").done());
@@ -388,7 +388,8 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
   const std::uint64_t shown = session.mesh().hash();
   for (const std::string& line :
        {std::string("collapse 0-99"), "save " + (folder.path() / "a.obj").string(), std::string("open nowhere.obj"),
-        std::string("repair"), std::string("key Enter"), std::string("select v99")}) {
+        std::string("repair"), std::string("key Enter"), std::string("select v99"), std::string("split 0-1"),
+        std::string("key O"), std::string("cube")}) {
     const Outcome outcome = say(line);
     ASSERT_TRUE(session.player) << line << ": " << outcome.sentence.en;
     EXPECT_EQ(session.player->position(), 9u) << line;
@@ -403,6 +404,8 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_and_by_no_other_command) {
   ASSERT_TRUE(say("steps at 9").done());
   EXPECT_EQ(session.mesh().hash(), shown);
   EXPECT_TRUE(session.is_framed());
+  EXPECT_EQ(say("split 0-1").exit_code, ExitCode::refused) << "what it would be done to is not seen";
+  ASSERT_TRUE(say("select v0").done());
   const Outcome outcome = say("split 0-1");
   EXPECT_FALSE(session.player);
   EXPECT_EQ(session.mesh().live().vertices, 8u);

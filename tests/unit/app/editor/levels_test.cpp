@@ -96,13 +96,17 @@ TEST_F(LevelsTest, undo_and_escape_leave_what_is_shown_of_them_and_take_back_no_
   EXPECT_EQ(session_.document().position(), 0u);
 }
 
-TEST_F(LevelsTest, end_with_any_edit) {
+TEST_F(LevelsTest, end_with_any_edit_of_the_mesh_once_that_is_seen) {
   ASSERT_TRUE(say("levels").done());
   ASSERT_TRUE(say("levels at 20").done());
   const std::size_t entries = session_.document().history().size();
+  const Outcome refused = say("poke f0");
+  EXPECT_EQ(refused.exit_code, ExitCode::refused);
+  EXPECT_NE(refused.sentence.en.find("shows a level of detail"), std::string::npos) << refused.sentence.en;
+  EXPECT_EQ(faces(), 20u);
+  ASSERT_TRUE(say("select f0").done());
   const Outcome outcome = say("poke f0");
   ASSERT_TRUE(outcome.done());
-  EXPECT_NE(outcome.sentence.en.find("before its levels of detail"), std::string::npos) << outcome.sentence.en;
   EXPECT_FALSE(session_.levels);
   EXPECT_GT(faces(), 20u) << "the whole mesh was poked";
   EXPECT_EQ(session_.document().history().size(), entries + 1);

@@ -14,6 +14,7 @@ uniform float pixel_scale;  // rendered pixels per pixel at display scale 1
 layout(location = 0) out vec4 colour;
 
 void main() {
-  float covered = strength * pattern_share(pattern, picture_pixel() / pixel_scale);
-  colour = vec4(sqrt(tint) * covered, covered);
+  vec2 at = picture_pixel() / pixel_scale;
+  float covered = strength * pattern_share(pattern, at);
+  colour = vec4(sqrt(tint) * covered * pattern_light(pattern, at), covered);
 }

@@ -205,10 +205,9 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
     return failed(
         ExitCode::refused,
         {"Another program has changed " + name +
-             " since it was read; reload reads it again, keep_mine lets "
-             "save replace it.",
-         name + " は読み込み後に他のプログラムが変更しました。reload で読み直すか、keep_mine のあとで保存すると"
-                "上書きできます。"});
+             " since it was read. Reload (reload) reads it again; Keep mine (keep_mine) lets the next save replace it.",
+         name + " は読み込み後に他のプログラムが変更しました。「読み直す」（reload）で読み直すか、"
+                "「こちらを残す」（keep_mine）のあとで保存すると上書きできます。"});
   }
   const std::vector<Message> losses = document.losses(target);
   if (session.strict && !losses.empty()) {

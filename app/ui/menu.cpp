@@ -6,6 +6,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/menu_bar.h"
+#include "app/editor/playing.h"
 #include "app/editor/words.h"
 #include "app/ui/menu_entries.h"
 #include "app/ui/panels.h"

@@ -20,6 +20,8 @@ RepairRows::Fields& RepairRows::fields_of(const AlgorithmRow& row) {
 
 namespace {
 
+constexpr std::size_t row_lines = 3, tip_lines = 8;
+
 // What a trial found out: all of it, or so many of its parts that it fits into so many lines; at least two parts.
 std::string brief(PanelContext& context, const RepairReport& report, float width_px, std::size_t most_lines) {
   const Text begin = report.fault ? Text() : Text{"Trial: ", "結果の見込み："};
@@ -29,17 +31,24 @@ std::string brief(PanelContext& context, const RepairReport& report, float width
   }
 }
 
-// The same where it fits, else only how much changes and is left.
+// The same where it fits, else what is shorter: at last only how much changes and is left.
 std::string brief_or_numbers(PanelContext& context, const RepairReport& report, float width_px,
                              std::size_t most_lines) {
+  const auto fits = [&](const std::string& text) { return lines_of(text, width_px) <= most_lines; };
   const std::string some = brief(context, report, width_px, most_lines);
-  if (report.fault || lines_of(some, width_px) <= most_lines) return some;
+  if (report.fault || fits(some)) return some;
   const Text begin{"Trial: ", "結果の見込み："};
-  const std::string text = (begin + in_short(report)).in(context.language());
-  return lines_of(text, width_px) <= most_lines ? text : (begin + in_numbers(report)).in(context.language());
+  for (const auto shorter : {in_short, in_one_clause})
+    if (const std::string text = (begin + shorter(report)).in(context.language()); fits(text)) return text;
+  return (begin + in_numbers(report)).in(context.language());
 }
 
-constexpr std::size_t row_lines = 3, tip_lines = 8;
+// What is missing or wrong, where there is no room for it all without what would be right.
+std::string brief_fault(const PanelContext& context, const Text& fault, float width_px) {
+  std::string text = fault.in(context.language());
+  if (lines_of(text, width_px) <= row_lines) return text;
+  return text.substr(0, std::min({text.size(), text.find(": "), text.find("：")}));
+}
 
 // As high whatever it says, so that what is below stays where it is.
 void draw_row_text(const ImVec4& colour, const std::string& text) {
@@ -133,7 +142,7 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, con
     draw_report(context, line, name, help, why_off);
   } else {
     const std::string fault = read.sentence.in(context.language());
-    draw_row_text(context.colours().warning, fault);
+    draw_row_text(context.colours().warning, brief_fault(context, read.sentence, ImGui::GetContentRegionAvail().x));
     ImGui::EndGroup();
     tip(std::string(name) + "\n" + help + "\n\n" + fault, ImGuiHoveredFlags_AllowWhenDisabled);
   }

@@ -55,18 +55,30 @@ std::uint32_t packed_colour(const glm::dvec4& colour) {
   return bytes;
 }
 
+// The colours of the file that are to be seen; null where there are none.
+struct ShownFileColours {
+  const AttributeColumn* of_vertices = nullptr;
+  const FaceColours* of_faces = nullptr;
+
+  explicit ShownFileColours(const Session& session) {
+    const FileColours which = session.settings.file_colours;
+    const Mesh& mesh = session.mesh();
+    const int column = mesh.find_attribute(attribute_names::colour);
+    const FaceColours& colours = session.document().tables().face_colours;
+    if (which == FileColours::off) return;
+    if (which != FileColours::faces && column >= 0) of_vertices = &mesh.attributes()[static_cast<std::size_t>(column)];
+    if (which != FileColours::vertices && !colours.values.empty()) of_faces = &colours;
+  }
+  bool are_none() const { return !of_vertices && !of_faces; }
+};
+
 // The colours of a file, of faces where they have one.
 void paint_file(const Session& session, TriangleSource& source) {
-  const FileColours which = session.settings.file_colours;
-  const Mesh& mesh = session.mesh();
-  const int column = mesh.find_attribute(attribute_names::colour);
-  const AttributeColumn* const of_vertices =
-      which == FileColours::faces || column < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(column)];
-  const FaceColours& colours = session.document().tables().face_colours;
-  const FaceColours* const of_faces = which == FileColours::vertices || colours.values.empty() ? nullptr : &colours;
-  if (which == FileColours::off || (!of_vertices && !of_faces)) return;
+  const ShownFileColours shown(session);
+  if (shown.are_none()) return;
   source.paint = Paint::own;
-  source.colours = [of_vertices, of_faces](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
+  source.colours = [of_vertices = shown.of_vertices,
+                    of_faces = shown.of_faces](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
     const std::uint32_t f = triangle.face;
     const bool has_colour = of_faces && f < of_faces->count.size() && of_faces->count[f] >= 3;
     const std::uint32_t of_face = has_colour ? packed_colour(of_faces->values[f]) : 0;
@@ -79,6 +91,8 @@ void paint_file(const Session& session, TriangleSource& source) {
 }
 
 }  // namespace
+
+bool is_painted(const Session& session) { return session.colouring || !ShownFileColours(session).are_none(); }
 
 void paint_surface(Session& session, TriangleSource& source) {
   if (session.colouring)

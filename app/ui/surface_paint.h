@@ -6,6 +6,8 @@
 
 namespace ryosen {
 
+// Whether the surface has colours beside its own.
+bool is_painted(const Session& session);
 // Sets paint and colours of the source, where there are any. It reads the session for as long as it is used.
 void paint_surface(Session& session, TriangleSource& source);
 

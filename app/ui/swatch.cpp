@@ -38,7 +38,7 @@ float pattern_share(FacePattern pattern, float x, float y) {
     case FacePattern::horizontal:
       return is_on(y / 6) ? 1 : 0.5f;
     case FacePattern::vertical:
-      return is_on(x / 6) ? 1 : 0.5f;
+      return is_on(x / 8) ? 1 : 0;
     case FacePattern::plain:
       break;
   }

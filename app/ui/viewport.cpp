@@ -38,11 +38,15 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
 static_assert(most_highlights < most_tints);
 
 // The tints of highlights, in the order of the table, and at last that of selected faces.
-std::vector<DrawnTint> tints_in(Theme theme) {
+std::vector<DrawnTint> tints_of(const Session& session) {
+  const Theme theme = session.settings.theme;
   std::vector<DrawnTint> tints;
   for (const HighlightRow& row : highlight_table())
     if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
-  tints.push_back({style(Role::selected, theme).colour, {FacePattern::plain, 0.6f}});
+  // Stripes where the surface has colours of its own, any of which may be alike.
+  const FaceTint selected =
+      is_painted(session) ? FaceTint{FacePattern::vertical, 0.9f} : FaceTint{FacePattern::plain, 0.6f};
+  tints.push_back({style(Role::selected, theme).colour, selected});
   return tints;
 }
 
@@ -172,7 +176,7 @@ void Viewport::follow(Session& session) {
   view_->set_display_scale(scale);
   labels_.set_scale(static_cast<float>(session.label_scale()));
   view_->set_clip(session.clip_plane());
-  view_->set_tints(tints_in(settings_.theme));
+  view_->set_tints(tints_of(session));
   view_->set_camera(session.camera);
   follow_mesh(session);
   follow_overlays(session);

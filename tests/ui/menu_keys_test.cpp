@@ -404,7 +404,8 @@ TEST_F(MenuKeys, the_palette_comes_back_with_a_file_that_cannot_be_opened) {
   frames(5);
   EXPECT_EQ(session.open_panel, "command");
   EXPECT_TRUE(shows("cut.ply")) << "the line stands there to be mended";
-  EXPECT_TRUE(shows(without_spaces(gui.said().en).substr(0, 16))) << gui.said().en;
+  const std::string why = without_spaces(gui.said().en).substr(0, 16);
+  EXPECT_EQ(DrawnText(gui).count(why), 3u) << "in the field, below it and in the status line: " << gui.said().en;
   press("Escape");
   press("F3");
   frames(3);

@@ -199,7 +199,7 @@ void CommandPanel::begin(PanelContext& context) {
 }
 
 void CommandPanel::draw(PanelContext& context) {
-  if (ImGui::IsWindowAppearing()) begin(context);
+  if (sent_ || ImGui::IsWindowAppearing()) begin(context);
   if (!context.state.begun_command.empty()) type(std::exchange(context.state.begun_command, {}));
   if (std::exchange(takes_keys_, false) || is_left_alone("##command")) {
     ImGui::SetKeyboardFocusHere();

@@ -1,6 +1,7 @@
 #include "core/algo/repair/report.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 
 #include "core/algo/repair/guard.h"
@@ -226,6 +227,17 @@ Text in_short(const RepairReport& report) {
   return text;
 }
 
+namespace {
+
+// Up to the first of these signs.
+std::string_view before_any(std::string_view text, std::initializer_list<std::string_view> signs) {
+  std::size_t end = text.size();
+  for (const std::string_view sign : signs) end = std::min(end, text.find(sign));
+  return text.substr(0, end);
+}
+
+}  // namespace
+
 Text in_numbers(const RepairReport& report) {
   RepairReport only_numbers;
   only_numbers.text = report.changed == 0 ? Text{"No change.", "変更なし。"}
@@ -233,6 +245,22 @@ Text in_numbers(const RepairReport& report) {
   only_numbers.problems = report.problems;
   only_numbers.others = report.others;
   return in_short(only_numbers);
+}
+
+Text in_one_clause(const RepairReport& report) {
+  RepairReport brief = report;
+  if (report.changed == 0 && report.left.size() == 1) {
+    const Text& reason = report.left.front().reason;  // what would help stands in brackets
+    brief.text = {"No change: " + std::string(before_any(reason.en, {" ("})) + ".",
+                  "変更なし：" + std::string(before_any(reason.ja, {"（"})) + "。"};
+    brief.others = 0;
+  } else if (report.text.en.find(". ") != std::string::npos) {
+    return in_numbers(report);
+  } else {
+    brief.text = {std::string(before_any(report.text.en, {":", ";", "."})) + ".",
+                  std::string(before_any(report.text.ja, {"：", "（", "。"})) + "。"};
+  }
+  return in_short(brief);
 }
 
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most) {

@@ -41,6 +41,9 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::string::npos);
 // Without what becomes of the findings: "One face was deleted. 5 problems are left. 2 elements stay as they are."
 Text in_short(const RepairReport& report);
+// The same where its text is one sentence, up to how it was done: "One hole was filled. One problem is left." Where nothing
+// changes, for one reason, that: "No change: every patch has a face without area." Else in_numbers().
+Text in_one_clause(const RepairReport& report);
 // Only how much: "3 changes. 5 problems are left. 2 elements stay as they are."
 Text in_numbers(const RepairReport& report);
 // "REASON (2: v12, v15)"

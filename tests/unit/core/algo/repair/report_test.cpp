@@ -48,6 +48,22 @@ TEST(repair_report, says_in_a_few_words_how_much) {
   EXPECT_EQ(in_numbers(report).en, "One change.");
 }
 
+TEST(repair_report, says_in_one_clause_what_was_done_or_why_nothing_was) {
+  RepairReport report;
+  report.changed = report.problems = 1;
+  report.text = {"One hole was filled by 4 triangles; 1 could not be: it crosses (6-7).",
+                 "穴を 1 個ふさぎました（三角形 4）。ふさげない穴 1：交わるため (6-7)。"};
+  EXPECT_EQ(in_one_clause(report).en, "One hole was filled by 4 triangles. One problem is left.");
+  EXPECT_EQ(in_one_clause(report).ja, "穴を 1 個ふさぎました。問題が 1 件残ります。");
+  report.text = {"One hole was filled. 3 points were welded.", "穴を 1 個ふさぎました。3 点をつなぎました。"};
+  EXPECT_EQ(in_one_clause(report).en, in_numbers(report).en) << "the first of several would not be all";
+  report.changed = report.problems = 0;
+  report.others = 2;
+  report.left.push_back({{"there is a face ('Orient' first)", "面があるため（先に「揃える」）"}, {Edge(0)}, false});
+  EXPECT_EQ(in_one_clause(report).en, "No change: there is a face.");
+  EXPECT_EQ(in_one_clause(report).ja, "変更なし：面があるため。");
+}
+
 // The sheets of a fin that are taken apart keep two points at one place, which nobody lists as a problem.
 TEST(repair_report, counts_as_problems_what_a_list_of_problems_has) {
   const auto report_by = [](const Mesh& mesh, std::initializer_list<std::string_view> repairs, bool in_rounds) {

@@ -1,8 +1,12 @@
 // The panel of colour maps: its histogram is a tool to select with.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "app/ui/headless.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
+#include "tests/support/app/program.h"
 
 namespace ryosen::test {
 namespace {
@@ -64,6 +68,38 @@ TEST_F(ColoursPanelTest, each_measurement_names_what_was_measured) {
   const DrawnText drawn(gui);
   EXPECT_EQ(drawn.count("v0v1distance1"), 1u);
   EXPECT_EQ(drawn.count("1-2length1"), 1u);
+}
+
+// The darkest and the brightest pixel amid a picture, as sums of the three.
+std::pair<int, int> lights_amid(const Image& picture) {
+  int darkest = 765, brightest = 0;
+  for (int y = 100; y < 140; ++y)
+    for (int x = 140; x < 180; ++x) {
+      const Rgba& pixel = picture.at(x, y);
+      const int light = pixel[0] + pixel[1] + pixel[2];
+      darkest = std::min(darkest, light);
+      brightest = std::max(brightest, light);
+    }
+  return {darkest, brightest};
+}
+
+// At both ends of a map: one of them is hardly told from the colour of what is selected.
+TEST(selected_faces, are_striped_where_the_surface_has_colours) {
+  const auto headless = Headless::make({.backend = Backend::osmesa, .size = {320, 240}}).value();
+  Session session(std::move(Document::open(asset("cube.obj")).value()));
+  headless->place_view(session);
+  const auto lights = [&](std::initializer_list<const char*> lines) {
+    for (const char* const line : lines) EXPECT_TRUE(session.run(line).done()) << line;
+    return lights_amid(headless->picture(session));
+  };
+  for (const char* const map : {"colours area 0 1", "colours area 1 2"}) {
+    const auto [dark, bright] = lights({"view front", map, "select none"});
+    EXPECT_LT(bright - dark, 12) << "a face of one colour";
+    const auto [stripe, between] = lights({"select f1"});
+    EXPECT_GT(between - stripe, 200) << map;
+    const auto [plain, plain_too] = lights({"colours off"});
+    EXPECT_LT(plain_too - plain, 12) << "selected alone, it is filled";
+  }
 }
 
 }  // namespace

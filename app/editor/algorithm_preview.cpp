@@ -89,10 +89,10 @@ void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dv
   session.frame_all();
 }
 
-// With the camera as it was, where that is as it was left.
+// With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
 void AlgorithmPreview::take_back(Session& session) {
-  if (!is_shown(session)) return before_.reset();
-  session.document().end_trial();
+  if (is_shown(session)) session.document().end_trial();
+  if (serial_ != session.document().serial()) before_.reset();
   if (!before_) return;
   is_left_alone_ = !session.is_framed();
   if (!is_left_alone_) session.camera = before_->camera;

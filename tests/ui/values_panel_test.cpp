@@ -134,6 +134,21 @@ TEST_F(ValuesPanel, brings_what_would_come_into_view_and_looks_back_when_it_goes
   EXPECT_TRUE(shows_mesh()) << "what was made stays in view";
 }
 
+TEST_F(ValuesPanel, looks_back_when_an_undo_ends_what_would_come) {
+  ASSERT_TRUE(session.run("split 0-1").done());
+  ASSERT_TRUE(session.run("wheel -1 640,400").done());
+  const Camera before = session.camera;
+  ASSERT_TRUE(gui.run(session, "values cube").done());
+  frames(3);
+  press(ImGuiKey_Backspace);
+  type("9");
+  ASSERT_NE(session.camera, before);
+  ASSERT_TRUE(session.run("undo").done());
+  ASSERT_TRUE(session.run("panel none").done());
+  frames(3);
+  EXPECT_EQ(session.camera, before);
+}
+
 TEST_F(ValuesPanel, leaves_the_camera_to_who_moves_it_while_values_are_written) {
   ASSERT_TRUE(gui.run(session, "values cube").done());
   frames(3);

@@ -16,9 +16,18 @@ namespace ryosen {
 
 namespace {
 
+// What is framed goes beside it.
+void cover_view(Session& session, const OwnPanel& own) {
+  if (!own.panel->leaves_view()) return;
+  const double end = session.view_origin.x + session.view.width;
+  session.covered_px.y = std::max(session.covered_px.y, end - own.begins_px);
+}
+
 void draw_over(PanelContext& context, OwnPanel& own) {
   const bool is_over = begin_over(context, own.row, own.panel->size(), own.panel->leaves_view());
   if (is_over) {
+    own.begins_px = ImGui::GetWindowPos().x;
+    cover_view(context.session, own);
     own.panel->draw(context);
     end_over();
   }
@@ -84,8 +93,10 @@ void Gui::follow_view(Session& session, Size window) const {
 // What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
 // again when it is closed. Else nothing moves under who opens a tab.
 void Gui::follow_covered(Session& session, Size window) {
-  const glm::dvec2 covered = columns_.covered_px(view_area(window, session.layout));
-  const glm::dvec2 before = std::exchange(session.covered_px, covered);
+  const glm::dvec2 before = std::exchange(session.covered_px, columns_.covered_px(view_area(window, session.layout)));
+  for (const OwnPanel& own : panels_)
+    if (own.was_over) cover_view(session, own);
+  const glm::dvec2 covered = session.covered_px;
   if (!session.is_framed()) return;
   if (std::exchange(framed_, session.camera) != session.camera) is_framed_beside_ = before != glm::dvec2(0);
   const bool is_free_again = covered == glm::dvec2(0) && is_framed_beside_;

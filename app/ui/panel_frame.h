@@ -13,6 +13,7 @@ struct OwnPanel {
   std::unique_ptr<Panel> panel;
   std::unique_ptr<ScopedPanel> added;  // null for those of the list
   bool was_over = false;               // drawn over the view in the last frame
+  float begins_px = 0;                 // from there on it covers the view, where it leaves that to be seen
 };
 
 // What a click on the header does.

@@ -197,7 +197,8 @@ bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool le
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const float scale = context.column_scale;
-  const ImVec2 scaled{std::min(size.x * scale, all.x - 20), std::min(size.y * scale, all.y - 20)};
+  ImVec2 scaled{std::min(size.x * scale, all.x - 20), std::min(size.y * scale, all.y - 20)};
+  if (leaves_view) scaled.x = std::min(scaled.x, std::max(0.46f * all.x, 290 * scale));
   const float left = leaves_view ? all.x - scaled.x - 10 : std::floor((all.x - scaled.x) / 2);
   // One that leaves the view to be seen begins below the menus, however high it is: its fields are where they were.
   const float menus = ImGui::GetFrameHeight() + 10, middle = std::floor((all.y - scaled.y) / 2);

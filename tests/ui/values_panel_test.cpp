@@ -134,6 +134,23 @@ TEST_F(ValuesPanel, brings_what_would_come_into_view_and_looks_back_when_it_goes
   EXPECT_TRUE(shows_mesh()) << "what was made stays in view";
 }
 
+// In a narrow window it leaves half of it to the mesh, and what would come is seen whole there.
+TEST(values_panel, leaves_what_would_come_to_be_seen_beside_it) {
+  test::Laid laid("cube.obj", {640, 480});
+  Session& session = laid.session;
+  ASSERT_TRUE(laid.gui.run(session, "values cylinder").done());
+  laid.frames(6);
+  ASSERT_TRUE(session.document().is_on_trial());
+  const Covered covered = covered_view(session);
+  EXPECT_GT(covered.right, 200);
+  EXPECT_LT(covered.right, 320);
+  EXPECT_TRUE(shows_all(session.camera, session.view, covered, session.mesh().positions()));
+  ASSERT_TRUE(session.run("panel none").done());
+  laid.frames(6);
+  EXPECT_EQ(covered_view(session).right, 0);
+  EXPECT_TRUE(session.is_framed()) << "as before";
+}
+
 TEST_F(ValuesPanel, looks_back_when_an_undo_ends_what_would_come) {
   ASSERT_TRUE(session.run("split 0-1").done());
   ASSERT_TRUE(session.run("wheel -1 640,400").done());

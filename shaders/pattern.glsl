@@ -1,5 +1,5 @@
 // The patterns of tints: a sign other than the colour.
-const int diagonal = 1, chessboard = 2, horizontal = 3, vertical = 4;
+const int diagonal = 1, chessboard = 2, horizontal = 3, bars = 4;
 
 // How much a pixel of the picture belongs to the pattern.
 float pattern_share(int pattern, vec2 p) {
@@ -8,9 +8,9 @@ float pattern_share(int pattern, vec2 p) {
   if (pattern == diagonal) return 0.55 + 0.45 * rising;
   if (pattern == chessboard) return 0.50 + 0.50 * abs(rising - falling);  // on its corner
   if (pattern == horizontal) return 0.50 + 0.50 * step(0.5, fract(p.y / 6.0));
-  if (pattern == vertical) return step(fract(p.x / 8.0), 0.5);  // what it lies over is seen between
+  if (pattern == bars) return step(fract(p.x / 8.0), 0.5);  // the face is seen between them
   return 1.0;
 }
 
-// How much of its light it has there: dark beside the stripes that are to be told from any colour.
-float pattern_light(int pattern, vec2 p) { return pattern == vertical ? step(fract(p.x / 8.0), 0.3) : 1.0; }
+// How much of its light it has there: none at the edge of a bar.
+float pattern_light(int pattern, vec2 p) { return pattern == bars ? step(fract(p.x / 8.0), 0.3) : 1.0; }

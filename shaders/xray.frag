@@ -19,7 +19,8 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   float line = max(wire_cover(), dot_cover()) * nearness;
-  float tinted = tint.a * pattern_share(pattern, picture_pixel() / pixel_scale);
+  vec2 at = picture_pixel() / pixel_scale;
+  float tinted = tint.a * pattern_share(pattern, at) * pattern_light(pattern, at);
   vec3 of_tint = takes_light > 0.5 ? 1.0 - tint.rgb : tint.rgb;
   vec3 of_film = film_colour;
 #ifdef PAINTED

@@ -84,7 +84,7 @@ class EditRun {
   bool may_write() const { return code_ == ExitCode::done || (code_ == ExitCode::found_problems && !failed_); }
 
   void take(Step& step) {
-    // Warnings name elements as before the operator.
+    // Warnings name elements as before the operator. Nobody sees what is shown here: it stands in no edit's way.
     if (const auto call = call_of(step.line.text); call && !call->row.keeps_trial) session_.end_trial();
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();

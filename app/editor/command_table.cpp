@@ -54,6 +54,7 @@ const std::vector<CommandRow>& first_rows() {
                .help_ja = "テキストの立体を空のメッシュから一手ずつ組み立てる",
                .effect = Effect::none,
                .run = run_exercise,
+               .leads_to_edits = true,
                .fault = fault_of_exercise}),
       {.id = "figure",
        .syntax = figure_ids(),
@@ -114,14 +115,20 @@ const std::vector<CommandRow>& first_rows() {
                Effect::none, run_lasso}),
       of_view({"band", "box|lasso", "the next drag with the left button selects by a box or a lasso",
                "次の左ドラッグでボックスまたは投げ縄選択をする", Effect::none, run_band}),
-      {"gesture", "move|turn|scale [x|y|z|normal|yz|zx|xy] | extrude | split | duplicate",
-       "begins to move the selection with the pointer, or what is made of it: extruded faces or edges, the vertex that "
-       "splits an edge, a copy; X Y Z N, digits, O, Ctrl, Enter or a click ends, Escape gives up (a copy stays in its "
-       "place)",
-       "選択の移動・回転・拡大縮小を始める。extrude は押し出した面または稜線、split は稜線を分ける頂点、duplicate "
-       "は複製を動かす"
-       "（X Y Z N、数字、O、Ctrl、Enter かクリックで確定、Escape で中止。複製はその場に残る）",
-       Effect::none, run_gesture},
+      {.id = "gesture",
+       .syntax = "move|turn|scale [x|y|z|normal|yz|zx|xy] | extrude | split | duplicate",
+       .help_en = "begins to move the selection with the pointer, or what is made of it: extruded faces or edges, the "
+                  "vertex that "
+                  "splits an edge, a copy; X Y Z N, digits, O, Ctrl, Enter or a click ends, Escape gives up (a copy "
+                  "stays in its "
+                  "place)",
+       .help_ja =
+           "選択の移動・回転・拡大縮小を始める。extrude は押し出した面または稜線、split は稜線を分ける頂点、duplicate "
+           "は複製を動かす"
+           "（X Y Z N、数字、O、Ctrl、Enter かクリックで確定、Escape で中止。複製はその場に残る）",
+       .effect = Effect::none,
+       .run = run_gesture,
+       .leads_to_edits = true},
       {.id = "keep",
        .syntax = "NAME",
        .help_en = "keeps the selection under a name; select kept NAME selects it again",
@@ -167,7 +174,13 @@ const std::vector<CommandRow>& first_rows() {
        .effect = Effect::steps,
        .run = run_undo,
        .leaves_level = true},
-      {"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", Effect::steps, run_redo},
+      {.id = "redo",
+       .syntax = "[N]",
+       .help_en = "does N undone edits again",
+       .help_ja = "元に戻した N 回の編集をやり直す",
+       .effect = Effect::steps,
+       .run = run_redo,
+       .leaves_level = true},
       {.id = "repair",
        .syntax = "KIND [VALUE|NAME=VALUE ...] | KIND[=VALUE],...",
        .help_en =
@@ -291,6 +304,7 @@ const std::vector<CommandRow>& last_rows() {
        .help_ja = "操作に足りない要素を次のクリックで与える（引数なし：足りていれば実行する）",
        .effect = Effect::none,
        .run = run_ask,
+       .leads_to_edits = true,
        .fault = fault_of_ask},
       of_view({"mode", "vertex|edge|face|halfedge", "chooses what the pointer picks", "ポインタで選ぶ要素を決める",
                Effect::none, run_mode}),
@@ -301,6 +315,7 @@ const std::vector<CommandRow>& last_rows() {
        .help_ja = "拒否されたクリックへの対処の最初の行を実行する（N を付けると N 行目）",
        .effect = Effect::none,
        .run = run_remedy,
+       .leads_to_edits = true,
        .fault = fault_of_remedy},
       of_view(
           {"drag", "X,Y X,Y", "orbits by a drag from pixel to pixel", "ドラッグで視点を回す", Effect::none, run_drag}),

@@ -53,7 +53,8 @@ struct CommandRow {
   bool is_long = false;                              // may take long: the window first shows that it is at work
   bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
   bool keeps_trial = false;     // needs no element of the document: what is on trial stays (Session::end_trial)
-  bool leaves_level = false;    // one step: where a level of detail is shown, that is left and nothing else done
+  bool leaves_level = false;    // where a level of detail is shown, that is left and nothing else done
+  bool leads_to_edits = false;  // what it begins or sends ends in lines that edit
   bool prepares_edits = false;  // in the log it says what the next line works on
   bool reads_again = false;     // replaces the mesh by what is in its file now
   bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it

@@ -38,15 +38,15 @@ std::string line_of(const OpInfo& op, Words words) {
 Text kinds_taken(const OpInfo& op) {
   constexpr struct {
     Element::Kind kind;
-    const char *en, *ja;
-  } words[] = {{Element::Kind::vertex, "a vertex", "頂点"},
-               {Element::Kind::edge, "an edge", "稜線"},
-               {Element::Kind::face, "a face", "面"}};
+    const char *one, *two, *ja, *two_ja;
+  } words[] = {{Element::Kind::vertex, "a vertex", "two vertices or more", "頂点", "二つ以上の頂点"},
+               {Element::Kind::edge, "an edge", "two edges or more", "稜線", "二本以上の稜線"},
+               {Element::Kind::face, "a face", "two faces or more", "面", "二つ以上の面"}};
   Text told;
-  for (const auto& [kind, en, ja] : words) {
+  for (const auto& [kind, one, two, ja, two_ja] : words) {
     if (!takes(op, kind, {})) continue;
     if (!told.en.empty()) told = told + Text{" or ", "または"};
-    told = told + Text{en, ja};
+    told = told + (least_taken(op) == 2 ? Text{two, two_ja} : Text{one, ja});
   }
   if (op.in_place_of)
     told = told + Text{", or ", "、または"} + Text{std::string(op.in_place_of->en), std::string(op.in_place_of->ja)};
@@ -60,7 +60,8 @@ Text in_words(std::string_view syntax) {
     const char *one, *many, *ja, *counter_ja;
     int wanted = 0;
   };
-  Kind vertices{"vertex", "vertices", "頂点", "個"}, edges{"edge", "edges", "稜線", "本"}, faces{"face", "faces", "面", "個"};
+  Kind vertices{"vertex", "vertices", "頂点", "個"}, edges{"edge", "edges", "稜線", "本"},
+      faces{"face", "faces", "面", "個"};
   bool may_be_more = false, may_name_face = false, may_name_sides = false;
   for (const std::string_view word : split_words(syntax)) {
     if (word == "..." || word == "...]")

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "app/editor/command_functions.h"
+#include "app/editor/levels.h"
 #include "app/editor/panel_list.h"
 #include "app/editor/playing.h"
 #include "app/editor/words.h"
@@ -115,6 +116,7 @@ Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
     if (!outcome.done()) return outcome;
     session.show(panel_opened_by(PanelOpener::played), true);
     outcome.sentence = session.player->remark();
+    if (session.levels) outcome.say(leave_level(session).sentence);
     return outcome;
   }
   if (!session.player) return nothing_played();

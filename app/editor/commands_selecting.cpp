@@ -156,8 +156,9 @@ Outcome select_all_of(Session& session, const ProblemRow& row) {
   Outcome outcome = select(session, all_of(session, row));
   if (row.is_on_request() && !session.has_searched(row.kind)) {
     const std::string en(row.several_en), ja(row.name_ja), by(row.searched_by);
-    outcome.sentence = {"nothing is selected: " + en + " are not searched for yet, which " + by + " does",
-                        "選択はありません：「" + ja + "」はまだ探していません（" + by + " で探します）"};
+    outcome.sentence = {
+        "nothing is selected: nobody has searched for " + en + " since the last edit, as " + by + " does",
+        "選択はありません：「" + ja + "」は最後の編集の後、まだ探していません（" + by + " で探します）"};
   }
   return outcome;
 }

@@ -41,7 +41,7 @@ ParameterValues as_of_simplify(const ParameterValues& given) {
 Outcome begin_levels(Session& session, Words words) {
   const ReadValues given = read_values(level_parameters(), words);
   if (!given.values) return usage_error(behind("levels", given.sentence));
-  end_playing(session);
+  const Text left = session.player ? leave_playing(session).sentence : Text();
   end_levels(session);
   session.end_trial();
   const ParameterValues values = as_of_simplify(*given.values);
@@ -59,6 +59,7 @@ Outcome begin_levels(Session& session, Words words) {
   const std::string least = std::to_string(session.levels->faces(session.levels->levels().last()));
   outcome.sentence =
       told(*session.levels) + Text{" The last level has " + least + ".", "最も粗い段階は " + least + " 枚。"};
+  if (!left.en.empty()) outcome.say(left);
   return outcome;
 }
 

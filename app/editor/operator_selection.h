@@ -17,12 +17,16 @@ class Session;
 std::vector<std::string> names_taken(const Session& session, const OpInfo& op,
                                      std::span<const std::string_view> arguments);
 
-// Whether what is selected, or a part of it, can be what an operator works on.
-bool fits_selection(const Session& session, const OpInfo& op);
+// Whether what is selected, or a part of it, can be what an operator works on with these arguments behind each.
+bool fits_selection(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments = {});
 
-// What speaks against it on a selection that fits: nothing where one of its calls may be done, else the verdict of the
-// first. Of a large selection, or of one that is united one by one, it is not known before. Cost: that of at most 64
-// verdicts.
-Verdict verdict_on_selection(const Session& session, const OpInfo& op);
+// Whether an operator may be done on a selection that fits it, or any of its calls; else why the first may not. Of a large
+// selection, and of what is united one by one, it is not known before: it may be.
+struct Offer {
+  bool may_be = true;
+  std::vector<Text> why_not = {};
+};
+// Cost: that of at most 64 verdicts.
+Offer offer_on_selection(const Session& session, const OpInfo& op);
 
 }  // namespace ryosen

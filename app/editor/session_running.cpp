@@ -36,10 +36,11 @@ Outcome Session::run_line(const std::string& line) {
   const auto row = find_command_row(words[0]);
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
-  if (row->leaves_level && words.size() == 1 && shows_level(*this)) return leave_level(*this);
+  if (row->leaves_level && shows_level(*this)) return leave_level(*this);
   // What is seen is not what would be edited. A level is made to what it was made of.
   const bool makes_level = shows_level(*this) && without_blanks(line) == levels->line();
-  if (row->effect == Effect::edits && shows_another_mesh(*this) && !makes_level) return not_on_a_step(*this);
+  const bool edits = (row->effect == Effect::edits || row->leads_to_edits) && !makes_level;
+  if (edits && shows_another_mesh(*this)) return not_on_a_step(*this);
   std::optional<PlayerAside> played;
   std::optional<LevelAside> level;
   if (row->effect != Effect::none) {

@@ -9,7 +9,6 @@
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
 #include "core/mesh/middle.h"
-#include "core/ops/each.h"
 #include "core/ops/groups.h"
 #include "core/ops/lines/arguments.h"
 #include "core/ops/lines/syntax.h"
@@ -20,19 +19,17 @@ namespace {
 
 void operator_item(PanelContext& context, const OpInfo& op) {
   const std::string line = std::string(op.id) + " selected", chord = chord_of(context.session, line);
-  const Verdict verdict = verdict_on_selection(context.session, op);
-  if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, verdict.legal())) context.run(line);
+  const Offer offer = offer_on_selection(context.session, op);
+  if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, offer.may_be)) context.run(line);
   std::string help = context.text(op.help_en, op.help_ja);
-  for (const Text& sentence : describe_first(context.session.mesh(), verdict.reasons))
-    help += "\n" + sentence.in(context.language());
+  for (const Text& sentence : offer.why_not) help += "\n" + sentence.in(context.language());
   tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 // What takes a place as well: the line is begun with the middle of the element, for the user to change.
 void place_item(PanelContext& context, const OpInfo& op) {
   const Elements& selection = context.session.selection;
-  if (selection.size() != 1 || op.on_selection != OnSelection::each ||
-      !verdict_on_selection(context.session, op).legal())
+  if (selection.size() != 1 || op.on_selection != OnSelection::each || !offer_on_selection(context.session, op).may_be)
     return;
   const std::string name = context.session.selected_names()[0];
   const std::string_view words[] = {name, "0,0,0"};
@@ -47,11 +44,8 @@ void place_item(PanelContext& context, const OpInfo& op) {
 
 // What unites several may do so in their middle too.
 void middle_item(PanelContext& context, const OpInfo& op) {
-  const Elements& selection = context.session.selection;
   constexpr std::string_view middle[] = {"mid"};
-  if (op.on_selection != OnSelection::into_last ||
-      called_with(context.session.mesh(), op, selection, middle).taken.empty())
-    return;
+  if (op.on_selection != OnSelection::into_last || !fits_selection(context.session, op, middle)) return;
   const std::string line = std::string(op.id) + " selected mid", chord = chord_of(context.session, line);
   const std::string label =
       std::string(context.text(op.name_en, op.name_ja)) + context.text(" in the middle", "（中央）");

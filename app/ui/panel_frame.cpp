@@ -81,6 +81,7 @@ void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header) {
   ImGui::PushID(own.row.id.data(), own.row.id.data() + own.row.id.size());
   if (draw_header(context, own.row, header)) {
     draw_body(context, own);
+    if (std::exchange(context.state.asks_to_be_seen, false)) context.session.layout.wanted = own.row.id;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * context.scale);
   }
   ImGui::PopID();

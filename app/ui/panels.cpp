@@ -117,7 +117,7 @@ bool lacks_file(const Session& session, const std::string& line) {
 Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
   if (lacks_file(session, line)) return open(PanelOpener::unnamed_save);
   if (!loses_edits(session, line)) return run_from(line, panel_id);
-  leave({false, {}, line});
+  leave({false, {}, line, panel_id});
   return {};
 }
 
@@ -173,14 +173,15 @@ void PanelContext::leave(PendingLeave where) {
   go(where);
 }
 
-void PanelContext::go(const PendingLeave& where) {
+void PanelContext::go(const PendingLeave& whereto) {
+  const PendingLeave where = whereto;  // it may be what waits itself
   state.pending.reset();
   state.unsettle();
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;
   else if (!where.command.empty())
-    run_from(where.command, {});
+    run_from(where.command, where.asks_again);
   else
     run_from(where.opens.empty() ? "new" : "open " + file_argument(where.opens.string()), {});
 }

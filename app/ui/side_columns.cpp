@@ -127,7 +127,6 @@ float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float hei
       if (own.row.at_first == PanelAtFirst::held) held_px = ImGui::GetCursorPosY() - begin;
     }
     if (is_held) kept_px = first + held_px;
-    if (std::exchange(context.state.asks_to_be_seen, false)) context.session.layout.wanted = own.row.id;
     if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
     lying.push_back({&own, begin, ImGui::GetCursorPosY()});
   }

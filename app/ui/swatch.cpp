@@ -27,9 +27,14 @@ constexpr DashRow dash_rows[] = {
 };
 static_assert(rows_are_in_order(dash_rows, &DashRow::style));
 
-// As pattern.glsl has it, with y downwards.
+float fraction(float t) { return t - std::floor(t); }
+
+// As pattern.glsl has both, with y downwards.
+float pattern_light(FacePattern pattern, float x) {
+  return pattern == FacePattern::bars && fraction(x / 8) > 0.3f ? 0.f : 1.f;
+}
 float pattern_share(FacePattern pattern, float x, float y) {
-  const auto is_on = [](float t) { return t - std::floor(t) >= 0.5f; };
+  const auto is_on = [](float t) { return fraction(t) >= 0.5f; };
   switch (pattern) {
     case FacePattern::diagonal:
       return is_on((x + y) / 10) ? 1 : 0.55f;
@@ -37,8 +42,8 @@ float pattern_share(FacePattern pattern, float x, float y) {
       return is_on((x + y) / 10) != is_on((x - y) / 10) ? 1 : 0.5f;
     case FacePattern::horizontal:
       return is_on(y / 6) ? 1 : 0.5f;
-    case FacePattern::vertical:
-      return is_on(x / 8) ? 1 : 0;
+    case FacePattern::bars:
+      return fraction(x / 8) <= 0.5f ? 1 : 0;
     case FacePattern::plain:
       break;
   }
@@ -74,12 +79,14 @@ class Sample {
   void draw_tint(const FaceTint& tint) {
     const Rgba face = palette(theme_).front;
     const auto share_at = [&](float x, float y) { return pattern_share(tint.pattern, x / scale_, y / scale_); };
+    const auto colour_at = [&](float x) { return mixed({}, style_.colour, pattern_light(tint.pattern, x / scale_)); };
     for (float y = 0; y < size_.y; ++y)
       for (float x = 0, end = 0; x < size_.x; x = end) {
         const float share = share_at(x, y);
-        while (end < size_.x && share_at(end, y) == share) ++end;
+        const Rgba colour = colour_at(x);
+        while (end < size_.x && share_at(end, y) == share && colour_at(end) == colour) ++end;
         list_.AddRectFilled({at_.x + x, at_.y + y}, {at_.x + std::min(end, size_.x), at_.y + y + 1},
-                            to_imgui32(mixed(face, style_.colour, tint.strength * share)));
+                            to_imgui32(mixed(face, colour, tint.strength * share)));
       }
   }
 

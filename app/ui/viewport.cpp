@@ -45,7 +45,7 @@ std::vector<DrawnTint> tints_of(const Session& session) {
     if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
   // Stripes where the surface has colours of its own, any of which may be alike.
   const FaceTint selected =
-      is_painted(session) ? FaceTint{FacePattern::vertical, 0.9f} : FaceTint{FacePattern::plain, 0.6f};
+      is_painted(session) ? FaceTint{FacePattern::bars, 0.9f} : FaceTint{FacePattern::plain, 0.6f};
   tints.push_back({style(Role::selected, theme).colour, selected});
   return tints;
 }

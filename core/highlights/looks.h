@@ -8,7 +8,8 @@ namespace ryosen {
 enum class LineStyle { solid, dashed, dash_dot, dotted };
 enum class PointShape { disc, ring, cross, diamond, square };
 // The pattern of a tinted face: a sign other than its colour.
-enum class FacePattern { plain, diagonal, chessboard, horizontal, vertical };
+// `bars` are told from any colour: they have dark edges, and the face is seen between them.
+enum class FacePattern { plain, diagonal, chessboard, horizontal, bars };
 
 // Colours are 0xRRGGBB.
 struct Looks {

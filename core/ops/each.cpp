@@ -228,10 +228,12 @@ bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
   return !first_misfit(op.syntax, words);
 }
 
+std::size_t least_taken(const OpInfo& op) { return op.on_selection == OnSelection::into_last ? 2 : 1; }
+
 CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Element> elements, Words arguments) {
   CalledWith with;
   for (const Element& e : elements) (takes(op, e.kind, arguments) ? with.taken : with.others).push_back(e);
-  const std::size_t least = op.on_selection == OnSelection::into_last ? 2 : 1;
+  const std::size_t least = least_taken(op);
   if (!op.in_place_of || with.taken.size() >= least) return with;
   std::vector<Element> found = op.in_place_of->elements(mesh, elements);
   if (found.size() < least) return with;

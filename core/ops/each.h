@@ -37,6 +37,8 @@ struct CalledWith {
   std::vector<Element> taken, others;
   bool is_in_place = false;
 };
+// How many it takes at least: two where one goes into another.
+std::size_t least_taken(const OpInfo& op);
 CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Element> elements,
                        std::span<const std::string_view> arguments);
 

@@ -15,7 +15,7 @@ static_assert(MeshBuffers::cluster_size == 128, "as in mesh.glsl");
 // As in tint.frag.
 static_assert(enum_count<FacePattern> == 5 && static_cast<int>(FacePattern::diagonal) == 1 &&
               static_cast<int>(FacePattern::chessboard) == 2 && static_cast<int>(FacePattern::horizontal) == 3 &&
-              static_cast<int>(FacePattern::vertical) == 4);
+              static_cast<int>(FacePattern::bars) == 4);
 
 void set_light(const Program& program, const Frame& frame) {
   const Palette& colours = palette(frame.settings.theme);

@@ -121,6 +121,13 @@ TEST_F(TabKey, goes_into_the_folder_whose_name_it_completes) {
   frames(3);
   press(ImGuiKey_Tab);
   EXPECT_EQ(test::DrawnText(gui).count("a_cube.obj"), 1u);
+  gui.text("../");
+  frames(3);
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(test::DrawnText(gui).count("small/"), 1u) << "one that was written whole, too";
+  press(ImGuiKey_DownArrow);
+  press(ImGuiKey_Tab);
+  EXPECT_EQ(test::DrawnText(gui).count("a_cube.obj"), 1u) << "and one that was chosen";
   gui.text("a_c");
   frames(3);
   press(ImGuiKey_Tab);

@@ -146,10 +146,16 @@ void FileBrowser::follow_keys(ImGuiInputTextCallbackData& data) {
   };
   const std::string typed(data.Buf, static_cast<std::size_t>(data.BufTextLen));
   if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion) {
-    const std::string path = completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); });
-    goes_on_ = path == typed;
+    const auto is_folder = [&](const std::string& path) {
+      std::error_code ignored;
+      return path.ends_with('/') && fs::is_directory(folder_ / without_tilde(path), ignored);
+    };
+    const std::string path =
+        is_folder(typed) ? typed
+                         : completed_path(typed, folder_, [&](const fs::path& file) { return is_listed(file); });
+    goes_on_ = path == typed && !is_folder(path);
     if (goes_on_) return;
-    if (!path.ends_with('/')) return put(path);
+    if (!is_folder(path)) return put(path);
     enter(folder_ / without_tilde(path));  // its files are listed, and the name goes on there
     return put("");
   }

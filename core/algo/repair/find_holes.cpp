@@ -39,9 +39,13 @@ constexpr std::array<WhyOpenRow, 9> why_open_rows{{
      "試したどのふさぎ方でも曲面または自分自身と交わるため"},
 }};
 
+// As it stands on its button, and as it is called.
 Text name_of_remedy(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
-  for (const AlgorithmRow& row : algorithm_table())
-    if (row.run == run) return {std::string(row.name_en), std::string(row.name_ja)};
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (row.run != run) continue;
+    const std::string id = " [" + std::string(row.id) + "]";
+    return {"'" + std::string(row.name_en) + "'" + id, "「" + std::string(row.name_ja) + "」" + id};
+  }
   return {};
 }
 
@@ -69,8 +73,8 @@ Text WhyOpenRow::text() const {
   for (const auto remedy : remedies) {
     if (!remedy) continue;
     const Text name = name_of_remedy(remedy);
-    fill_in(text.en, "'" + name.en + "'");
-    fill_in(text.ja, "「" + name.ja + "」");
+    fill_in(text.en, name.en);
+    fill_in(text.ja, name.ja);
   }
   return text;
 }

@@ -34,7 +34,7 @@ struct WhyOpenRow {
   std::string_view en, ja;  // clauses; `#` stands for the next remedy
   std::array<AlgorithmResult (*)(Edit&, const AlgorithmInput&, Progress&), 2> remedies = {};
 
-  // With the names of the remedies.
+  // With the names and ids of the remedies.
   Text text() const;
 };
 // Of those that are told, in the order of reports.

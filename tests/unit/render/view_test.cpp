@@ -149,7 +149,7 @@ constexpr DrawnTint tints[] = {{rgb(0xE69F00), {FacePattern::diagonal, 0.75f}},
                                {rgb(0xF0E442), {FacePattern::plain, 0.55f}},
                                {rgb(0xBBBBBB), {FacePattern::chessboard, 0.8f}},
                                {rgb(0xCC79A7), {FacePattern::horizontal, 0.8f}},
-                               {rgb(0x4A90D9), {FacePattern::vertical, 0.7f}}};
+                               {rgb(0x4A90D9), {FacePattern::bars, 0.7f}}};
 
 TEST(view, faces_with_a_tint_have_it_and_hidden_ones_are_absent) {
   Scene scene = square_scene(2);

@@ -71,7 +71,7 @@ TEST(selecting, finds_all_problems_of_a_kind) {
   EXPECT_EQ(session.selection.size(), session.highlights().count(ProblemKind::boundary_loop));
   const Outcome unsearched = session.run("select self_intersection");
   EXPECT_TRUE(unsearched.done());
-  EXPECT_NE(unsearched.sentence.en.find("not searched for yet, which self_intersections does"), std::string::npos)
+  EXPECT_NE(unsearched.sentence.en.find("since the last edit, as self_intersections does"), std::string::npos)
       << unsearched.sentence.en;
   EXPECT_TRUE(session.selection.empty());
   EXPECT_EQ(session.run("select quarantined_face").exit_code, ExitCode::usage) << "they are not in the mesh";

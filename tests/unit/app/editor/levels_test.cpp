@@ -121,7 +121,7 @@ TEST_F(LevelsTest, stay_where_nothing_is_edited) {
     return session_.levels && session_.levels->is_shown(session_.document()) && faces() <= 20;
   };
   const std::string file = folder_.at("saved.ply");
-  for (const std::string& line : {std::string("redo"), std::string("collapse 0-0"), "open " + file, "save " + file}) {
+  for (const std::string& line : {std::string("collapse 0-0"), "open " + file, "save " + file}) {
     say(line);
     EXPECT_TRUE(is_at_level()) << line;
   }
@@ -135,6 +135,21 @@ TEST_F(LevelsTest, stay_where_nothing_is_edited) {
   EXPECT_GT(faces(), 20u);
   ASSERT_TRUE(say("levels at 20").done());
   EXPECT_TRUE(is_at_level());
+}
+
+TEST_F(LevelsTest, undo_and_redo_of_any_number_leave_them_and_do_nothing_else) {
+  ASSERT_TRUE(say("poke f0").done());
+  ASSERT_TRUE(say("poke f1").done());
+  ASSERT_TRUE(say("undo").done());
+  for (const char* const line : {"undo", "redo", "undo 1", "redo 1"}) {
+    ASSERT_TRUE(say("levels").done());
+    ASSERT_TRUE(say("levels at 20").done());
+    const Outcome outcome = say(line);
+    ASSERT_TRUE(outcome.done()) << line;
+    EXPECT_NE(outcome.sentence.en.find("levels of detail are left"), std::string::npos) << outcome.sentence.en;
+    EXPECT_FALSE(session_.levels) << line;
+    EXPECT_EQ(session_.document().position(), 1u) << line;
+  }
 }
 
 TEST_F(LevelsTest, are_not_spoken_of_where_another_mesh_is_opened) {

@@ -96,16 +96,18 @@ TEST(playing, clicks_leave_the_step_and_select_nothing) {
   EXPECT_TRUE(session->document().history().empty());
 }
 
-// What is selected cannot be seen then: a key took it away from the mesh beneath.
-TEST(playing, what_is_selected_beneath_is_not_edited) {
+// It cannot be seen then: a key took away what was selected of the mesh beneath.
+TEST(playing, the_mesh_beneath_is_not_edited) {
   const auto session = playing_session("cube.obj");
   for (const char* const shows : {"steps script square", "levels"}) {
     do_all(*session, {"mode face", "select f0", shows});
     do_all(*session, {std::string(shows) == "levels" ? "levels at 4" : "steps last"});
     ASSERT_TRUE(session->shows_step()) << shows;
     const std::uint64_t shown = session->mesh().hash();
-    for (const char* const line : {"delete selected", "weld selected mid", "duplicate elements=selected",
-                                   "either extrude selected | extrude_edges selected"}) {
+    for (const char* const line :
+         {"delete selected", "weld selected mid", "duplicate elements=selected",
+          "either extrude selected | extrude_edges selected", "delete f1", "cube", "repair", "gesture move",
+          "gesture extrude", "gesture duplicate", "key E", "key Shift+D", "key O", "ask extrude f0", "remedy"}) {
       const Outcome outcome = session->run(line);
       EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
       EXPECT_NE(outcome.sentence.en.find("Esc or "), std::string::npos) << outcome.sentence.en;
@@ -117,6 +119,44 @@ TEST(playing, what_is_selected_beneath_is_not_edited) {
   }
   do_all(*session, {"delete selected"});
   EXPECT_EQ(session->mesh().live().faces, 5u);
+}
+
+TEST(playing, a_gesture_beneath_that_is_given_up_ends_nothing) {
+  const auto session = playing_session("cube.obj");
+  for (const bool is_level : {false, true}) {
+    do_all(*session, {"select f0", is_level ? "levels" : "steps script square"});
+    do_all(*session, {is_level ? "levels at 4" : "steps last", "select f0"});
+    ASSERT_FALSE(session->shows_step()) << "the mesh beneath is seen";
+    do_all(*session, {"gesture extrude", "key Escape", is_level ? "levels at 4" : "steps last"});
+    EXPECT_TRUE(session->shows_step());
+    EXPECT_TRUE(session->document().history().empty());
+  }
+}
+
+// One of both is there at a time, and what goes is told.
+TEST(playing, steps_end_levels_and_levels_end_steps) {
+  const auto session = playing_session("cube.obj");
+  do_all(*session, {"levels", "levels at 4"});
+  const Outcome played = session->run("steps script square");
+  ASSERT_TRUE(played.done());
+  EXPECT_NE(played.sentence.en.find("levels of detail are left"), std::string::npos) << played.sentence.en;
+  EXPECT_FALSE(session->levels);
+  do_all(*session, {"steps last"});
+  EXPECT_TRUE(session->shows_step());
+  const Outcome levelled = session->run("levels");
+  ASSERT_TRUE(levelled.done());
+  EXPECT_NE(levelled.sentence.en.find("The steps of 'A square' are left."), std::string::npos) << levelled.sentence.en;
+  EXPECT_FALSE(session->player);
+  do_all(*session, {"levels at 4"});
+  EXPECT_EQ(session->mesh().live().faces, 4u);
+}
+
+TEST(playing, an_exercise_over_a_step_says_what_is_shown) {
+  const auto session = playing_session("cube.obj");
+  do_all(*session, {"new", "steps script cube", "steps at 9"});
+  const Outcome outcome = session->run("exercise square");
+  EXPECT_EQ(outcome.exit_code, ExitCode::refused);
+  EXPECT_NE(outcome.sentence.en.find("Esc or steps close ends that"), std::string::npos) << outcome.sentence.en;
 }
 
 TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {

@@ -28,11 +28,12 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
   item(context, context.text(name), line, enabled, ticked);
 }
 
-// The panels of a menu: what opens one over the view ends in dots, those of the columns are ticked where they are shown.
+// The panels of a menu: what opens one over the view ends in dots; those of the columns are ticked where they are shown,
+// and stand together in the menu of the view.
 void panel_items(PanelContext& context, PanelMenu menu) {
   for (const PanelRow& row : panel_list()) {
-    if (row.menu != menu) continue;
     const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.is_shown(row);
+    if (row.menu != menu && (menu != PanelMenu::view || is_over)) continue;
     const std::string name = std::string(context.title(row)) + (is_over ? "..." : "");
     const char* const switched = is_over ? "" : is_ticked ? " off" : " on";
     item(context, name.c_str(), "panel " + std::string(row.id) + switched, true, is_ticked);

@@ -83,8 +83,12 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   bring_into_view(session, coming.in(session.mesh()));
 }
 
+// All of it where all was seen before: what is written covers a part of the view.
 void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
-  if (is_left_alone_ || shows_all(session.camera, session.view, covered_view(session), places)) return;
+  const auto is_seen = [&](std::span<const glm::dvec3> some) {
+    return shows_all(session.camera, session.view, covered_view(session), some);
+  };
+  if (is_left_alone_ || (is_seen(places) && (!session.is_framed() || is_seen(session.mesh().positions())))) return;
   before_ = CameraBefore{session.camera, session.is_framed()};
   session.frame_all();
 }

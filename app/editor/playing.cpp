@@ -52,12 +52,6 @@ void look_as_before(Session& session, const Player& player) {
   if (player.was_framed) session.frame_all();
 }
 
-Text done_beneath(const Player& player) {
-  const Text name = player.name();
-  return {"Done on the open mesh; the view goes on with the step of '" + name.en + "'.",
-          "開いているメッシュで実行しました。ビューは「" + name.ja + "」の手順のままです。"};
-}
-
 Text end_of(const Player& player) {
   const Text name = player.name();
   return {"The steps of '" + name.en + "' are left.", "「" + name.ja + "」の再生を終えました。"};
@@ -222,6 +216,7 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
       player_(std::move(session.player)),
       camera_(session.camera),
       document_serial_(session.document().serial()),
+      was_shown_(player_ && player_->is_shown(session.document())),
       may_be_anew_(effect == Effect::steps),
       is_about_elements_(effect == Effect::none) {
   session.player.reset();
@@ -238,6 +233,7 @@ void PlayerAside::bring_back(Outcome& outcome) {
   Document& document = session_.document();
   if (player_->fits(document) && !document.is_on_trial()) {
     session_.player = player_;
+    if (!was_shown_) return;
     if (outcome.done() && is_about_elements_) return show_beneath(outcome);
     player_->go_to(document, player_->position());
   } else if (may_be_anew_) {
@@ -248,7 +244,7 @@ void PlayerAside::bring_back(Outcome& outcome) {
   }
 }
 
-// Until the next step, and from where it was looked at before, unless the command looks from elsewhere.
+// What was taken back or done again is seen, too. Until the next step, and from where it was looked at before, unless the command looks from elsewhere.
 void PlayerAside::show_beneath(Outcome& outcome) {
   if (session_.camera == camera_) look_as_before(session_, *player_);
   const Text name = player_->name();
@@ -268,8 +264,11 @@ void PlayerAside::make_anew(Outcome& outcome) {
   session_.player->was_framed = player_->was_framed;
   session_.player->is_running = player_->is_running;
   session_.camera = camera_;
-  session_.player->go_to(session_.document(), std::min(position, session_.player->size()));
-  if (session_.shows_step()) outcome.sentence = done_beneath(*session_.player);
+  player_ = session_.player;
+  player_->go_to(session_.document(), std::min(position, player_->size()));
+  if (!session_.shows_step()) return;
+  session_.document().end_trial();
+  if (was_shown_) show_beneath(outcome);
 }
 
 }  // namespace ryosen

@@ -99,9 +99,9 @@ void end_playing(Session& session);
 Outcome leave_playing(Session& session);
 
 // Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step,
-// unless the command has begun to play something else. What is about elements shows the mesh beneath until the next step;
-// only then is that edited (Session::run). Where it was made of another mesh than it is then it is made anew, or ends. The
-// outcome says so.
+// unless the command has begun to play something else. What is about elements or goes through the history shows the mesh
+// beneath until the next step; only then is that edited (Session::run). Where it was made of another mesh than it is then
+// it is made anew, or ends. The outcome says so.
 class PlayerAside {
  public:
   PlayerAside(Session& session, Effect effect);
@@ -116,7 +116,7 @@ class PlayerAside {
   std::shared_ptr<Player> player_;
   Camera camera_;
   std::uint64_t document_serial_;
-  bool may_be_anew_, is_about_elements_, is_back_ = false;
+  bool was_shown_, may_be_anew_, is_about_elements_, is_back_ = false;
 };
 
 // Whether the view shows a step or a level of detail in place of the mesh that is open.

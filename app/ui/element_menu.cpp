@@ -113,7 +113,7 @@ std::string title(PanelContext& context) {
 void open_at_pointer(PanelContext& context) {
   ImGui::OpenPopup("##element");
   const ImVec2 all = ImGui::GetIO().DisplaySize, at = ImGui::GetIO().MousePos;
-  const float wide = 28 * ImGui::GetFontSize(), border = ImGui::GetStyle().DisplaySafeAreaPadding.y, gap = 2;
+  const float wide = 22 * ImGui::GetFontSize(), border = ImGui::GetStyle().DisplaySafeAreaPadding.y, gap = 2;
   const bool goes_right = at.x + gap + wide <= all.x, goes_left = !goes_right && at.x - gap >= wide;
   if (goes_right || goes_left) {
     context.state.menu_room_px = all.y - 2 * border;
@@ -133,7 +133,8 @@ void draw_element_menu(PanelContext& context) {
   // Where that is too little it is scrolled.
   ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, context.state.menu_room_px});
   if (!ImGui::BeginPopup("##element")) return;
-  dim_text(context, title(context).c_str());
+  // In one line: wrapped, it would be as high as it is long in the frame that finds out how large the menu is.
+  ImGui::TextColored(context.colours().dim, "%s", title(context).c_str());
   ImGui::Separator();
   if (!context.session.selection.empty()) gesture_items(context);
   for (const OpGroupRow& group : op_groups)

@@ -53,6 +53,20 @@ TEST_F(ElementMenu, is_short) {
   EXPECT_EQ(session.document().history().back().command, "separate_edge selected");
 }
 
+// It was placed by the height that it had while its title was wrapped.
+TEST_F(ElementMenu, opens_at_the_pointer) {
+  for (const glm::dvec2 pixel : {glm::dvec2(270, 600), glm::dvec2(900, 660), place_of_edge(), glm::dvec2(270, 90)}) {
+    open_menu(pixel);
+    ASSERT_EQ(GImGui->OpenPopupStack.Size, 1);
+    const ImRect menu = GImGui->OpenPopupStack.back().Window->Rect();
+    EXPECT_LE(menu.Min.y, pixel.y + 2) << pixel.x << "," << pixel.y;
+    EXPECT_GE(menu.Max.y, pixel.y - 2) << pixel.x << "," << pixel.y;
+    EXPECT_NEAR(menu.Min.x, pixel.x + 2, 2) << pixel.x << "," << pixel.y;
+    gui.close_menus();
+    frames(3);
+  }
+}
+
 // All edges of a closed cube: there is no hole at any of them, and none of them is a vertex.
 TEST_F(ElementMenu, offers_nothing_that_cannot_be) {
   const glm::dvec2 pixel = place_of_edge();

@@ -70,9 +70,12 @@ TEST_F(LowMenus, of_help_show_the_names_of_all_exercises_and_figures) {
 }
 
 TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {
-  ASSERT_TRUE(session.run("mode face").done());
-  for (const glm::dvec2 pixel :
-       {glm::dvec2(320, 120), glm::dvec2(320, 300), glm::dvec2(480, 380), glm::dvec2(560, 90)}) {
+  const glm::dvec2 pixels[] = {{320, 120}, {320, 300}, {480, 380}, {560, 90}, {290, 240}, {350, 240}};
+  for (int i = 0; i < 36; ++i) {
+    const glm::dvec2 pixel = pixels[i % 6];
+    ASSERT_TRUE(session.run(i % 12 < 6 ? "language en" : "language ja").done());
+    ASSERT_TRUE(session.run(i < 12 ? "mode face" : i < 24 ? "mode edge" : "mode vertex").done());
+    if (i % 6 == 0) frames(3);
     input_.press(MouseButton::right, {pixel});
     input_.release(MouseButton::right, {pixel});
     frames(5);

@@ -288,12 +288,14 @@ TEST_F(StepsPanelTest, the_history_is_a_script_too) {
   ASSERT_TRUE(say("steps first").done());
   ASSERT_TRUE(say("undo").done());
   ASSERT_TRUE(session.player) << "undo takes the edit back and nothing else";
+  EXPECT_EQ(session.mesh().live().vertices, 8u) << "what it has taken back is seen";
+  ASSERT_TRUE(say("steps first").done());
   EXPECT_EQ(session.mesh().live().vertices, 7u) << "as it was read";
   ASSERT_TRUE(say("steps close").done());
   EXPECT_EQ(session.mesh().live().vertices, 8u);
 }
 
-// What is shown stays, whatever is taken back and done again beneath it, and what is not there to be taken back.
+// What is taken back and done again beneath what is played is seen, and the next step goes on where it was.
 TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
   ASSERT_TRUE(say("split 0-1").done());
   const std::size_t vertices = session.mesh().live().vertices;
@@ -306,10 +308,15 @@ TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
     EXPECT_EQ(session.document().position(), position) << chord;
     ASSERT_TRUE(session.player) << chord;
     EXPECT_EQ(session.player->position(), 12u);
-    EXPECT_TRUE(session.player->is_shown(session.document()));
-    EXPECT_EQ(session.mesh().hash(), shown);
-    EXPECT_EQ(session.camera, camera);
+    EXPECT_FALSE(session.shows_step()) << chord;
+    EXPECT_EQ(session.mesh().live().vertices, vertices - 1 + position) << chord;
+    EXPECT_NE(session.camera, camera) << "as the mesh was looked at before";
   }
+  ASSERT_TRUE(say("steps at 12").done());
+  EXPECT_EQ(session.mesh().hash(), shown);
+  EXPECT_LT(glm::distance(session.camera.eye, camera.eye), 1e-9);
+  EXPECT_FALSE(session.run("redo 7").done());
+  EXPECT_EQ(session.mesh().hash(), shown) << "what is refused leaves the step";
   ASSERT_TRUE(say("steps close").done());
   EXPECT_EQ(session.mesh().live().vertices, vertices - 1);
   EXPECT_TRUE(session.is_framed()) << "seen as before the exercise";

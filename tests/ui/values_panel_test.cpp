@@ -151,6 +151,21 @@ TEST(values_panel, leaves_what_would_come_to_be_seen_beside_it) {
   EXPECT_TRUE(session.is_framed()) << "as before";
 }
 
+// Also where nothing comes that was not in view: the panel covers a part of what is changed.
+TEST(values_panel, leaves_what_would_change_to_be_seen_beside_it) {
+  test::Laid laid("torus.off", {640, 480});
+  Session& session = laid.session;
+  const Camera before = session.camera;
+  ASSERT_TRUE(laid.gui.run(session, "values remesh").done());
+  laid.frames(6);
+  ASSERT_TRUE(session.document().is_on_trial());
+  EXPECT_TRUE(shows_all(session.camera, session.view, covered_view(session), session.mesh().positions()));
+  EXPECT_NE(session.camera, before);
+  ASSERT_TRUE(session.run("panel none").done());
+  laid.frames(6);
+  EXPECT_LT(glm::distance(session.camera.eye, before.eye), 1e-9);
+}
+
 TEST_F(ValuesPanel, looks_back_when_an_undo_ends_what_would_come) {
   ASSERT_TRUE(session.run("split 0-1").done());
   ASSERT_TRUE(session.run("wheel -1 640,400").done());

@@ -104,10 +104,10 @@ TEST(playing, the_mesh_beneath_is_not_edited) {
     do_all(*session, {std::string(shows) == "levels" ? "levels at 4" : "steps last"});
     ASSERT_TRUE(session->shows_step()) << shows;
     const std::uint64_t shown = session->mesh().hash();
-    for (const char* const line :
-         {"delete selected", "weld selected mid", "duplicate elements=selected",
-          "either extrude selected | extrude_edges selected", "delete f1", "cube", "repair", "gesture move",
-          "gesture extrude", "gesture duplicate", "key E", "key Shift+D", "key O", "ask extrude f0", "remedy"}) {
+    for (const char* const line : {"delete selected", "weld selected mid", "duplicate elements=selected",
+                                   "either extrude selected | extrude_edges selected", "delete f1", "cube", "repair",
+                                   "gesture move", "gesture extrude", "gesture duplicate", "key E", "key Shift+D",
+                                   "key O", "ask extrude f0", "remedy", "values mirror"}) {
       const Outcome outcome = session->run(line);
       EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
       EXPECT_NE(outcome.sentence.en.find("Esc or "), std::string::npos) << outcome.sentence.en;

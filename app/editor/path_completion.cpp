@@ -27,6 +27,7 @@ std::vector<FolderEntry> entries_of_folder(const fs::path& folder, const std::fu
 
 fs::path without_tilde(std::string_view path) {
   const char* const home = std::getenv("HOME");
+  if (home && path == "~") return home;
   return home && path.starts_with("~/") ? fs::path(home) / path.substr(2) : fs::path(path);
 }
 

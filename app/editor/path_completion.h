@@ -24,7 +24,7 @@ std::vector<FolderEntry> entries_of_folder(const std::filesystem::path& folder,
 std::string completed_path(std::string_view typed, const std::filesystem::path& base,
                            const std::function<bool(const std::filesystem::path&)>& lists = {});
 
-// ~/ in front of a path stands for the user's home.
+// ~ alone or ~/ in front of a path stands for the user's home.
 std::filesystem::path without_tilde(std::string_view path);
 
 }  // namespace ryosen

@@ -24,6 +24,7 @@ struct PendingLeave {
   std::filesystem::path opens;  // empty: an empty mesh
   std::string command{};        // where not empty, the one that does it, in place of the above
   std::string asks_again{};     // the id of the panel that opens again where that fails; empty for none
+  bool awaits_name = false;     // of the file to save to: it goes on once that is saved
   bool reads_again() const;     // what is in the file of the mesh
 };
 

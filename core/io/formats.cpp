@@ -161,6 +161,19 @@ Result<MeshFile> read_mesh_file(const std::filesystem::path& path, const Format*
   return file;
 }
 
+namespace {
+
+// ".obj, .off, ..."
+std::string endings_that_are_written() {
+  std::string endings;
+  for (const Format& format : formats())
+    if (format.write && !format.extensions.empty())
+      endings += (endings.empty() ? "" : ", ") + std::string(format.extensions.front());
+  return endings;
+}
+
+}  // namespace
+
 std::optional<Failure> refusal_of_target(const std::filesystem::path& path, const Format* format) {
   if (format && format->write) return std::nullopt;
   Message message;
@@ -171,8 +184,10 @@ std::optional<Failure> refusal_of_target(const std::filesystem::path& path, cons
             ". Choose another format.",
         format->name.ja + " 形式は読み込みだけで、書き出せません(" + path.string() + ")。別の形式を選んでください。"};
   } else {
-    message.text = {"The name " + path.string() + " does not say in which format to write.",
-                    "ファイル名 " + path.string() + " からは、書き出す形式が決まりません。"};
+    const std::string written = endings_that_are_written();
+    message.text = {
+        "The name " + path.string() + " does not say in which format to write: it may end in " + written + ".",
+        "ファイル名 " + path.string() + " からは、書き出す形式が決まりません（" + written + "）。"};
   }
   return Failure{ExitCode::usage, std::move(message)};
 }

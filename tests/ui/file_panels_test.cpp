@@ -81,6 +81,34 @@ TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
   expect_reason_in_panel();
 }
 
+// Behind the question before a loss an unnamed mesh gets its name, and what was asked for follows.
+TEST_F(FilePanels, what_was_to_follow_a_save_follows_once_the_mesh_has_a_name) {
+  const auto press = [&](int key) {
+    gui.key(key, true);
+    gui.key(key, false);
+    frames(4);
+  };
+  const std::string other = folder_.copy(test::asset("ball.off"), "ball.off");
+  for (const bool is_given_up : {true, false}) {
+    ASSERT_TRUE(session.run("new").done());
+    ASSERT_TRUE(session.run("cube").done());
+    ASSERT_TRUE(session.document().path().empty());
+    gui.leave(session, {false, other});
+    frames(4);
+    press(ImGuiKey_Enter);  // Save
+    ASSERT_EQ(session.open_panel, "save");
+    gui.text((folder_.path() / "named.obj").string());
+    frames(3);
+    if (is_given_up)
+      session.run("panel none");
+    else
+      press(ImGuiKey_Enter);
+    frames(6);
+    EXPECT_EQ(session.document().path() == other, !is_given_up);
+    EXPECT_EQ(folder_.has("named.obj"), !is_given_up);
+  }
+}
+
 TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_what_it_holds) {
   folder_.write("inner/torus.off", test::read_file(test::asset("torus.off")));
   show("open");

@@ -36,6 +36,7 @@ class FileBrowser : public Panel {
  public:
   explicit FileBrowser(const FileUse& use) : use_(use) {}
   void draw(PanelContext& context) override;
+  void closed(PanelContext& context) override;
   ImVec2 size() const override { return {640, 460}; }
 
  private:
@@ -203,7 +204,14 @@ void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
   const Outcome outcome = context.run(line);
   failed_ = outcome.done() ? fs::path() : chosen();
   why_failed_ = outcome.sentence;
-  if (outcome.done()) context.session.open_panel.clear();
+  if (!outcome.done()) return;
+  context.session.open_panel.clear();
+  if (use_.is_whole && context.state.pending && context.state.pending->awaits_name) context.go(*context.state.pending);
+}
+
+// What was to follow a save is given up with it.
+void FileBrowser::closed(PanelContext& context) {
+  if (use_.is_whole && context.state.pending && context.state.pending->awaits_name) context.state.pending.reset();
 }
 
 void FileBrowser::accept(PanelContext& context) {
@@ -214,7 +222,8 @@ void FileBrowser::accept(PanelContext& context) {
     name_.clear();
     return enter(path);
   }
-  if (use_.replaces && context.session.document().is_modified()) return context.leave({false, path});
+  if (use_.replaces && context.session.document().is_modified() && fs::exists(path, ignored))
+    return context.leave({false, path});
   if (use_.writes && path.extension().empty()) {  // as the file that is open
     const std::string usual = context.session.document().path().extension().string();
     name_ += usual.empty() ? ".obj" : usual;

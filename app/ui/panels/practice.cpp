@@ -177,9 +177,14 @@ void PracticePanel::take_click(const Session& session) {
 
 // In place of what there was to choose from, so that it is seen with what goes on from it.
 void PracticePanel::draw_judgement(PanelContext& context) {
-  const Text right = says(asked_->solution.answers.front()), no{"No, the right answer is: ", "違います。正解："};
+  Text right = says(asked_->solution.answers.front());
+  const Text no{"No, the right answer is: ", "違います。正解："};
   const Text& why = asked_->solution.why;
   const bool tells = why.en.starts_with(right.en);  // as a rule does, with its elements
+  if (const auto& element = asked_->solution.element) {  // as a click in the view is told, too
+    const std::string name = name_of(context.session.mesh(), *element);
+    if (name != right.en) right = right + Text{" (" + name + ")", "（" + name + "）"};
+  }
   const auto show = [&](const ImVec4& colour, const Text& text) {
     coloured_text(colour, text.in(context.language()).c_str());
   };
@@ -208,7 +213,9 @@ void PracticePanel::draw(PanelContext& context) {
       asked_ && (asked_->serial != session.document().serial() || asked_->revision != session.document().revision());
   if (is_stale) asked_.reset();
   context.state.wants_records |= asked_ && asked_->question.kind == QuestionKind::record;
+  const bool was_judged = judged_.has_value();
   if (!is_left_ && (asked_ || ask(context))) draw_question(context);
+  context.state.asks_to_be_seen = judged_ && !was_judged;
   if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
     ++seed_;
     go_on(session);

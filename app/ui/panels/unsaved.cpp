@@ -36,6 +36,7 @@ bool unsaved_button(PanelContext& context, const std::string& label) {
 void UnsavedPanel::save(PanelContext& context, const PendingLeave& where) {
   if (is_changed_) context.run("keep_mine");
   if (context.session.document().path().empty()) {
+    context.state.pending->awaits_name = true;
     context.open(PanelOpener::unnamed_save);
     return;
   }

@@ -64,6 +64,7 @@ LevelAside::LevelAside(Session& session, Effect effect, std::string_view line)
       was_shown_(levels_ && levels_->is_shown(session.document())),
       is_kept_(was_shown_ && line == levels_->line()),
       is_about_elements_(effect == Effect::none),
+      is_written_(effect == Effect::writes),
       document_serial_(session.document().serial()) {
   session.levels.reset();
   if (levels_) levels_->end(session.document());
@@ -81,6 +82,9 @@ void LevelAside::bring_back(Outcome& outcome) {
   if (levels->fits(document) && document.revision() == revision_) {
     session_.levels = levels;
     if (!was_shown_) return;
+    if (is_written_ && outcome.done())
+      outcome.say({"This is the open mesh, not the level that is shown: levels keep makes that the open one.",
+                   "保存したのは開いているメッシュで、表示中の段階ではありません（levels keep で段階を採用します）。"});
     if (!is_about_elements_ || !outcome.done()) return levels->go_to(document, levels->levels().level());
     outcome.say({"The view shows the open mesh; the slider of Levels of detail shows a level again.",
                  "ビューは開いているメッシュです。詳細度のスライダーで段階の表示に戻ります。"});

@@ -67,7 +67,7 @@ class LevelAside {
  private:
   Session& session_;
   std::shared_ptr<ShownLevels> levels_;
-  bool was_shown_, is_kept_, is_about_elements_;
+  bool was_shown_, is_kept_, is_about_elements_, is_written_;
   std::uint64_t document_serial_, revision_ = 0;
 };
 

@@ -116,8 +116,9 @@ std::string shown_name(const Session& session, bool with_beneath) {
   const Document& document = session.document();
   const std::string file = (document.is_modified() ? "* " : "") + session.document_name();
   const Player* const player = session.player.get();
-  if (!player || !player->edits() || !player->is_shown(document)) return file;
-  Text name = Text{"Playing: ", "再生中："} + player->name();
+  const bool plays = player && player->edits() && player->is_shown(document);
+  if (!plays && !shows_level(session)) return file;
+  Text name = plays ? Text{"Playing: ", "再生中："} + player->name() : Text{"Level of detail", "詳細度の一段階"};
   const bool has_file = document.is_modified() || !document.path().empty();
   if (has_file && with_beneath) name = name + Text{" (beneath: " + file + ")", "（下に " + file + "）"};
   return name.in(session.language);
@@ -218,7 +219,8 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
       document_serial_(session.document().serial()),
       was_shown_(player_ && player_->is_shown(session.document())),
       may_be_anew_(effect == Effect::steps),
-      is_about_elements_(effect == Effect::none) {
+      is_about_elements_(effect == Effect::none),
+      is_written_(effect == Effect::writes) {
   session.player.reset();
   if (player_) player_->end(session.document());
 }
@@ -236,6 +238,9 @@ void PlayerAside::bring_back(Outcome& outcome) {
     if (!was_shown_) return;
     if (outcome.done() && is_about_elements_) return show_beneath(outcome);
     player_->go_to(document, player_->position());
+    if (outcome.done() && is_written_ && session_.shows_step())
+      outcome.say({"This is the open mesh, not the step that is shown.",
+                   "保存したのは開いているメッシュで、表示中の手順ではありません。"});
   } else if (may_be_anew_) {
     make_anew(outcome);
   } else {

@@ -404,6 +404,9 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
     EXPECT_EQ(session.camera, camera) << line;
     EXPECT_TRUE(session.is_framed()) << line;
   }
+  const Outcome saved = say("save " + (folder.path() / "b.obj").string());
+  EXPECT_NE(saved.sentence.en.find("the open mesh, not the step that is shown"), std::string::npos)
+      << saved.sentence.en;
   const Outcome selected = say("select v0");
   EXPECT_NE(selected.sentence.en.find("The view shows the open mesh"), std::string::npos) << selected.sentence.en;
   EXPECT_EQ(session.mesh().live().vertices, 7u);

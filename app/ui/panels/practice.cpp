@@ -45,6 +45,7 @@ class PracticePanel : public Panel {
   std::optional<Asked> asked_;
   bool is_left_ = false;  // by Escape: nothing is asked until somebody goes on
   std::array<char, 64> word_{};
+  bool takes_keys_ = false;  // its field is to have the keyboard
   float top_ = 0;  // where the panel begins below its header
   WholeRows rows_;
   Text doubt_;  // about what was answered last
@@ -152,6 +153,7 @@ void PracticePanel::draw_choices(PanelContext& context) {
 void PracticePanel::draw_answer_field(PanelContext& context) {
   const float button = 5 * ImGui::GetFontSize();
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
+  if (std::exchange(takes_keys_, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText("##answer", word_.data(), word_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   tip(context.text("h3, 1-2, v4, a number, none, yes, or the rule that forbids it; or click the element in the view.",
                    "h3、1-2、v4、数、「なし」、「はい」、または禁じる規則。画面で要素をクリックしても答えられます。"));
@@ -161,6 +163,7 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
     if (doubt_.en.empty())
       doubt_ = why_no_answer(context.session.mesh(), asked_->question, asked_->solution, word_.data());
     if (doubt_.en.empty()) judge(context.session, word_.data());
+    takes_keys_ = !doubt_.en.empty();  // for another word
   }
   if (!doubt_.en.empty()) wrapped_text(doubt_.in(context.language()).c_str());
 }

@@ -31,6 +31,17 @@ glm::dvec3 turned(const glm::dvec3& p, const glm::dvec3& axis, const Turn& turn)
   return turn.cosine * p + turn.sine * glm::cross(axis, p) + (1 - turn.cosine) * glm::dot(axis, p) * axis;
 }
 
+// Scaled by 0: exactly at the centre, or at its height along an axis of coordinates.
+glm::dvec3 flattened(glm::dvec3 place, const glm::dvec3& about, const std::optional<glm::dvec3>& axis) {
+  if (!axis) return about;
+  for (int i = 0; i < 3; ++i) {
+    if (std::abs((*axis)[i]) != 1) continue;
+    place[i] = about[i];
+    return place;
+  }
+  return place - glm::dot(*axis, place - about) * *axis;
+}
+
 }  // namespace
 
 glm::dvec3 PointTransform::operator()(const glm::dvec3& place, double share) const {
@@ -42,6 +53,7 @@ glm::dvec3 PointTransform::operator()(const glm::dvec3& place, double share) con
       return about + turned(from_centre, axis.value_or(glm::dvec3(0, 0, 1)), turn_by(share * angle_deg));
     case Kind::scale: {
       const double grown = share * (factor - 1);
+      if (grown == -1) return flattened(place, about, axis);
       return place + grown * (axis ? glm::dot(*axis, from_centre) * *axis : from_centre);
     }
   }

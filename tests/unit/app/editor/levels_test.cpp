@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "app/editor/playing.h"
 #include "app/editor/session.h"
 #include "app/editor/words.h"
 #include "core/algo/edge_rules.h"
@@ -126,6 +127,11 @@ TEST_F(LevelsTest, stay_where_nothing_is_edited) {
     EXPECT_TRUE(is_at_level()) << line;
   }
   EXPECT_GT(Document::open(file).value()->mesh().live().faces, 20u) << "the mesh that is open is what is saved";
+  const Outcome saved = say("save " + file);
+  ASSERT_TRUE(saved.done());
+  EXPECT_NE(saved.sentence.en.find("the open mesh, not the level that is shown"), std::string::npos)
+      << saved.sentence.en;
+  EXPECT_EQ(shown_name(session_), "Level of detail (beneath: saved.ply)");
   EXPECT_FALSE(say("select f999999").done());
   EXPECT_TRUE(is_at_level()) << "a refusal";
   const Outcome selected = say("select all");

@@ -39,6 +39,24 @@ TEST(point_transform, turns_as_its_definition_says) {
   EXPECT_FALSE(direction_of({0, 0, 0}));
 }
 
+// A surface that is pressed flat lies in one plane, whatever rounding does elsewhere.
+TEST(point_transform, scales_by_nothing_exactly) {
+  for (int i = 0; i < 3; ++i)
+    for (const double sign : {1.0, -1.0}) {
+      glm::dvec3 axis(0);
+      axis[i] = sign;
+      const PointTransform flat{
+          .kind = PointTransform::Kind::scale, .factor = 0, .axis = axis, .about = {0.3, 0.123, 0.0077}};
+      for (const glm::dvec3 place : {glm::dvec3(0.1, 0.7, 1e-9), glm::dvec3(1e5, -3.3, 1.0 / 3)}) {
+        glm::dvec3 wanted = place;
+        wanted[i] = flat.about[i];
+        EXPECT_EQ(flat(place), wanted) << i;
+      }
+    }
+  const PointTransform point{.kind = PointTransform::Kind::scale, .factor = 0, .axis = {}, .about = {0.3, 0.1, 0.7}};
+  EXPECT_EQ(point({1.0 / 3, 2, 1e-7}), point.about);
+}
+
 TEST(point_transform, scales_along_an_axis_or_everywhere) {
   const PointTransform all{.kind = PointTransform::Kind::scale, .factor = 3, .axis = {}, .about = {1, 1, 1}};
   EXPECT_EQ(all({2, 1, 0}), glm::dvec3(4, 1, -2));

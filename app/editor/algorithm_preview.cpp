@@ -83,12 +83,15 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   bring_into_view(session, coming.in(session.mesh()));
 }
 
-// All of it where all was seen before: what is written covers a part of the view.
+// Where all of the mesh was seen before, all of it: its panel covers a part of the view.
 void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
-  const auto is_seen = [&](std::span<const glm::dvec3> some) {
-    return shows_all(session.camera, session.view, covered_view(session), some);
+  bool is_seen = true;
+  const auto look_for = [&](std::span<const glm::dvec3> some) {
+    is_seen = is_seen && shows_all(session.camera, session.view, covered_view(session), some);
   };
-  if (is_left_alone_ || (is_seen(places) && (!session.is_framed() || is_seen(session.mesh().positions())))) return;
+  look_for(places);
+  if (session.is_framed()) with_places_to_frame(session.mesh(), look_for);
+  if (is_left_alone_ || is_seen) return;
   before_ = CameraBefore{session.camera, session.is_framed()};
   session.frame_all();
 }

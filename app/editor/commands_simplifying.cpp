@@ -1,5 +1,6 @@
 // The levels of detail of a mesh, and the account of the last simplification.
 #include <charconv>
+#include <utility>
 
 #include "app/editor/command_functions.h"
 #include "app/editor/command_syntax.h"
@@ -46,12 +47,16 @@ Outcome begin_levels(Session& session, Words words) {
   session.end_trial();
   const ParameterValues values = as_of_simplify(*given.values);
   const ReadValues found = values.on(session.mesh());
-  if (!found.values) return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
+  const auto telling = [&](Outcome outcome) {
+    if (!left.en.empty()) outcome.say(left);
+    return outcome;
+  };
+  if (!found.values) return telling(failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence));
   Progress progress(session.on_progress);
   const std::vector<Vertex> on_lines = vertices_on_lines(session.document().file(), session.mesh().file_vertices());
   BuiltLevels built = build_levels(session.mesh(), {.values = *found.values, .on_lines = on_lines}, progress);
-  if (built.refused) return failed(ExitCode::refused, behind("levels", *built.refused));
-  if (!built.levels) return cancelled();
+  if (built.refused) return telling(failed(ExitCode::refused, behind("levels", *built.refused)));
+  if (!built.levels) return telling(cancelled());
   session.levels = std::make_shared<ShownLevels>(std::move(built.levels), values, session.document());
   session.levels->go_to(session.document(), 0);
   session.show(panel_opened_by(PanelOpener::levelled), true);
@@ -59,8 +64,7 @@ Outcome begin_levels(Session& session, Words words) {
   const std::string least = std::to_string(session.levels->faces(session.levels->levels().last()));
   outcome.sentence =
       told(*session.levels) + Text{" The last level has " + least + ".", "最も粗い段階は " + least + " 枚。"};
-  if (!left.en.empty()) outcome.say(left);
-  return outcome;
+  return telling(std::move(outcome));
 }
 
 Outcome go_to_level(Session& session, std::size_t faces) {

@@ -249,7 +249,8 @@ void PlayerAside::bring_back(Outcome& outcome) {
   }
 }
 
-// What was taken back or done again is seen, too. Until the next step, and from where it was looked at before, unless the command looks from elsewhere.
+// Until the next step, and from where it was looked at before, unless the command looks from elsewhere. So what was taken
+// back or done again is seen.
 void PlayerAside::show_beneath(Outcome& outcome) {
   if (session_.camera == camera_) look_as_before(session_, *player_);
   const Text name = player_->name();

@@ -33,8 +33,8 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
 
 // What the words call, told: "A cube", "edge collapse 0-1".
 Text name_of_played(std::span<const std::string> words);
-// What the view shows, with a star where there are edits that are not saved: a file, or what is played in its place, and
-// beneath that the file, where that is to be told: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
+// What the view shows, with a star where there are edits that are not saved: a file, or what is played or a level of detail
+// in its place, and beneath that the file, where that is to be told: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
 std::string shown_name(const Session& session, bool with_beneath = true);
 
 // Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that

@@ -12,5 +12,5 @@ float pattern_share(int pattern, vec2 p) {
   return 1.0;
 }
 
-// How much of its light it has there: none at the edge of a bar.
+// How much of its light it has there, where it lies over the surface: none at the edge of a bar.
 float pattern_light(int pattern, vec2 p) { return pattern == bars ? step(fract(p.x / 8.0), 0.3) : 1.0; }

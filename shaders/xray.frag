@@ -19,8 +19,7 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   float line = max(wire_cover(), dot_cover()) * nearness;
-  vec2 at = picture_pixel() / pixel_scale;
-  float tinted = tint.a * pattern_share(pattern, at) * pattern_light(pattern, at);
+  float tinted = tint.a * pattern_share(pattern, picture_pixel() / pixel_scale);
   vec3 of_tint = takes_light > 0.5 ? 1.0 - tint.rgb : tint.rgb;
   vec3 of_film = film_colour;
 #ifdef PAINTED

@@ -45,6 +45,8 @@ struct PanelRow {
   std::string_view short_en = "", short_ja = "";  // for a tab, where the title is long
 
   bool shown_at_first() const { return at_first != PanelAtFirst::hidden; }
+  // Shown again the next time: not what would ask of the next mesh at once, out of sight perhaps.
+  bool is_shown_again() const { return opened_by != PanelOpener::practised; }
 };
 
 // The lines of panels.def in their order, behind them what was added. Valid until another is added or taken away.

@@ -234,6 +234,9 @@ TEST_F(LayoutTest, a_panel_that_is_asked_for_is_scrolled_to) {
 
 TEST_F(LayoutTest, its_commands_bring_it_back) {
   EXPECT_TRUE(session.layout.commands().empty());
+  run("panel practice on");
+  EXPECT_TRUE(session.layout.commands().empty()) << "no question is asked of the next mesh unasked";
+  run("panel practice off");
   const std::vector<std::string> lines{"panel tools right", "panel totals off", "panel history fold",
                                        "columns left 300", "columns right 250"};
   for (const std::string& line : lines) run(line);

@@ -33,8 +33,8 @@ class FramePace {
   // A frame, thinned so, drew so many triangles in this time. Few triangles tell nothing.
   void took(std::uint32_t thinning, std::size_t triangles, Clock::duration time);
 
-  // A frame that refines the picture is meant to take so long; twice as much is not too much.
-  static constexpr std::chrono::milliseconds refining_frame{4};
+  // A frame that refines the picture is meant to take so long; a bit more than twice as much is not too much.
+  static constexpr std::chrono::microseconds refining_frame{3500};
   // How much effort it has time for, as the view counts it.
   double effort_of_refining() const;
   // One of so much effort took this time. What is slower than known counts at once.

@@ -30,13 +30,13 @@ TEST(frame_pace, slices_by_what_slices_took) {
 
 TEST(frame_pace, refines_by_what_refining_took) {
   FramePace pace;
-  EXPECT_NEAR(pace.effort_of_refining(), 2e6, 1);
-  pace.took_refining(2e6, 12ms);  // three times as slow as known: less at once
-  EXPECT_NEAR(pace.effort_of_refining(), 1e6, 1);
-  for (int i = 0; i < 100; ++i) pace.took_refining(1e6, 500us);
-  EXPECT_NEAR(pace.effort_of_refining(), 8e6, 1e4);
+  EXPECT_NEAR(pace.effort_of_refining(), 1.75e6, 1);
+  pace.took_refining(1.75e6, 10500us);  // three times as slow as known: less at once
+  EXPECT_NEAR(pace.effort_of_refining(), 0.875e6, 1);
+  for (int i = 0; i < 100; ++i) pace.took_refining(0.875e6, 437500ns);
+  EXPECT_NEAR(pace.effort_of_refining(), 7e6, 1e4);
   pace.took_refining(0, 1s);  // was none
-  EXPECT_NEAR(pace.effort_of_refining(), 8e6, 1e4);
+  EXPECT_NEAR(pace.effort_of_refining(), 7e6, 1e4);
 }
 
 // What a part waits for is no cost of what is in it.
@@ -46,7 +46,7 @@ TEST(frame_pace, refines_in_no_ever_smaller_parts_where_each_waits_for_a_process
     const double effort = pace.effort_of_refining();
     pace.took_refining(effort, 10ms + std::chrono::nanoseconds(static_cast<std::int64_t>(2 * effort)));
   }
-  EXPECT_GE(pace.effort_of_refining(), 5e5);
+  EXPECT_GE(pace.effort_of_refining(), 4.375e5);
 }
 
 TEST(frame_pace, the_camera_rests_when_it_has_stood_still) {

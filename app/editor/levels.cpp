@@ -58,14 +58,11 @@ void end_levels(Session& session) {
   session.levels.reset();
 }
 
-LevelAside::LevelAside(Session& session, Effect effect, std::string_view line)
+LevelAside::LevelAside(Session& session, Effect effect)
     : session_(session),
       levels_(std::move(session.levels)),
       was_shown_(levels_ && levels_->is_shown(session.document())),
-      is_kept_(was_shown_ && line == levels_->line()),
-      is_about_elements_(effect == Effect::none),
-      is_written_(effect == Effect::writes),
-      document_serial_(session.document().serial()) {
+      effect_(effect) {
   session.levels.reset();
   if (levels_) levels_->end(session.document());
   revision_ = session.document().revision();
@@ -79,19 +76,15 @@ void LevelAside::bring_back(Outcome& outcome) {
   const std::shared_ptr<ShownLevels> levels = std::exchange(levels_, nullptr);
   if (!levels || session_.levels) return;
   Document& document = session_.document();
-  if (levels->fits(document) && document.revision() == revision_) {
-    session_.levels = levels;
-    if (!was_shown_) return;
-    if (is_written_ && outcome.done())
-      outcome.say({"This is the open mesh, not the level that is shown: levels keep makes that the open one.",
-                   "保存したのは開いているメッシュで、表示中の段階ではありません（levels keep で段階を採用します）。"});
-    if (!is_about_elements_ || !outcome.done()) return levels->go_to(document, levels->levels().level());
-    outcome.say({"The view shows the open mesh; the slider of Levels of detail shows a level again.",
-                 "ビューは開いているメッシュです。詳細度のスライダーで段階の表示に戻ります。"});
-  } else if (was_shown_ && !is_kept_ && document.serial() == document_serial_) {
-    outcome.say({"This was done on the mesh as it was before its levels of detail.",
-                 "詳細度の表示を終え、元のメッシュに対して実行しました。"});
-  }
+  if (!levels->fits(document) || document.revision() != revision_) return;
+  session_.levels = levels;
+  if (!was_shown_) return;
+  if (effect_ == Effect::writes && outcome.done())
+    outcome.say({"This is the open mesh, not the level that is shown: levels keep makes that the open one.",
+                 "保存したのは開いているメッシュで、表示中の段階ではありません（levels keep で段階を採用します）。"});
+  if (effect_ != Effect::none || !outcome.done()) return levels->go_to(document, levels->levels().level());
+  outcome.say({"The view shows the open mesh; the slider of Levels of detail shows a level again.",
+               "ビューは開いているメッシュです。詳細度のスライダーで段階の表示に戻ります。"});
 }
 
 bool shows_level(const Session& session) { return session.levels && session.levels->is_shown(session.document()); }

@@ -60,15 +60,16 @@ enum class Effect;
 // edited (Session::run). The outcome says so.
 class LevelAside {
  public:
-  LevelAside(Session& session, Effect effect, std::string_view line);
+  LevelAside(Session& session, Effect effect);
   ~LevelAside();  // without an outcome, the levels are kept
   void bring_back(Outcome& outcome);
 
  private:
   Session& session_;
   std::shared_ptr<ShownLevels> levels_;
-  bool was_shown_, is_kept_, is_about_elements_, is_written_;
-  std::uint64_t document_serial_, revision_ = 0;
+  bool was_shown_;
+  Effect effect_;
+  std::uint64_t revision_ = 0;
 };
 
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last

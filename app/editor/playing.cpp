@@ -218,9 +218,7 @@ PlayerAside::PlayerAside(Session& session, Effect effect)
       camera_(session.camera),
       document_serial_(session.document().serial()),
       was_shown_(player_ && player_->is_shown(session.document())),
-      may_be_anew_(effect == Effect::steps),
-      is_about_elements_(effect == Effect::none),
-      is_written_(effect == Effect::writes) {
+      effect_(effect) {
   session.player.reset();
   if (player_) player_->end(session.document());
 }
@@ -236,12 +234,12 @@ void PlayerAside::bring_back(Outcome& outcome) {
   if (player_->fits(document) && !document.is_on_trial()) {
     session_.player = player_;
     if (!was_shown_) return;
-    if (outcome.done() && is_about_elements_) return show_beneath(outcome);
+    if (outcome.done() && effect_ == Effect::none) return show_beneath(outcome);
     player_->go_to(document, player_->position());
-    if (outcome.done() && is_written_ && session_.shows_step())
+    if (outcome.done() && effect_ == Effect::writes && session_.shows_step())
       outcome.say({"This is the open mesh, not the step that is shown.",
                    "保存したのは開いているメッシュで、表示中の手順ではありません。"});
-  } else if (may_be_anew_) {
+  } else if (effect_ == Effect::steps) {
     make_anew(outcome);
   } else {
     if (document.serial() == document_serial_) look_as_before(session_, *player_);

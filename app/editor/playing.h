@@ -116,7 +116,8 @@ class PlayerAside {
   std::shared_ptr<Player> player_;
   Camera camera_;
   std::uint64_t document_serial_;
-  bool was_shown_, may_be_anew_, is_about_elements_, is_written_, is_back_ = false;
+  bool was_shown_, is_back_ = false;
+  Effect effect_;
 };
 
 // Whether the view shows a step or a level of detail in place of the mesh that is open.

@@ -43,17 +43,13 @@ Outcome Session::run_line(const std::string& line) {
   if (edits && shows_another_mesh(*this)) return not_on_a_step(*this);
   std::optional<PlayerAside> played;
   std::optional<LevelAside> level;
-  if (row->effect != Effect::none) {
-    cancel_gesture();
+  const bool needs_elements = row->effect == Effect::none && !row->keeps_trial;
+  if (row->effect != Effect::none) cancel_gesture();
+  if (row->effect != Effect::none || (needs_elements && document_->is_on_trial())) {
     played.emplace(*this, row->effect);
-    level.emplace(*this, row->effect, without_blanks(line));
-  } else if (!row->keeps_trial) {
-    if (document_->is_on_trial()) {
-      played.emplace(*this, row->effect);
-      level.emplace(*this, row->effect, without_blanks(line));
-    }
-    end_trial();
+    level.emplace(*this, row->effect);
   }
+  if (needs_elements) end_trial();
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position();
   [[maybe_unused]] const std::size_t entries = document_->history().size();

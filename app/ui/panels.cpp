@@ -170,11 +170,10 @@ void PanelContext::leave(PendingLeave where) {
     open(PanelOpener::loss);
     return;
   }
-  go(where);
+  go(std::move(where));
 }
 
-void PanelContext::go(const PendingLeave& whereto) {
-  const PendingLeave where = whereto;  // it may be what waits itself
+void PanelContext::go(PendingLeave where) {
   state.pending.reset();
   state.unsettle();
   session.open_panel.clear();

@@ -103,7 +103,7 @@ struct PanelContext {
   // Opens a file or ends the program, after a question where changes would be lost.
   void leave(PendingLeave where);
   // Without a question.
-  void go(const PendingLeave& where);
+  void go(PendingLeave where);
 };
 
 // What it keeps between frames are its members.

@@ -52,6 +52,10 @@ class FileBrowser : public Panel {
   void draw_losses(PanelContext& context) const;
   void accept(PanelContext& context);
   void carry_out(PanelContext& context, const std::string& line);
+  // Something is to follow once the mesh has been saved here.
+  bool is_awaited(const PanelContext& context) const {
+    return use_.is_whole && context.state.pending && context.state.pending->awaits_name;
+  }
 
   FileUse use_;
   fs::path folder_;
@@ -206,12 +210,12 @@ void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
   why_failed_ = outcome.sentence;
   if (!outcome.done()) return;
   context.session.open_panel.clear();
-  if (use_.is_whole && context.state.pending && context.state.pending->awaits_name) context.go(*context.state.pending);
+  if (is_awaited(context)) context.go(*context.state.pending);
 }
 
 // What was to follow a save is given up with it.
 void FileBrowser::closed(PanelContext& context) {
-  if (use_.is_whole && context.state.pending && context.state.pending->awaits_name) context.state.pending.reset();
+  if (is_awaited(context)) context.state.pending.reset();
 }
 
 void FileBrowser::accept(PanelContext& context) {

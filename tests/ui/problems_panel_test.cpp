@@ -122,13 +122,13 @@ TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
 
 // Where every row of the panel stands.
 TEST_F(ProblemsPanel, no_row_moves_while_the_pointer_stays_after_a_repair) {
-  open("hanging_pair.obj");  // four kinds that one repair takes away; a boundary loop comes
-  unfold("1hangingpair");
-  const glm::dvec2 button = place("Removeduplicatefaces"), last = place("1hangingpair");
+  open("../tests/data/doubled_triangle.obj");  // four kinds that one repair takes away; a boundary loop comes
+  unfold("1duplicateface");
+  const glm::dvec2 button = place("Removeduplicatefaces"), last = place("1duplicateface");
   click(button);
   ASSERT_EQ(session.document().position(), 1u);
-  EXPECT_TRUE(is_drawn("0hangingpairs:mended"));
-  EXPECT_EQ(place("0hangingpairs:mended").y, last.y);
+  EXPECT_TRUE(is_drawn("0duplicatefaces:mended"));
+  EXPECT_EQ(place("0duplicatefaces:mended").y, last.y);
   EXPECT_EQ(place("Removeduplicatefaces"), button) << "under the pointer";
   for (int again = 0; again < 3; ++again) click(button);
   EXPECT_EQ(session.document().position(), 1u) << "nothing else is done there";

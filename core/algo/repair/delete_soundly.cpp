@@ -75,7 +75,7 @@ bool has_only_a_pair_left(Neighbourhood& around, Halfedge h, const std::vector<F
 
 }  // namespace
 
-std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
+std::size_t delete_soundly(Edit& edit, std::vector<Face> faces, bool may_leave_pairs) {
   const Mesh& m = edit.mesh();
   Neighbourhood before(m);
   sort_unique(faces);
@@ -88,6 +88,7 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces) {
     return place->second;
   };
   std::erase_if(faces, [&](Face f) {
+    if (may_leave_pairs) return false;
     const auto around = halfedges_around(m, f);
     const bool stays = std::any_of(around.begin(), around.end(), must_hold_a_pair_apart);
     if (stays)

@@ -1,8 +1,13 @@
 #include "core/algo/repair/detach_nonmanifold.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
-#include "core/analysis/disjoint_sets.h"
+#include "core/algo/repair/fan_groups.h"
+#include "core/algo/repair/pair_faces.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
@@ -28,20 +33,17 @@ using Groups = std::vector<std::vector<Vertex>>;  // of copies that stay togethe
 // One turn of taking points apart.
 class Detaching {
  public:
-  explicit Detaching(Edit& edit) : edit_(edit), m_(edit.mesh()) {}
+  explicit Detaching(Edit& edit) : edit_(edit), m_(edit.mesh()), fans_(m_) {}
 
   // Returns the number of new points.
-  std::size_t take_apart(const std::vector<Vertex>& gently, std::vector<Vertex> wholly) {
+  std::size_t take_apart(std::vector<Vertex> gently, const std::vector<Vertex>& wholly) {
+    find_points(std::move(gently), wholly);
+    find_fans(wholly);
     Sheets sheets(edit_);
-    for (const std::vector<Vertex>& points : {gently, wholly})
-      for (Vertex p : points) separate_fans_at(sheets, p);
-    Groups groups = groups_at(gently, wholly);
-    // Two equal triangles that a third face held apart would hang on each other: they are parted at their third corner.
-    for (wholly = points_of_pairs(); !wholly.empty(); wholly = points_of_pairs()) {
-      for (Vertex p : wholly) separate_fans_at(sheets, p);
-      const Groups more = groups_at({}, wholly);
-      groups.insert(groups.end(), more.begin(), more.end());
-    }
+    open_where_unpaired(sheets);
+    for (const Vertex p : points_) separate_fans_at(sheets, p);
+    const Groups groups = groups_of_copies();
+    for (const std::vector<Vertex>& group : groups) link_copies(edit_, group);
     std::vector<Vertex> parts, unsettled;
     for (const std::vector<Vertex>& group : groups) {
       if (has_copies(m_, group[0])) parts.push_back(group[0]);
@@ -49,77 +51,113 @@ class Detaching {
     }
     sheets.settle(unsettled);
     find_what_is_next(parts);
-    return made_;
+    return groups.size() - points_.size();
   }
 
   // What the last turn asks for.
   std::vector<Vertex> next_gently, next_wholly;
 
  private:
+  // Those, and all that edges of three or more faces connect with them.
+  void find_points(std::vector<Vertex> gently, const std::vector<Vertex>& wholly) {
+    Neighbourhood around(m_);
+    points_ = std::move(gently);
+    points_.insert(points_.end(), wholly.begin(), wholly.end());
+    sort_unique(points_);
+    std::unordered_set<Vertex> known(points_.begin(), points_.end());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      for (const StarEdge& e : around.star(points_[i]).edges)
+        if (e.faces.is_nonmanifold() && known.insert(e.neighbour).second) points_.push_back(e.neighbour);
+    std::sort(points_.begin(), points_.end());
+  }
+
+  void find_fans(const std::vector<Vertex>& wholly) {
+    Neighbourhood around(m_);
+    std::vector<std::vector<Halfedge>> edges;
+    std::vector<std::pair<Halfedge, Halfedge>> alike;  // corners at misoriented edges that stay
+    for (const Vertex p : points_) {
+      const Star star = around.star(p);
+      corners_.insert(corners_.end(), star.corners.begin(), star.corners.end());
+      for (const StarEdge& e : star.edges) {
+        const auto corner = [&](std::uint32_t i) { return star.corners[star.sides[e.first_side + i] / 2]; };
+        if (e.faces.is_misoriented()) {
+          if (std::binary_search(wholly.begin(), wholly.end(), p))
+            cut_ends_.push_back(e.neighbour);
+          else
+            alike.emplace_back(corner(0), corner(1));
+        }
+        if (!e.faces.is_nonmanifold() || e.neighbour < p) continue;
+        edges.emplace_back();
+        for (std::uint32_t i = 0; i < e.faces.faces(); ++i) edges.back().push_back(side(star, e.first_side + i));
+      }
+    }
+    add_sides(around, !edges.empty());
+    for (const Halfedge corner : corners_) fans_.add_corner(corner);
+    fans_.find_fans(edges);
+    for (const auto& [one, other] : alike) fans_.join(one, other);
+    for (const std::vector<Halfedge>& sides : edges)
+      were_nonmanifold_.insert(were_nonmanifold_.end(), sides.begin(), sides.end());
+  }
+
+  // All faces need be paired only where edges have three or more.
+  void add_sides(Neighbourhood& around, bool with_angles) {
+    const FacePairing pairing = with_angles ? pair_faces(m_) : FacePairing();
+    for (const Halfedge corner : corners_)
+      for (const Halfedge h : {corner, m_.prev(corner)}) {
+        Halfedge other = with_angles ? pairing.across[h.index] : around.across(h);
+        if (!with_angles && other && around.run_alike(h, other)) other = Halfedge();
+        fans_.add_side(h, other);
+      }
+  }
+
+  // Edges whose two faces are not paired. Opening one gives the side of its second face another halfedge.
+  void open_where_unpaired(Sheets& sheets) {
+    std::unordered_map<Halfedge, Halfedge> renamed;
+    const auto now = [&](Halfedge h) {
+      const auto found = renamed.find(h);
+      return found == renamed.end() ? h : found->second;
+    };
+    for (const Halfedge corner : corners_)
+      for (const Halfedge h : {now(corner), m_.prev(now(corner))}) {
+        const Halfedge beyond = twin(h);
+        if (m_.is_outside(beyond) || fans_.across(h) == beyond) continue;
+        renamed[beyond] = sheets.open(h);
+        fans_.rename(beyond, renamed[beyond]);
+      }
+    for (Halfedge& h : were_nonmanifold_) h = now(h);
+  }
+
   void separate_fans_at(Sheets& sheets, Vertex p) const {
     std::vector<Vertex> copies;
     for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
     for (Vertex copy : copies) sheets.separate(copy);
   }
 
-  // Takes the points apart. All groups are found before any is split: edges are judged on the original points.
-  Groups groups_at(const std::vector<Vertex>& gently, const std::vector<Vertex>& wholly) {
-    Neighbourhood around(m_);
+  // The copies of each point by their groups; copies without a face stay alone.
+  Groups groups_of_copies() {
     Groups groups;
-    for (Vertex p : gently) add_groups(around, p, true, groups);
-    for (Vertex p : wholly) add_groups(around, p, false, groups);
-    for (const std::vector<Vertex>& group : groups) link_copies(edit_, group);
-    made_ += groups.size() - gently.size() - wholly.size();
+    for (const Vertex p : points_) {
+      std::vector<Vertex> copies;
+      for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
+      std::sort(copies.begin(), copies.end());
+      std::map<std::uint32_t, std::size_t> place;  // of the group
+      for (const Vertex copy : copies) {
+        const std::optional<std::uint32_t> group = group_of(copy);
+        const bool is_new = !group || place.try_emplace(*group, groups.size()).second;
+        if (is_new)
+          groups.push_back({copy});
+        else
+          groups[place.at(*group)].push_back(copy);
+      }
+    }
     return groups;
   }
 
-  // Points with copies at edges that were non-manifold and now have two triangles on the same points.
-  std::vector<Vertex> points_of_pairs() {
-    Neighbourhood around(m_);
-    std::vector<Vertex> found, points, others;
-    std::vector<Face> faces;
-    for (Halfedge h : were_nonmanifold_) {
-      if (around.edge(h).faces() != 2) continue;
-      around.faces_at(h, faces);
-      if (corner_count(m_, faces[0]) != 3) continue;
-      points_of_face(around, faces[0], points);
-      points_of_face(around, faces[1], others);
-      std::sort(points.begin(), points.end());
-      std::sort(others.begin(), others.end());
-      if (points != others) continue;
-      for (Vertex p : points)
-        if (has_copies(m_, p)) found.push_back(p);
-    }
-    sort_unique(found);
-    return found;
-  }
-
-  void add_groups(Neighbourhood& around, Vertex p, bool keeps_misoriented, Groups& groups) {
-    std::vector<Vertex> copies;
-    for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
-    std::sort(copies.begin(), copies.end());
-    DisjointSets sets(copies.size());
-    const Star star = around.star(p);
-    for (const StarEdge& e : star.edges) {
-      const auto corner = [&](std::uint32_t i) { return star.corners[star.sides[e.first_side + i] / 2]; };
-      if (e.faces.is_misoriented()) {
-        if (keeps_misoriented)
-          sets.join(place_in(copies, m_.from(corner(0))), place_in(copies, m_.from(corner(1))));
-        else
-          cut_ends_.push_back(e.neighbour);
-      }
-      if (e.faces.is_nonmanifold())
-        for (std::uint32_t i = 0; i < e.faces.faces(); ++i) were_nonmanifold_.push_back(side(star, e.first_side + i));
-    }
-    std::vector<std::uint32_t> group_of(copies.size(), no_index);
-    for (std::uint32_t i = 0; i < copies.size(); ++i) {
-      std::uint32_t& group = group_of[sets.root(i)];
-      if (group == no_index) {
-        group = static_cast<std::uint32_t>(groups.size());
-        groups.emplace_back();
-      }
-      groups[group].push_back(copies[i]);
-    }
+  std::optional<std::uint32_t> group_of(Vertex copy) {
+    if (!m_.is_isolated(copy))
+      for (const Halfedge h : outgoing(m_, copy))
+        if (!m_.is_outside(h)) return fans_.group(h);
+    return std::nullopt;
   }
 
   bool has_neighbour_with_copies(Vertex v) const {
@@ -127,9 +165,6 @@ class Detaching {
     for (Vertex end : neighbours(m_, v))
       if (has_copies(m_, end)) return true;
     return false;
-  }
-  static std::uint32_t place_in(const std::vector<Vertex>& copies, Vertex v) {
-    return static_cast<std::uint32_t>(std::lower_bound(copies.begin(), copies.end(), v) - copies.begin());
   }
   Halfedge side(const Star& star, std::uint32_t i) const {
     const Halfedge corner = star.corners[star.sides[i] / 2];
@@ -152,7 +187,9 @@ class Detaching {
 
   Edit& edit_;
   const Mesh& m_;
-  std::size_t made_ = 0;
+  FanGroups fans_;
+  std::vector<Vertex> points_;
+  std::vector<Halfedge> corners_;           // of faces at the points
   std::vector<Halfedge> were_nonmanifold_;  // sides of such edges
   std::vector<Vertex> cut_ends_;            // the other ends of misoriented edges that were cut
 };
@@ -182,7 +219,7 @@ std::size_t detach_points(Edit& edit, std::vector<Vertex> gently, std::vector<Ve
     keep_nonmanifold(m, gently, wholly);
     if (gently.empty() && wholly.empty()) return made;
     Detaching turn(edit);
-    made += turn.take_apart(gently, std::move(wholly));
+    made += turn.take_apart(gently, wholly);
     gently = std::move(turn.next_gently);
     wholly = std::move(turn.next_wholly);
   }

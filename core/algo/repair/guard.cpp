@@ -29,7 +29,8 @@ FindingCounts count_findings(const Mesh& mesh, std::span<const Vertex> on_lines)
 }
 
 bool must_not_grow(const ProblemRow& row) {
-  return row.severity == ProblemSeverity::problem && row.is_local() && !row.is_of_the_vertex;
+  return row.severity == ProblemSeverity::problem && row.is_local() && !row.is_of_the_vertex &&
+         row.kind != ProblemKind::hanging_pair;
 }
 
 AlgorithmResult run_guarded(Edit& edit, const AlgorithmRow& row, const AlgorithmInput& input, Progress& progress,

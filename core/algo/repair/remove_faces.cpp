@@ -1,116 +1,54 @@
 #include "core/algo/repair/remove_faces.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/algo/repair/delete_soundly.h"
-#include "core/analysis/equal_faces.h"
+#include "core/algo/repair/detach_nonmanifold.h"
+#include "core/algo/repair/equal_loops.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
 #include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 
 namespace {
 
-using PointList = std::vector<std::uint32_t>;
-
-// Canonical form, independent of start and direction: the lexicographically smallest list, which begins with the smallest
-// point. Only at bridges does a loop come to a point again.
-PointList normal_form(PointList loop) {
-  PointList best;
-  const std::uint32_t smallest = *std::min_element(loop.begin(), loop.end());
-  for (int way = 0; way < 2; ++way) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (loop[i] != smallest) continue;
-      PointList turned(loop.begin() + static_cast<std::ptrdiff_t>(i), loop.end());
-      turned.insert(turned.end(), loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(i));
-      if (best.empty() || turned < best) best = std::move(turned);
-    }
-    std::reverse(loop.begin(), loop.end());
-  }
-  return best;
-}
-
-// The canonical loops of a face, concatenated with a separator.
-PointList shape_of(const Mesh& m, Face f) {
-  std::vector<PointList> loops;
-  for_each_loop(m, f, [&](Halfedge start) {
-    PointList loop_points;
-    for (Halfedge h : loop(m, start)) loop_points.push_back(point(m, m.from(h)).index);
-    loops.push_back(normal_form(std::move(loop_points)));
-  });
-  std::sort(loops.begin(), loops.end());
-  PointList shape;
-  for (const PointList& one : loops) {
-    shape.insert(shape.end(), one.begin(), one.end());
-    shape.push_back(no_index);
-  }
-  return shape;
-}
-
-struct FaceOnPoints {
-  PointList points;  // ascending
-  Face face;
-};
-
-// Faces that share their set of points with another.
-std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std::uint32_t>& duplicates) {
-  std::vector<FaceOnPoints> found;
-  std::vector<Vertex> at;
-  const auto points_of = [&](Face f) {
-    PointList points;
-    for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v).index);
-    std::sort(points.begin(), points.end());
-    return points;
-  };
-  std::vector<Face> faces;
-  for (std::uint32_t i : duplicates)
-    for (Vertex v : vertices_around(m, Face(i))) at.push_back(point(m, v));
-  sort_unique(at);
-  for (Vertex p : at)
-    for_each_copy(m, p, [&](Vertex copy) {
-      for (Face f : faces_around(m, copy))
-        if (f) faces.push_back(f);
-    });
-  sort_unique(faces);
-  for (Face f : faces) found.push_back({points_of(f), f});
-  std::sort(found.begin(), found.end(), [](const FaceOnPoints& a, const FaceOnPoints& b) {
-    return a.points != b.points ? a.points < b.points : a.face < b.face;
-  });
-  return found;
+// Where closed parts would be torn once the faces are gone they are taken apart first.
+std::size_t remove_redundant(Edit& edit, const EqualLoops& equal) {
+  if (equal.redundant.empty()) return 0;
+  const Mesh& m = edit.mesh();
+  Mesh trial = m;
+  Edit on_trial(trial, nullptr);
+  delete_soundly(on_trial, equal.highest, true);
+  if (keeps_closed(equal, pair_faces(trial))) return delete_soundly(edit, equal.highest, true);
+  std::vector<Vertex> points;
+  for (const Face f : equal.redundant)
+    for (const Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
+  sort_unique(points);
+  detach_points(edit, std::move(points));
+  return delete_soundly(edit, equal.redundant, true);
 }
 
 }  // namespace
 
 AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progress&) {
   const Mesh& m = edit.mesh();
-  Neighbourhood around(m, Neighbourhood::Reach::whole);
-  const std::vector<FaceOnPoints> faces = faces_with_equals(m, find_duplicate_faces(around));
-  std::vector<Face> doomed;
-  std::vector<Element> of_other_loops;
   AlgorithmResult result;
-  for (std::size_t first = 0, last = 0; first < faces.size(); first = last) {
-    std::vector<PointList> kept;
-    for (last = first; last < faces.size() && faces[last].points == faces[first].points; ++last) {
-      if (last == first && (last + 1 == faces.size() || faces[last + 1].points != faces[first].points)) continue;
-      PointList shape = shape_of(m, faces[last].face);
-      if (std::find(kept.begin(), kept.end(), shape) != kept.end())
-        doomed.push_back(faces[last].face);
-      else if (kept.push_back(std::move(shape)); kept.size() > 1)
-        of_other_loops.emplace_back(faces[last].face);
-    }
+  EqualLoops equal = find_equal_loops(m);
+  while (!equal.redundant.empty()) {
+    result.changed += remove_redundant(edit, equal);
+    equal = find_equal_loops(m);
   }
-  result.changed = delete_soundly(edit, doomed);
-  std::erase_if(doomed, [&](Face f) { return !m.is_alive(f); });
-  result.left = of_other_loops.size() + doomed.size();
-  add_left(result.left_for, {"it visits the same points in another order", "同じ点を別の順に通るため"},
-           std::move(of_other_loops));
-  add_left(result.left_for,
-           {"without it two triangles would lie back to back", "なくすと三角形が背中合わせに重なるため"},
-           {doomed.begin(), doomed.end()});
+  const auto leave = [&](const std::vector<Face>& faces, Text reason) {
+    result.left += faces.size();
+    add_left(result.left_for, std::move(reason), {faces.begin(), faces.end()});
+  };
+  leave(equal.of_other_loops, {"it visits the same points in another order", "同じ点を別の順に通るため"});
+  leave(equal.of_solids, {"it bounds a closed part, as the face on its points does", "同じ点の面とともに閉じた部分の壁であるため"});
+  leave(equal.holding, {"without it an edge would open", "なくすと稜線が開くため"});
   result.text = count_text(result.changed, "One duplicate face was removed.", "# duplicate faces were removed.",
                            "重複面を # 個削除しました。");
   return result;

@@ -1,0 +1,39 @@
+// Pairing of the faces around one edge by exact angles.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace ryosen {
+
+// Pairs the sides of faces around edges. The mesh and `across`, which has the pairs known so far by halfedge slot, must
+// outlive it.
+class EdgePairer {
+ public:
+  EdgePairer(const Mesh& mesh, std::vector<Halfedge>& across) : mesh_(mesh), across_(across) {}
+
+  // All sides run between the same two points, as many in each direction. Around the edge a face is paired with the
+  // first face of the other direction through its inside, which lies behind it, opposite its normal; where faces lie at one angle, a face that ends an inside comes before one that begins one, and the lowest
+  // face is the nearest. Exact; O(k log k) for k sides, and a triangulation of the faces that are no triangles.
+  void pair(std::span<const Halfedge> sides);
+
+ private:
+  struct SideAround;
+
+  void match(std::span<const SideAround> around);
+  std::optional<glm::dvec3> apex(Halfedge side);
+  std::optional<glm::dvec3> place_beside(Halfedge side, const glm::dvec3& start, const glm::dvec3& end);
+  void triangulate(Face f);
+
+  const Mesh& mesh_;
+  std::vector<Halfedge>& across_;
+  std::unordered_set<Face> triangulated_;
+  std::unordered_map<Halfedge, glm::dvec3> apexes_;  // by side, of the triangle at it
+};
+
+}  // namespace ryosen

@@ -141,7 +141,7 @@ TEST_F(ProblemsPanel, no_row_moves_while_the_pointer_stays_after_a_repair) {
 TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs) {
   std::size_t repaired = 0;
   for (const char* file : {"fin.obj", "hanging_pair.obj", "misoriented.obj", "bow_tie.obj", "duplicate_face.obj",
-                           "collinear.obj", "isolated_vertex.obj"}) {
+                           "collinear.obj", "isolated_vertex.obj", "../tests/data/doubled_triangle.obj"}) {
     test::Laid laid(file, test::tall_window);
     for (const ProblemRow& row : problem_table()) {
       for (std::size_t count = 1; count < 10; ++count) {

@@ -11,6 +11,7 @@
 #include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/problem_sets.h"
 #include "core/base/count_text.h"
+#include "core/base/sort_unique.h"
 #include "core/ops/collapse_edge.h"
 #include "core/ops/delete.h"
 #include "core/ops/dissolve.h"
@@ -147,9 +148,8 @@ std::size_t boundary_loops(const Mesh& m) {
 
 class Removal {
  public:
-  Removal(Edit& edit, Progress& progress) : edit_(edit), m_(edit.mesh()), progress_(progress), flat_(flat_faces(m_)) {
-    all_ = flat_.size();
-  }
+  Removal(Edit& edit, std::vector<Face> flat, Progress& progress)
+      : edit_(edit), m_(edit.mesh()), progress_(progress), flat_(std::move(flat)), all_(flat_.size()) {}
 
   AlgorithmResult run() {
     do {
@@ -157,6 +157,14 @@ class Removal {
       if (progress_.is_cancelled()) return {};
     } while (!flat_.empty() && open_holes());  // where one has opened, other ways may have too
     return result();
+  }
+
+  // Only where the surface stays as it is. Returns how many faces went.
+  std::size_t mend() {
+    while (!flat_.empty() && (give_many_away() || sweep([&](Face f) { return keep_surface(f); }) ||
+                              sweep([&](Face f) { return leave_border(f); })))
+      continue;
+    return all_ - flat_.size();
   }
 
  private:
@@ -301,13 +309,20 @@ class Removal {
   const Mesh& m_;
   Progress& progress_;
   std::vector<Face> flat_;
-  std::size_t all_ = 0, collapsed_ = 0, given_ = 0, deleted_ = 0, opened_ = 0;
+  std::size_t all_, collapsed_ = 0, given_ = 0, deleted_ = 0, opened_ = 0;
 };
 
 }  // namespace
 
 AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress) {
-  return Removal(edit, progress).run();
+  return Removal(edit, flat_faces(edit.mesh()), progress).run();
+}
+
+std::size_t mend_degenerate_faces(Edit& edit, std::vector<Face> faces, Progress& progress) {
+  const Mesh& m = edit.mesh();
+  sort_unique(faces);
+  std::erase_if(faces, [&](Face f) { return !is_flat(m, f) || is_loose(m, f); });
+  return faces.empty() ? 0 : Removal(edit, std::move(faces), progress).mend();
 }
 
 }  // namespace ryosen

@@ -17,4 +17,7 @@ namespace ryosen {
 // Each step removes a face, or shortens an edge (4). Cost: their one-rings, for a few rounds.
 AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress);
 
+// Removes those of the faces that have no area and a neighbour, in the ways 1 to 3 alone. Returns how many went.
+std::size_t mend_degenerate_faces(Edit& edit, std::vector<Face> faces, Progress& progress);
+
 }  // namespace ryosen

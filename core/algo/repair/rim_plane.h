@@ -1,0 +1,33 @@
+// The plane in which the rim of a hole lies but for rounding.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+
+#include "core/geometry/box.h"
+
+namespace ryosen {
+
+// Whether all finite places are floats, as those of a file of floats are.
+bool are_all_floats(std::span<const glm::dvec3> places);
+
+class RimPlane {
+ public:
+  // None where the rim leaves the plane that fits it by more than 4 units in the last place, or has no area. The unit is
+  // that of `largest`, the absolutely largest coordinate of the mesh, in single precision where all coordinates of the
+  // rim are floats, else in double. Corners are finite. O(n).
+  static std::optional<RimPlane> of(std::span<const glm::dvec3> rim, double largest);
+
+  // The place in the plane nearest to p, in the precision of the rim; a coordinate that all corners share is exact.
+  glm::dvec3 nearest(const glm::dvec3& p) const;
+
+ private:
+  int exponent_ = 0;  // coordinates times 2^-exponent_ are at most 2
+  bool is_single_ = false;
+  glm::dvec3 normal_{0.0};  // unit
+  glm::dvec3 at_{0.0};      // a point of the plane, scaled
+  Box box_;                 // of the rim
+};
+
+}  // namespace ryosen

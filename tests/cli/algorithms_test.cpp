@@ -119,7 +119,8 @@ TEST_F(Algorithms, give_their_values_as_json_of_their_kind) {
   EXPECT_TRUE(run.line()["parameters"]["copies"].is_number_unsigned());
   EXPECT_EQ(run.line()["changed"], 3);
   EXPECT_EQ(run.line()["vertices"], 6);
-  EXPECT_EQ(run_here({"fill_holes", input, "--json"}).line()["parameters"], (Json{{"most_edges", nullptr}}));
+  EXPECT_EQ(run_here({"fill_holes", input, "--json"}).line()["parameters"],
+            (Json{{"most_edges", nullptr}, {"shape", "auto"}, {"crossing", "refuse"}}));
   for (const std::vector<std::string>& flags :
        std::vector<std::vector<std::string>>{{"--at", "v1"},
                                              {"--distance", "1"},
@@ -226,7 +227,7 @@ TEST_F(Algorithms, whose_values_do_not_go_together_end_as_wrong_usage_and_write_
 TEST_F(Algorithms, are_commands_of_scripts_and_one_entry_of_the_history_that_replays) {
   for (const std::string line :
        {"weld_close distance=0.5", "repair weld_close 0.5", "repair weld_close distance=0.5", "weld_close distance=5%",
-        "fill_holes", "repair orient", "fill_holes most_edges=18",
+        "fill_holes shape=auto crossing=refuse", "repair orient", "fill_holes most_edges=18 shape=fair crossing=allow",
         "scatter distance=1 x=0 copies=2 share=0.5 angle=0 by=0,0,0 way=up mirror=on at=f0,v3"}) {
     const std::string input = folder_.write("a.obj", line.starts_with("fill") ? with_hole : loose);
     const auto open = [&] { return Session(Document::open(input).value()); };

@@ -324,7 +324,7 @@ TEST_F(ValuesPanel, gives_way_to_another_and_begins_anew) {
   frames(4);
   press(ImGuiKey_Enter);
   frames(2);
-  EXPECT_TRUE(gui.said().en.starts_with("fill_holes: ")) << gui.said().en;
+  EXPECT_TRUE(gui.said().en.starts_with("fill_holes shape=auto crossing=refuse: ")) << gui.said().en;
   ASSERT_TRUE(session.run("values weld_close").done());
   frames(3);
   EXPECT_EQ(test::DrawnText(gui).count("0.5"), 0u) << "its field begins anew";

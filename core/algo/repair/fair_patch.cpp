@@ -161,6 +161,22 @@ Places minimise_bending(const PlateEquations& plate, Places x, std::size_t most_
   return x;
 }
 
+// Unit normals of the new vertices; zero where there is none.
+Places normals_of(const HolePatch& patch) {
+  Places normals(patch.new_vertices(), glm::dvec3(0.0));
+  for (const CornerTriangle& t : patch.triangles) {
+    const glm::dvec3& a = patch.places[t[0]];
+    const glm::dvec3 normal = glm::cross(patch.places[t[1]] - a, patch.places[t[2]] - a);
+    for (const std::uint32_t v : t)
+      if (v >= patch.corners) normals[v - patch.corners] += normal;
+  }
+  for (glm::dvec3& normal : normals) {
+    const double length = glm::length(normal);
+    normal = length > 0 ? normal / length : glm::dvec3(0.0);
+  }
+  return normals;
+}
+
 }  // namespace
 
 bool is_flat(const HoleLoop& loop) {
@@ -174,21 +190,19 @@ bool is_flat(const HoleLoop& loop) {
   return normal != glm::dvec3(0.0) && height <= 1e-6 * reach;
 }
 
-void fair(HolePatch& patch, const HoleLoop& loop, Progress& progress) {
+void fair(HolePatch& patch, const HoleLoop& loop, FairMove move, Progress& progress) {
   const std::size_t n = patch.new_vertices();
   if (n == 0 || is_flat(loop)) return;
-  // The weights depend on the current positions, so iterate. `most_work` is what a tenth of a second does or so.
-  constexpr std::size_t large = 1000, most_work = 1000000;
-  const std::size_t rounds = n < large ? 4 : 2;
+  constexpr std::size_t most_work = 1000000;  // what a tenth of a second does or so
   const std::size_t steps = std::clamp<std::size_t>(most_work / n, 20, std::min<std::size_t>(4 * n + 100, 1000));
-  for (std::size_t round = 0; round < rounds && progress.go_on(); ++round) {
-    const auto go_on = [&](std::size_t step, std::size_t all) {
-      return progress.go_on(round * all + step, rounds * all);
-    };
-    const Places x = minimise_bending(PlateEquations(patch, loop),
-                                      {patch.places.begin() + patch.corners, patch.places.end()}, steps, go_on);
-    for (std::size_t i = 0; i < n; ++i)
-      if (is_finite(x[i])) patch.places[patch.corners + i] = x[i];
+  const auto go_on = [&](std::size_t step, std::size_t all) { return progress.go_on(step, all); };
+  const Places x = minimise_bending(PlateEquations(patch, loop),
+                                    {patch.places.begin() + patch.corners, patch.places.end()}, steps, go_on);
+  const Places normals = move == FairMove::along_normals ? normals_of(patch) : Places();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_finite(x[i])) continue;
+    glm::dvec3& place = patch.places[patch.corners + i];
+    place = normals.empty() ? x[i] : place + glm::dot(normals[i], x[i] - place) * normals[i];
   }
 }
 

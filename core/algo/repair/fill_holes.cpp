@@ -1,51 +1,67 @@
 #include "core/algo/repair/fill_holes.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <optional>
-#include <set>
 
+#include "core/algo/repair/equal_rims.h"
+#include "core/algo/repair/fill_report.h"
+#include "core/algo/repair/folded_patch.h"
 #include "core/algo/repair/insert_patch.h"
+#include "core/algo/repair/new_crossings.h"
 #include "core/algo/repair/patch_crossings.h"
 #include "core/algo/repair/plan_patch.h"
-#include "core/base/count_text.h"
-#include "core/geometry/is_finite.h"
-#include "core/geometry/single_precision.h"
+#include "core/algo/repair/remove_degenerate.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
-#include "core/mesh/names.h"
 #include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 
 namespace {
 
-bool are_all_floats(std::span<const glm::dvec3> places) {
-  return std::all_of(places.begin(), places.end(),
-                     [](const glm::dvec3& p) { return !is_finite(p) || to_single(p) == p; });
+struct FillValues {
+  std::optional<double> most_edges;
+  std::string_view shape = "auto";
+  bool allows_crossings = false;
+};
+
+FillValues values_of(const ParameterValues& values) {
+  FillValues read;
+  if (values.rows().empty()) return read;
+  if (values.has("most_edges")) read.most_edges = static_cast<double>(values.count("most_edges"));
+  read.shape = values.choice("shape");
+  read.allows_crossings = values.choice("crossing") == "allow";
+  return read;
 }
 
-// The edges that patches make between points of loops.
-class EdgesMade {
- public:
-  // Adds those of a patch, unless one of them is there.
-  bool add(const PlannedPatch& planned) {
-    const auto& [hole, patch] = planned;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const CornerTriangle& t : patch.triangles)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-        const bool is_side = b == a + 1 || (a == 0 && b == patch.corners - 1);
-        if (b < patch.corners && !is_side) edges.push_back(std::minmax(hole.points[a], hole.points[b]));
-      }
-    sort_unique(edges);
-    if (std::any_of(edges.begin(), edges.end(), [&](const auto& edge) { return made_.contains(edge); })) return false;
-    made_.insert(edges.begin(), edges.end());
-    return true;
-  }
+double largest_coordinate(std::span<const glm::dvec3> places) {
+  double largest = 0;
+  for (const glm::dvec3& p : places)
+    if (is_finite(p)) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
+}
 
- private:
-  std::set<std::pair<std::uint32_t, std::uint32_t>> made_;
-};
+// The pairs of patches that would make the same edge between points of loops; ascending, the earlier patch first.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_with_an_edge(std::span<const PlannedPatch> planned) {
+  using Made = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // points, patch
+  std::vector<Made> made;
+  for (std::uint32_t k = 0; k < planned.size(); ++k)
+    for (const CornerTriangle& t : planned[k].patch.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
+        const bool is_side = b == a + 1 || (a == 0 && b == planned[k].patch.corners - 1);
+        if (b < planned[k].patch.corners && !is_side)
+          made.emplace_back(std::minmax(planned[k].hole.points[a], planned[k].hole.points[b]), k);
+      }
+  sort_unique(made);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t i = 0; i < made.size(); ++i)
+    for (std::size_t j = i + 1; j < made.size() && made[j].first == made[i].first; ++j)
+      pairs.emplace_back(made[i].second, made[j].second);
+  sort_unique(pairs);
+  return pairs;
+}
 
 // Gives every fan of faces a vertex of its own, as reading does: their borders are loops of their own then.
 Edit& with_fans_apart(Edit& edit) {
@@ -55,62 +71,98 @@ Edit& with_fans_apart(Edit& edit) {
   return edit;
 }
 
+// Which patches are taken of those that could be made.
+enum class Takes {
+  clear,          // those that cross nothing, and no other one of them
+  first,          // of those that exclude each other the first
+  crossing,       // also those that cross the surface or each other
+  self_crossing,  // all
+};
+
 class HoleFiller {
  public:
-  HoleFiller(Edit& edit, std::optional<double> most_edges, Progress& progress)
+  HoleFiller(Edit& edit, const FillValues& values, Progress& progress)
       : edit_(with_fans_apart(edit)),
+        values_(values),
         progress_(progress),
-        snaps_to_floats_(are_all_floats(edit.mesh().positions())),
-        holes_(find_holes(edit.mesh(), most_edges, points_of_vertices(edit.mesh()), progress)),
-        bases_(holes_.size()) {}
+        is_single_(are_all_floats(edit.mesh().positions())) {}
+
+  // Where holes are filled, further faces without area may be mended.
+  void run() {
+    mend();
+    do {
+      read_holes();
+      fill_all();
+    } while (!progress_.is_cancelled() && mend() > 0);
+    if (!progress_.is_cancelled()) tell_coinciding_borders(mesh(), holes_);
+  }
+
+  AlgorithmResult result() const { return fill_report(mesh(), filled_, holes_); }
+  bool has_crossings() const { return filled_.crossing > 0; }
+
+ private:
+  const Mesh& mesh() const { return edit_.mesh(); }
+
+  std::vector<Hole> all_holes() const {
+    return find_holes(mesh(), values_.most_edges, points_of_vertices(mesh()), progress_);
+  }
+
+  // Removes faces without area at rims that could be filled, and those that then lie there. Returns how many went.
+  std::size_t mend() {
+    for (std::size_t all = 0;;) {
+      std::vector<Face> at_rims;
+      for (const Hole& hole : all_holes()) {
+        if (hole.cause != WhyOpen::untried) continue;
+        for (Halfedge h : loop(mesh(), hole.start)) at_rims.push_back(mesh().face(twin(h)));
+      }
+      const std::size_t mended = mend_degenerate_faces(edit_, std::move(at_rims), progress_);
+      filled_.mended += mended;
+      all += mended;
+      if (mended == 0 || progress_.is_cancelled()) return all;
+    }
+  }
+
+  void read_holes() {
+    holes_ = all_holes();
+    bases_.assign(holes_.size(), {});
+    conflicts_.assign(holes_.size(), false);
+    read_rims();
+  }
 
   // Holes that a patch has touched since they were tried are tried again.
-  void run() {
+  void fill_all() {
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < holes_.size(); ++i)
       if (holes_[i].cause == WhyOpen::untried) open.push_back(i);
     while (!open.empty()) {
       touched_.assign(mesh().vertex_slots(), false);
-      for (std::uint32_t i : open) holes_[i].cause = WhyOpen::untried;
-      for (const WayToFill& way : ways_to_fill()) {
-        if (!open.empty()) try_way(way, open);
-        if (progress_.is_cancelled()) return;
-      }
+      for (std::uint32_t i : open) holes_[i] = {holes_[i].start};
+      try_all(Takes::clear, open, [](std::uint32_t) { return true; });
+      try_all(Takes::first, open, [&](std::uint32_t i) { return conflicts_[i]; });
+      if (values_.allows_crossings)
+        for (const Takes takes : {Takes::crossing, Takes::self_crossing})
+          try_all(takes, open, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::crosses; });
+      if (progress_.is_cancelled()) return;
       std::erase_if(open, [&](std::uint32_t i) { return !is_touched(holes_[i]); });
     }
-    tell_coinciding_borders(mesh(), holes_);
   }
 
-  AlgorithmResult result() const {
-    AlgorithmResult result{filled_, 0, {}};
-    result.text = count_text(filled_, "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
-    if (filled_ > 0) {
-      result.text = result.text + count_text(faces_, " by # triangle", " by # triangles", "（三角形 #");
-      if (vertices_ > 0)
-        result.text = result.text + count_text(vertices_, " and # new vertex", " and # new vertices", "、新しい頂点 #");
-      result.text.ja += "）";
+  void read_rims() {
+    const double largest = largest_coordinate(mesh().positions());
+    std::vector<std::vector<glm::dvec3>> rims(holes_.size());
+    styles_.assign(holes_.size(), {});
+    for (std::uint32_t i = 0; i < holes_.size(); ++i) {
+      if (holes_[i].cause != WhyOpen::untried) continue;
+      for (Halfedge h : loop(mesh(), holes_[i].start)) rims[i].push_back(mesh().position(mesh().from(h)));
+      styles_[i].snaps_to_floats = is_single_;
+      if (values_.shape != "fair") styles_[i].plane = RimPlane::of(rims[i], largest);
+      styles_[i].fairs = values_.shape == "fair" || (values_.shape == "auto" && !styles_[i].plane);
     }
-    for (const WhyOpenRow& row : reasons_to_stay_open()) add_left(row, result);
-    if (result.left > 0) {
-      result.text.en += "; " + std::to_string(result.left) + " could not be";
-      result.text.ja += "。ふさげない穴 " + std::to_string(result.left);
-    }
-    const bool is_only = result.left_for.size() == 1;
-    std::string_view between_en = ": ", between_ja = "：";
-    for (const LeftForReason& left : result.left_for) {
-      result.text.en +=
-          std::string(between_en) + clause(left, is_only, left.reason.en, "because ", ", ", " and # more");
-      result.text.ja += std::string(between_ja) + clause(left, is_only, left.reason.ja, "", "、", "、ほか #");
-      between_en = "; ";
-      between_ja = "、";
-    }
-    result.text.en += ".";
-    result.text.ja += "。";
-    return result;
+    equal_ = find_equal_rims(rims, largest * (is_single_ ? 0x1p-21 : 0x1p-50));
+    is_like_.assign(holes_.size(), false);
+    for (const auto& equal : equal_)
+      if (equal) is_like_[equal->as] = true;
   }
-
- private:
-  const Mesh& mesh() const { return edit_.mesh(); }
 
   bool is_touched(const Hole& hole) const {
     for (Halfedge h : loop(mesh(), hole.start))
@@ -118,36 +170,93 @@ class HoleFiller {
     return false;
   }
 
-  void try_way(const WayToFill& way, std::vector<std::uint32_t>& open) {
+  // Tries one way after the other on open holes for which this is.
+  template <class Is>
+  void try_all(Takes takes, std::vector<std::uint32_t>& open, Is is) {
+    std::vector<std::uint32_t> chosen;
+    std::copy_if(open.begin(), open.end(), std::back_inserter(chosen), is);
+    for (std::size_t way = 0; !chosen.empty() && !progress_.is_cancelled(); ++way) {
+      std::vector<std::uint32_t> with_way;
+      for (std::uint32_t i : chosen)
+        if (way < ways_to_fill(styles_[i]).size()) with_way.push_back(i);
+      if (with_way.empty()) break;
+      try_way(takes, way, with_way);
+      std::erase_if(chosen, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::filled; });
+    }
+    std::erase_if(open, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::filled; });
+  }
+
+  void try_way(Takes takes, std::size_t way, const std::vector<std::uint32_t>& open) {
     const std::vector<std::uint32_t> points = points_of_vertices(mesh());
     const JoinedCorners joined = joined_corners(mesh(), holes_, open, points);
     NormalsOfFaces normals;
     // The first way does most of the work; it tells how far it is, later ones only that they live.
     Progress alive([this](double) { return progress_.go_on(); }, {});
     Progress& progress = is_first_ ? progress_ : alive;
-    std::vector<PlannedPatch> planned;
-    std::vector<std::uint32_t> planned_for;
+    planned_.clear();
+    arranged_.clear();
+    planned_for_.clear();
     for (std::uint32_t k = 0; k < open.size(); ++k) {
       if (is_first_) progress_.begin_part(k, open.size() + 1);
       if (!progress.go_on()) return;
-      Hole& hole = holes_[open[k]];
-      PlannedPatch plan{read_hole(mesh(), hole.start, points, joined, normals), {}};
-      const HoleTriangles& base = base_of(open[k], way, plan.hole, progress);
-      const WhyOpen cause = plan_patch(way, base, plan.hole, snaps_to_floats_, plan.patch, progress);
+      plan(takes, way, open[k], {read_hole(mesh(), holes_[open[k]].start, points, joined, normals), {}}, progress);
       if (progress.is_cancelled()) return;
-      if (cause != WhyOpen::filled) {
-        hole.cause = std::max(hole.cause, cause);
-        continue;
-      }
-      planned.push_back(std::move(plan));
-      planned_for.push_back(open[k]);
     }
     if (is_first_) progress_.begin_part(open.size(), open.size() + 1);
     is_first_ = false;
-    if (!planned.empty()) insert_sound(planned, planned_for);
+    if (!planned_.empty()) insert_sound(takes, way);
     for (std::uint32_t i : open)
       if (holes_[i].cause == WhyOpen::filled || is_touched(holes_[i])) bases_[i].clear();
-    std::erase_if(open, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::filled; });
+  }
+
+  void plan(Takes takes, std::size_t way_number, std::uint32_t i, PlannedPatch planned, Progress& progress) {
+    const WayToFill& way = ways_to_fill(styles_[i])[way_number];
+    PatchStyle style = styles_[i];
+    style.may_cross = takes >= Takes::crossing;
+    const HolePatch* const like = arranged_like(i);
+    HolePatch arranged;
+    PlanResult result;
+    if (like) arranged = patch_like(*like, *equal_[i], planned.hole);
+    if (!like || !joins_freely(planned.hole, arranged)) {
+      arranged = {};
+      result = arrange_patch(way, base_of(i, way, planned.hole, progress), planned.hole, style, arranged, progress);
+    }
+    planned.patch = arranged;
+    if (result.cause == WhyOpen::filled) result = finish_patch(way, planned.hole, style, planned.patch, progress);
+    if (progress.is_cancelled()) return;
+    if (result.cause != WhyOpen::filled) {
+      if (result.crossed) note_crossed(i, mesh().face(twin(result.crossed)));
+      holes_[i].cause = std::max(holes_[i].cause, result.cause);
+      return;
+    }
+    planned_.push_back(std::move(planned));
+    planned_for_.push_back(i);
+    arranged_.push_back(is_like_[i] ? std::move(arranged) : HolePatch());
+  }
+
+  // The patch that is arranged in this way for the rim that this one equals, if it is of the same style.
+  const HolePatch* arranged_like(std::uint32_t i) const {
+    if (!equal_[i]) return nullptr;
+    const auto at = std::lower_bound(planned_for_.begin(), planned_for_.end(), equal_[i]->as);
+    if (at == planned_for_.end() || *at != equal_[i]->as) return nullptr;
+    const PatchStyle &own = styles_[i], &other = styles_[*at];
+    if (own.fairs != other.fairs || own.plane.has_value() != other.plane.has_value()) return nullptr;
+    return &arranged_[static_cast<std::size_t>(at - planned_for_.begin())];
+  }
+
+  static bool joins_freely(const HoleLoop& hole, const HolePatch& patch) {
+    const std::uint32_t n = patch.corners;
+    for (const CornerTriangle& t : patch.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
+        const bool is_side = b == a + 1 || (a == 0 && b == n - 1);
+        if (b < n && !is_side && !hole.may_join(a, b)) return false;
+      }
+    return true;
+  }
+
+  void note_crossed(std::uint32_t i, Face crossed) {
+    if (!holes_[i].crossed) holes_[i].crossed = crossed;
   }
 
   // Made once for the ways that begin with it, while no patch touches the hole.
@@ -157,81 +266,98 @@ class HoleFiller {
     return bases_[i].emplace_back(Base{way.triangulate, way.triangulate(hole, progress)}).triangles;
   }
 
-  // Of patches that exclude each other the first is taken.
-  void insert_sound(const std::vector<PlannedPatch>& planned, const std::vector<std::uint32_t>& planned_for) {
-    PatchCrossings crossings = find_patch_crossings(mesh(), planned, progress_);
+  // What keeps a patch out: itself or the surface, or one that it excludes.
+  PatchCrossings obstacles(Takes takes) const {
+    if (takes < Takes::crossing) return find_patch_crossings(mesh(), planned_, progress_);
+    PatchCrossings found{std::vector<bool>(planned_.size(), false), std::vector<Face>(planned_.size()), {}};
+    for (std::uint32_t k = 0; k < planned_.size() && takes == Takes::crossing; ++k)
+      found.crosses[k] = crosses_itself(planned_[k].patch);
+    return found;
+  }
+
+  void insert_sound(Takes takes, std::size_t way) {
+    PatchCrossings found = obstacles(takes);
     if (progress_.is_cancelled()) return;
-    EdgesMade made;
+    const auto with_edge = pairs_with_an_edge(planned_);
+    std::vector<WhyOpen> cause(planned_.size(), WhyOpen::filled);
+    for (std::uint32_t k = 0; k < planned_.size(); ++k) {
+      if (!found.crosses[k]) continue;
+      cause[k] = WhyOpen::crosses;
+      note_crossed(planned_for_[k], found.crossed[k]);
+    }
+    exclude(takes == Takes::clear, with_edge, WhyOpen::edge_exists, cause);
+    exclude(takes == Takes::clear, found.pairs, WhyOpen::crosses, cause);
     std::vector<Vertex> corners;
-    auto pair = crossings.pairs.begin();
-    for (std::uint32_t k = 0; k < planned.size(); ++k) {
+    for (std::uint32_t k = 0; k < planned_.size(); ++k) {
       if (!progress_.go_on()) return;
-      const auto& [hole, patch] = planned[k];
-      Hole& which = holes_[planned_for[k]];
-      const bool is_sound = !crossings.crosses[k], adds_edges = is_sound && made.add(planned[k]);
-      const WhyOpen cause = !is_sound ? WhyOpen::crosses : !adds_edges ? WhyOpen::edge_exists : WhyOpen::filled;
-      which.cause = std::max(which.cause, cause);
-      for (; pair != crossings.pairs.end() && pair->first == k; ++pair)
-        if (adds_edges) crossings.crosses[pair->second] = true;
-      if (!adds_edges) continue;
-      for (Halfedge h : hole.sides) corners.push_back(mesh().from(h));
-      for (std::uint32_t point : hole.points) touched_[point] = true;
-      insert_patch(edit_, hole, patch);
-      ++filled_;
-      faces_ += patch.triangles.size();
-      vertices_ += patch.new_vertices();
+      Hole& hole = holes_[planned_for_[k]];
+      hole.cause = std::max(hole.cause, cause[k]);
+      if (cause[k] != WhyOpen::filled) continue;
+      for (Halfedge h : planned_[k].hole.sides) corners.push_back(mesh().from(h));
+      insert(takes, way, k);
     }
     Sheets(edit_).settle(corners);
   }
 
-  void add_left(const WhyOpenRow& row, AlgorithmResult& result) const {
-    LeftForReason left{row.text(), {}};
-    for (const Hole& hole : holes_) {
-      if (hole.cause != row.cause) continue;
-      Edge lowest = edge(hole.start);
-      for (Halfedge h : loop(mesh(), hole.start)) lowest = std::min(lowest, edge(h));
-      left.elements.emplace_back(lowest);
+  // Of a pair both stay out, or else the later one.
+  void exclude(bool both, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, WhyOpen why,
+               std::vector<WhyOpen>& cause) {
+    const std::vector<WhyOpen> before = cause;
+    const std::vector<WhyOpen>& is_in = both ? before : cause;
+    for (const auto& [a, b] : pairs) {
+      if (is_in[a] != WhyOpen::filled || is_in[b] != WhyOpen::filled) continue;
+      if (both) cause[a] = why;
+      cause[b] = why;
+      for (const std::uint32_t k : {a, b}) conflicts_[planned_for_[k]] = true;
     }
-    result.left += left.elements.size();
-    if (!left.elements.empty()) result.left_for.push_back(std::move(left));
   }
 
-  // "3 because every patch has a face without area (0-1, 4-8, 9-12)"
-  std::string clause(const LeftForReason& left, bool is_only, const std::string& reason, std::string_view because,
-                     std::string_view comma, std::string_view more) const {
-    constexpr std::size_t most_names = 3;
-    const std::size_t named = std::min(most_names, left.elements.size());
-    std::string names;
-    for (std::size_t i = 0; i < named; ++i)
-      names += (i > 0 ? std::string(comma) : "") + name_of(mesh(), left.elements[i]);
-    if (named < left.elements.size()) names += with_number(more, left.elements.size() - named);
-    // The number has been told where there is one reason alone.
-    const std::string counted = is_only ? "" : std::to_string(left.elements.size()) + " " + std::string(because);
-    return counted + reason + " (" + names + ")";
+  void insert(Takes takes, std::size_t way_number, std::uint32_t k) {
+    const auto& [hole, patch] = planned_[k];
+    const PatchStyle& style = styles_[planned_for_[k]];
+    const WayToFill& way = ways_to_fill(style)[way_number];
+    for (std::uint32_t point : hole.points) touched_[point] = true;
+    insert_patch(edit_, hole, patch);
+    ++(!style.fairs ? filled_.flat : way.fairs ? filled_.fair : way.refines ? filled_.unfaired : filled_.bare);
+    filled_.crossing += takes >= Takes::crossing;
+    filled_.faces += patch.triangles.size();
+    filled_.vertices += patch.new_vertices();
   }
 
   Edit& edit_;
+  const FillValues& values_;
   Progress& progress_;
-  bool snaps_to_floats_;
+  bool is_single_;
   bool is_first_ = true;
   std::vector<Hole> holes_;
+  std::vector<PatchStyle> styles_;               // by hole
+  std::vector<std::optional<EqualRim>> equal_;   // by hole
+  std::vector<bool> conflicts_;                  // by hole: whether its patch and another one excluded each other
   struct Base {
     decltype(WayToFill::triangulate) by;
     HoleTriangles triangles;
   };
   std::vector<std::vector<Base>> bases_;  // by hole
   std::vector<bool> touched_;             // by vertex: points on loops that were filled
-  std::size_t filled_ = 0, faces_ = 0, vertices_ = 0;
+  std::vector<bool> is_like_;             // by hole: whether it equals others
+  // Of one way: the patches, the holes that they are for, ascending, and those for equal rims before they were finished.
+  std::vector<PlannedPatch> planned_;
+  std::vector<std::uint32_t> planned_for_;
+  std::vector<HolePatch> arranged_;
+  FilledHoles filled_;
 };
 
 }  // namespace
 
 AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  std::optional<double> most_edges;
-  if (input.values.has("most_edges")) most_edges = static_cast<double>(input.values.count("most_edges"));
-  HoleFiller filler(edit, most_edges, progress);
+  const FillValues values = values_of(input.values);
+  const std::optional<Mesh> before = values.allows_crossings ? std::optional(edit.mesh()) : std::nullopt;
+  HoleFiller filler(edit, values, progress);
   filler.run();
-  return progress.is_cancelled() ? AlgorithmResult() : filler.result();
+  if (progress.is_cancelled()) return {};
+  AlgorithmResult result = filler.result();
+  if (filler.has_crossings()) add_new_crossings(*before, edit.mesh(), result);
+  return result;
 }
 
 }  // namespace ryosen

@@ -43,6 +43,7 @@ std::span<const WhyOpenRow> reasons_to_stay_open();
 struct Hole {
   Halfedge start;  // halfedge without a face; the loop's lowest point is where it begins
   WhyOpen cause = WhyOpen::untried;
+  Face crossed = {};  // the first face that a patch for it was found to cross, if any
 };
 
 // Every boundary loop of at most so many edges, ascending by lowest point. Neither wires nor what is longer is a hole.

@@ -72,6 +72,7 @@ struct HolePatch {
   std::vector<CornerTriangle> triangles;  // oriented along the loop
   // By new vertex: the three vertices in the middle of which it was made; none for one amid the whole loop.
   std::vector<CornerTriangle> parents;
+  std::vector<double> spacing;  // by vertex: the wanted length of its edges; once it has been refined
 
   std::uint32_t new_vertices() const { return static_cast<std::uint32_t>(places.size()) - corners; }
 };

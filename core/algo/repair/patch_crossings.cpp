@@ -22,6 +22,7 @@ class CrossingSearch {
   CrossingSearch(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress)
       : mesh_(mesh), patches_(patches), progress_(progress), in_(patches.size()) {
     found_.crosses.assign(patches.size(), false);
+    found_.crossed.assign(patches.size(), Face());
   }
 
   PatchCrossings run() {
@@ -105,19 +106,21 @@ class CrossingSearch {
         sides |= unsigned{polygon_.is_side(t[k], t[(k + 1) % 3])} << k;
       }
       triangle.sides = static_cast<std::uint8_t>(sides);
-      if (!are_collinear(triangle.places[0], triangle.places[1], triangle.places[2])) compare(triangle, no_index);
+      if (!are_collinear(triangle.places[0], triangle.places[1], triangle.places[2])) compare(triangle, no_index, f);
     }
   }
 
   // Compares a triangle of the mesh (p is no_index) with all patches; one of a patch with later patches.
-  void compare(const NumberedTriangle& triangle, std::uint32_t p) {
+  void compare(const NumberedTriangle& triangle, std::uint32_t p, Face f = {}) {
     const auto may = [&](const Box& box) { return !are_surely_apart(triangle.places, box); };
     tree_.visit(may, [&](std::uint32_t q) {
       if (is_out(p)) return false;
       if ((p != no_index && q <= p) || is_out(q)) return true;
       const bool is_clear =
           parts_[q].tree.visit(may, [&](std::uint32_t i) { return !meet(triangle, triangles_[parts_[q].first + i]); });
-      if (!is_clear) note(p, q);
+      if (is_clear) return true;
+      if (f) found_.crossed[q] = f;
+      note(p, q);
       return true;
     });
   }
@@ -153,7 +156,7 @@ class CrossingSearch {
 
 }  // namespace
 
-bool lies_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
+std::optional<std::uint32_t> side_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
   const std::uint32_t n = patch.corners;
   const auto beside_place = [&](std::uint32_t v) { return v < n ? hole.places[v] : hole.around.places[v - n]; };
   // Numbers beside the loop go from no_index down, those of the patch up.
@@ -173,9 +176,9 @@ bool lies_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
       const NumberedTriangle of_mesh{{beside_place(b[0]), beside_place(b[1]), beside_place(b[2])},
                                      {beside_number(b[0]), beside_number(b[1]), beside_number(b[2])}};
       const bool is_flat = are_collinear(of_mesh.places[0], of_mesh.places[1], of_mesh.places[2]);
-      if (!is_flat && meet_elsewhere(of_patch, of_mesh)) return true;
+      if (!is_flat && meet_elsewhere(of_patch, of_mesh)) return start;
     }
-  return false;
+  return std::nullopt;
 }
 
 PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress) {

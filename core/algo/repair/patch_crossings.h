@@ -1,6 +1,7 @@
 // Whether patches for holes cross the surface, themselves or each other.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct PlannedPatch {
 
 struct PatchCrossings {
   std::vector<bool> crosses;  // by patch: whether it crosses the surface or itself
+  std::vector<Face> crossed;  // by patch: the lowest face of the surface that it crosses, if any
   // Of the others, those that cross each other, the earlier one first; ascending, each once.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
@@ -27,8 +29,8 @@ struct PatchCrossings {
 // used when cancelled.
 PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress);
 
-// Whether a triangle of the patch lies on the face across a side of the loop, as every patch in its plane does to the
-// outer border of a flat sheet. O(n), to be asked first.
-bool lies_on_surroundings(const HoleLoop& hole, const HolePatch& patch);
+// The side of the loop at which a triangle of the patch lies on the face across it, as every patch in its plane does to
+// the outer border of a flat sheet; none where none does. O(n), to be asked first.
+std::optional<std::uint32_t> side_on_surroundings(const HoleLoop& hole, const HolePatch& patch);
 
 }  // namespace ryosen

@@ -15,6 +15,10 @@ namespace {
 
 bool is_weighed(const HoleLoop& hole) { return hole.size() <= most_weighed_corners; }
 
+// By how much edges grow with each unit of distance from the rim: slowly where the triangles are to be even, and fast
+// where a few do.
+constexpr double growth_of_fair = 0.1, growth_of_flat = 0.4;
+
 HoleTriangles best_triangles(const HoleLoop& hole, Progress& progress) {
   return is_weighed(hole) ? weigh_triangles(hole, progress) : project_triangles(hole);
 }
@@ -29,10 +33,26 @@ HoleTriangles fan_around_middle(const HoleLoop& hole, Progress&) {
   return fan;
 }
 
-constexpr WayToFill known_ways[] = {
+HoleTriangles projected_triangles(const HoleLoop& hole, Progress&) { return project_triangles(hole); }
+
+HoleTriangles unprojected_triangles(const HoleLoop& hole, Progress& progress) {
+  return is_weighed(hole) ? weigh_triangles(hole, progress) : cut_ears(hole, progress);
+}
+
+constexpr WayToFill fair_ways[] = {
     {best_triangles, true, true},    {other_triangles, true, true},     {best_triangles, true, false},
     {other_triangles, true, false},  {best_triangles, false, false},    {other_triangles, false, false},
     {fan_around_middle, true, true}, {fan_around_middle, false, false},
+};
+
+constexpr WayToFill unfaired_ways[] = {
+    {best_triangles, true, false},   {other_triangles, true, false},    {best_triangles, false, false},
+    {other_triangles, false, false}, {fan_around_middle, false, false},
+};
+
+constexpr WayToFill planar_ways[] = {
+    {projected_triangles, true, false},    {unprojected_triangles, true, false}, {projected_triangles, false, false},
+    {unprojected_triangles, false, false}, {fan_around_middle, false, false},
 };
 
 WhyOpen cause_of(NoTriangles cause) {
@@ -52,25 +72,71 @@ bool has_flat_triangle(const HolePatch& patch) {
   });
 }
 
+// In the last turn no more vertices come.
+constexpr FairMove moves[] = {FairMove::all_the_way, FairMove::all_the_way, FairMove::along_normals,
+                              FairMove::along_normals};
+constexpr std::size_t last_turn = std::size(moves) - 1;
+
+void fair_in_turn(std::size_t turn, HolePatch& patch, const HoleLoop& hole, Progress& progress) {
+  constexpr double steps = 10000;
+  const auto report = [&](double share) {
+    return progress.go_on(static_cast<std::size_t>((static_cast<double>(turn) + share) * steps),
+                          static_cast<std::size_t>(steps) * std::size(moves));
+  };
+  Progress of_turn(report, {});
+  fair(patch, hole, moves[turn], of_turn);
+}
+
+// The weights and the spacing follow the places, so that both are done in turns; so many that the places stay.
+void fair_and_refine(HolePatch& patch, const HoleLoop& hole, Progress& progress) {
+  for (std::size_t turn = 0; turn < last_turn; ++turn) {
+    fair_in_turn(turn, patch, hole, progress);
+    refine(patch, hole, growth_of_fair, progress);
+  }
+}
+
+void round_places(const PatchStyle& style, HolePatch& patch) {
+  for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v) {
+    glm::dvec3& place = patch.places[v];
+    if (style.plane) place = style.plane->nearest(place);
+    if (style.snaps_to_floats) place = to_single(place);
+  }
+}
+
 }  // namespace
 
-std::span<const WayToFill> ways_to_fill() { return known_ways; }
+std::span<const WayToFill> ways_to_fill(const PatchStyle& style) {
+  if (style.fairs) return fair_ways;
+  return style.plane ? std::span<const WayToFill>(planar_ways) : unfaired_ways;
+}
 
-WhyOpen plan_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, bool snaps_to_floats,
-                   HolePatch& patch, Progress& progress) {
-  if (base.triangles.empty()) return cause_of(base.cause);
+PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
+                      HolePatch& patch, Progress& progress) {
+  if (base.triangles.empty()) return {cause_of(base.cause)};
   patch.corners = hole.size();
   patch.places = hole.places;
   patch.triangles = base.triangles;
   if (patch.triangles.size() == patch.corners) add_middle(patch);
-  if (has_flat_triangle(patch)) return WhyOpen::without_area;
-  if (is_flat(hole) && lies_on_surroundings(hole, patch)) return WhyOpen::crosses;
-  if (way.refines) refine(patch, hole, progress);
-  if (way.fairs) fair(patch, hole, progress);
-  if (snaps_to_floats)
-    for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v) patch.places[v] = to_single(patch.places[v]);
-  if (has_flat_triangle(patch)) return WhyOpen::without_area;
-  return lies_on_surroundings(hole, patch) ? WhyOpen::crosses : WhyOpen::filled;
+  if (way.refines) swap_edges(patch, hole, progress);
+  if (has_flat_triangle(patch)) return {WhyOpen::without_area};
+  if (!style.may_cross && is_flat(hole))
+    if (const auto side = side_on_surroundings(hole, patch)) return {WhyOpen::crosses, hole.sides[*side]};
+  if (way.refines) refine(patch, hole, way.fairs ? growth_of_fair : growth_of_flat, progress);
+  if (way.fairs) fair_and_refine(patch, hole, progress);
+  return {};
+}
+
+PlanResult finish_patch(const WayToFill& way, const HoleLoop& hole, const PatchStyle& style, HolePatch& patch,
+                        Progress& progress) {
+  if (way.fairs) {
+    fair_in_turn(last_turn, patch, hole, progress);
+    swap_edges(patch, hole, progress);
+  }
+  round_places(style, patch);
+  if (has_flat_triangle(patch)) return {WhyOpen::without_area};
+  if (style.may_cross) return {};
+  const auto side = side_on_surroundings(hole, patch);
+  return side ? PlanResult{WhyOpen::crosses, hole.sides[*side]} : PlanResult{};
 }
 
 }  // namespace ryosen

@@ -5,6 +5,7 @@
 
 #include "core/algo/repair/find_holes.h"
 #include "core/algo/repair/hole_triangles.h"
+#include "core/algo/repair/rim_plane.h"
 
 namespace ryosen {
 
@@ -13,12 +14,30 @@ struct WayToFill {
   bool refines, fairs;
 };
 
-// In the order in which they are to be tried.
-std::span<const WayToFill> ways_to_fill();
+// What the patch for a hole is to be like.
+struct PatchStyle {
+  bool fairs = false;
+  std::optional<RimPlane> plane;  // in which its vertices are to lie
+  bool snaps_to_floats = false;   // new places are floats
+  bool may_cross = false;
+};
 
-// Makes a patch for the hole without degenerate triangles from `base`, what the way's triangulate() gives; `filled`, or
-// why there is none. With `snaps_to_floats` new places are floats. Not to be used when cancelled.
-WhyOpen plan_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, bool snaps_to_floats,
-                   HolePatch& patch, Progress& progress);
+// In the order in which they are to be tried.
+std::span<const WayToFill> ways_to_fill(const PatchStyle& style);
+
+struct PlanResult {
+  WhyOpen cause = WhyOpen::filled;  // or why there is no patch
+  Halfedge crossed = {};            // where it crosses the face across a side of the loop: that side
+};
+
+// Makes a patch for the hole from `base`, what the way's triangulate() gives: its vertices and triangles, to be finished.
+// Not to be used when cancelled.
+PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
+                         HolePatch& patch, Progress& progress);
+
+// Gives an arranged patch, or one moved from an equal rim (equal_rims.h), its final places. No vertex comes, and no
+// triangle is degenerate.
+PlanResult finish_patch(const WayToFill& way, const HoleLoop& hole, const PatchStyle& style, HolePatch& patch,
+                        Progress& progress);
 
 }  // namespace ryosen

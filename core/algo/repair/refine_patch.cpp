@@ -10,22 +10,19 @@ namespace ryosen {
 
 namespace {
 
-// How much longer edges become with each unit of distance from the loop: small holes are as fine as what surrounds them,
-// large ones get new vertices in proportion to their corners.
-double growth_of_edges(std::uint32_t corners) { return std::min(0.4, corners / 1000.0); }
-
 // A patch with the neighbours of its triangles. Side 3 t + k runs from corner k of triangle t to its next corner.
 class PatchRefiner {
  public:
-  PatchRefiner(HolePatch& patch, const HoleLoop& loop, Progress& progress)
+  PatchRefiner(HolePatch& patch, const HoleLoop& loop, double most_growth, Progress& progress)
       : patch_(patch),
         loop_(loop),
         progress_(progress),
-        growth_(growth_of_edges(loop.size())),
-        spacing_(loop.around.spacing),
+        // Small holes are as fine as what surrounds them.
+        growth_(std::min(most_growth, loop.size() / 1000.0)),
+        spacing_(patch.spacing),
         across_(3 * patch.triangles.size(), no_index) {
-    spacing_.resize(patch.places.size());
-    for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v) spacing_[v] = mean_spacing();
+    if (spacing_.empty()) spacing_ = loop.around.spacing;
+    spacing_.resize(patch.places.size(), mean_spacing());
     std::vector<std::pair<std::uint64_t, std::uint32_t>> sides;
     for (std::uint32_t s = 0; s < across_.size(); ++s) sides.emplace_back(edge_of(from(s), to(s)), s);
     std::sort(sides.begin(), sides.end());
@@ -36,10 +33,15 @@ class PatchRefiner {
   }
 
   void run() {
-    constexpr int most_rounds = 50;
+    constexpr int most_rounds = 50, last_rounds = 6;
+    relax_all();
+    for (int round = 0; round < most_rounds && divide() > 0; ++round) relax();
+    for (int round = 0; round < last_rounds && progress_.go_on(); ++round) even_out();
+  }
+
+  void relax_all() {
     for (std::uint32_t s = 0; s < across_.size(); ++s) doubtful_.push_back(s);
     relax();
-    for (int round = 0; round < most_rounds && divide() > 0; ++round) relax();
   }
 
  private:
@@ -150,6 +152,53 @@ class PatchRefiner {
     return true;
   }
 
+  void even_out() {
+    relax();
+    move_to_middles();
+    relax_all();
+  }
+
+  // Moves each new vertex along the patch to the middle of its neighbours, but for those whose triangles this would turn.
+  void move_to_middles() {
+    const std::size_t n = patch_.places.size();
+    std::vector<glm::dvec3> sum(n, glm::dvec3(0.0)), normal(n, glm::dvec3(0.0)), moved = patch_.places;
+    std::vector<std::uint32_t> count(n, 0);
+    for (std::uint32_t s = 0; s < across_.size(); ++s) {
+      sum[from(s)] += place(to(s));
+      ++count[from(s)];
+      normal[from(s)] += normal_of(s / 3, patch_.places);
+    }
+    for (std::uint32_t v = patch_.corners; v < n; ++v) {
+      const double square = glm::dot(normal[v], normal[v]);
+      if (!(square > 0)) continue;
+      const glm::dvec3 way = sum[v] / static_cast<double>(count[v]) - place(v);
+      moved[v] += way - glm::dot(normal[v], way) / square * normal[v];
+    }
+    constexpr int most_tries = 10;
+    for (int i = 0; i < most_tries; ++i)
+      if (!take_back_where_turned(moved)) {
+        patch_.places = std::move(moved);
+        return;
+      }
+  }
+
+  glm::dvec3 normal_of(std::uint32_t t, const std::vector<glm::dvec3>& places) const {
+    const auto& [a, b, c] = patch_.triangles[t];
+    return glm::cross(places[b] - places[a], places[c] - places[a]);
+  }
+
+  // Whether there were such triangles.
+  bool take_back_where_turned(std::vector<glm::dvec3>& moved) const {
+    bool any = false;
+    for (std::uint32_t t = 0; t < patch_.triangles.size(); ++t) {
+      const glm::dvec3 before = normal_of(t, patch_.places), after = normal_of(t, moved);
+      if (glm::dot(before, after) > 0.1 * glm::dot(before, before) || before == after) continue;
+      any = true;
+      for (const std::uint32_t v : patch_.triangles[t]) moved[v] = place(v);
+    }
+    return any;
+  }
+
   // Out of a plane the swaps need not come to an end.
   void relax() {
     std::size_t swaps_left = 20 * patch_.triangles.size();
@@ -165,7 +214,7 @@ class PatchRefiner {
   const HoleLoop& loop_;
   Progress& progress_;
   double growth_;
-  std::vector<double> spacing_;              // by vertex: the wanted length of its edges
+  std::vector<double>& spacing_;
   std::vector<std::uint32_t> across_;        // by side: the same edge in the other triangle; none along the loop
   std::unordered_set<std::uint64_t> edges_;  // of the patch
   std::vector<std::uint32_t> doubtful_;      // sides that are perhaps to be swapped
@@ -173,6 +222,12 @@ class PatchRefiner {
 
 }  // namespace
 
-void refine(HolePatch& patch, const HoleLoop& loop, Progress& progress) { PatchRefiner(patch, loop, progress).run(); }
+void refine(HolePatch& patch, const HoleLoop& loop, double most_growth, Progress& progress) {
+  PatchRefiner(patch, loop, most_growth, progress).run();
+}
+
+void swap_edges(HolePatch& patch, const HoleLoop& loop, Progress& progress) {
+  PatchRefiner(patch, loop, 0, progress).relax_all();
+}
 
 }  // namespace ryosen

@@ -15,6 +15,7 @@
 #include "core/io/formats.h"
 #include "tests/support/core/algorithm_input.h"
 #include "tests/support/core/long_run.h"
+#include "tests/support/core/open_shapes.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -69,26 +70,10 @@ IndexedMesh list_of(const Polygons& faces, std::vector<Place> places) {
   return list;
 }
 
-// A band of `sides` quads between a ring of radius 1 and one of another radius and height.
-IndexedMesh band(std::uint32_t sides, double radius, double height) {
-  IndexedMesh list;
-  for (const auto& [r, z] : {std::pair(1.0, 0.0), std::pair(radius, height)})
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const double angle = 2 * M_PI * i / sides;
-      list.positions.push_back({r * std::cos(angle), r * std::sin(angle), z});
-    }
-  for (std::uint32_t i = 0; i < sides; ++i) {
-    const std::uint32_t next = (i + 1) % sides;
-    for (std::uint32_t corner : {i, i + sides, next + sides, next}) list.corners.push_back(corner);
-    list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
-  }
-  return list;
-}
-
 TEST(fill_holes, a_flat_hole_of_many_corners_gets_vertices_in_proportion) {
   std::size_t last = 0;
   for (const std::uint32_t corners : {500u, 1000u, 2000u}) {
-    Mesh mesh = from_indexed(band(corners, 1 + 2 * M_PI / corners, 0));
+    Mesh mesh = from_indexed(tube(corners, 1 + 2 * M_PI / corners, 0));
     const AlgorithmResult result = fill(mesh);
     EXPECT_EQ(result.changed, 1u) << "the outer border crosses the sheet";
     EXPECT_EQ(result.left, 1u);
@@ -109,9 +94,11 @@ TEST(fill_holes, a_border_that_only_its_own_sheet_could_close_stays_open) {
   const AlgorithmResult result = fill(mesh);
   EXPECT_EQ(result.changed, 0u);
   EXPECT_EQ(result.text.en,
-            "0 holes were filled; 1 could not be: every patch that was tried crosses the surface or itself (0-1).");
+            "0 holes were filled; 1 could not be: every patch that was tried crosses the surface or itself at f1, "
+            "crossing=allow fills anyway (0-1).");
   EXPECT_EQ(result.text.ja,
-            "穴を 0 個ふさぎました。ふさげない穴 1：試したどのふさぎ方でも曲面または自分自身と交わるため (0-1)。");
+            "穴を 0 個ふさぎました。ふさげない穴 1：試したどのふさぎ方でも曲面または自分自身と交わるため（f1）、"
+            "crossing=allow でふさげます (0-1)。");
 }
 
 TEST(fill_holes, each_reason_is_told) {
@@ -137,8 +124,8 @@ TEST(fill_holes, each_reason_is_told) {
       if (row.cause != cause) continue;
       const Text reason = row.text();
       ASSERT_EQ(result.left_for.size(), 1u) << reason.en;
-      EXPECT_EQ(result.left_for[0].reason.en, reason.en);
-      EXPECT_EQ(result.left_for[0].reason.ja, reason.ja);
+      EXPECT_TRUE(result.left_for[0].reason.en.starts_with(reason.en));
+      EXPECT_TRUE(result.left_for[0].reason.ja.starts_with(reason.ja));
       EXPECT_NE(result.text.en.find(reason.en), std::string::npos);
       EXPECT_NE(result.text.ja.find(reason.ja), std::string::npos);
     }
@@ -177,7 +164,7 @@ TEST(fill_holes, corners_in_a_row_make_no_flat_faces) {
 }
 
 TEST(fill_holes, in_a_mesh_of_floats_new_places_are_floats) {
-  IndexedMesh list = band(40, 1.2, 0.3);
+  IndexedMesh list = tube(40, 1.2, 0.3);
   for (Place& p : list.positions) p = to_single(p);
   Mesh mesh = from_indexed(list);
   EXPECT_EQ(fill(mesh).changed, 2u);

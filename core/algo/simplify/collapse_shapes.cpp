@@ -18,6 +18,13 @@ bool CollapseSurface::turns_too_far(const glm::dvec3& before, const glm::dvec3& 
 
 namespace {
 
+// Whether the angle between the two has more than this cosine, which is above 0.
+bool looks_along(const glm::dvec3& normal, const glm::dvec3& direction, double cosine) {
+  const double product = glm::dot(normal, direction);
+  return product > 0 &&
+         product * product > cosine * cosine * glm::dot(normal, normal) * glm::dot(direction, direction);
+}
+
 // Squares of twice an area, scaled: of sides shorter than about a millionth.
 constexpr double small_square = 1e-24;
 
@@ -107,6 +114,12 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_
   const glm::dvec3& place = placing.place;
   const Vertex a = mesh_.from(h), b = mesh_.to(h);
   const glm::vec3 together = states_[a.index].normal + states_[b.index].normal;
+  // A face between points of one line, as those of a boundary, is thin where the surface lies, or stands in a wall above it:
+  // it is to look clearly along what its corners stand for, not only not against it. Between points that are locked this is
+  // a rule: nothing after it could mend such a face.
+  const auto is_on_line = [&](Vertex v) { return mesh_.is_boundary(v) || states_[v.index].flags != 0; };
+  const auto is_locked = [&](Vertex v) { return (states_[v.index].flags & (fixed | on_locked_boundary)) != 0; };
+  const bool ends_on_line = is_on_line(a) || is_on_line(b), ends_locked = is_locked(a) || is_locked(b);
   const auto turns = [&](Halfedge corner) {
     const Face f = mesh_.face(corner);
     const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
@@ -119,9 +132,14 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_
     if (glm::dot(before, before) < small_square || glm::dot(after, after) < small_square)
       return turns_small_face(corner, position_of(placing));
     if (turns_too_far(before, after)) return true;
-    if (!minds_input) return false;
-    const glm::vec3 others = x.normal + y.normal;
-    return !(glm::dot(after, glm::dvec3(others + together)) > 0) && glm::dot(before, glm::dvec3(others + p.normal)) > 0;
+    const glm::dvec3 others = glm::dvec3(x.normal) + glm::dvec3(y.normal), now = others + glm::dvec3(together),
+                     then = others + glm::dvec3(p.normal);
+    const double clear_cosine = minds_input ? 0.5 : 0.3;
+    if (looks_along(after, now, clear_cosine)) return false;
+    const Vertex u = mesh_.from(next), v = mesh_.from(prev);
+    if (minds_input ? ends_on_line && is_on_line(u) && is_on_line(v) : ends_locked && is_locked(u) && is_locked(v))
+      return looks_along(before, then, clear_cosine);
+    return minds_input && !(glm::dot(after, now) > 0) && glm::dot(before, then) > 0;
   };
   return any_changed_corner(h, place, turns, [&](Vertex v) { return minds_input ? nullptr : facts_of_hub(v); });
 }

@@ -7,10 +7,18 @@
 
 namespace ryosen::test {
 
-Mesh asset_mesh(const std::string& name) {
-  Result<MeshFile> file = read_mesh_file(RYOSEN_SOURCE_DIR "/assets/" + name);
-  EXPECT_TRUE(file) << name;
+namespace {
+
+Mesh mesh_of_file(const std::string& path) {
+  Result<MeshFile> file = read_mesh_file(path);
+  EXPECT_TRUE(file) << path;
   return file ? from_indexed(std::move(file->mesh)) : Mesh();
 }
+
+}  // namespace
+
+Mesh asset_mesh(const std::string& name) { return mesh_of_file(RYOSEN_SOURCE_DIR "/assets/" + name); }
+
+Mesh report_mesh(const std::string& name) { return mesh_of_file(RYOSEN_SOURCE_DIR "/tests/data/reports/" + name); }
 
 }  // namespace ryosen::test

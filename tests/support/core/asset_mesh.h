@@ -1,4 +1,4 @@
-// The meshes of the assets folder.
+// The meshes of the assets folder, and those of people's reports.
 #pragma once
 
 #include <string>
@@ -9,5 +9,7 @@ namespace ryosen::test {
 
 // What a file of assets holds; a test that asks for one that is not there fails.
 Mesh asset_mesh(const std::string& name);
+// What a file of tests/data/reports holds.
+Mesh report_mesh(const std::string& name);
 
 }  // namespace ryosen::test

@@ -1,5 +1,6 @@
 #include "core/algo/remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -78,14 +79,27 @@ std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, doub
       "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
 }
 
-bool run_rounds(Remesher& remesher, std::size_t rounds, Progress& progress) {
+// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ no
+// step has made any.
+bool close_up(Remesher& remesher, Progress& progress) {
+  constexpr int most_turns = 2;
+  remesher.begin_closing();
+  for (int turn = 0; turn < most_turns; ++turn)
+    if (!(remesher.collapse_short(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
+          remesher.relax(progress)))
+      return false;
+  return remesher.collapse_short(progress);
+}
+
+bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) {
+  const std::size_t rounds = options.rounds;
   for (std::size_t round = 0; round < rounds; ++round) {
     const auto at = [&](std::size_t pass) { return progress.go_on(4 * round + pass, 4 * rounds); };
     if (!(at(0) && remesher.split_long(progress) && at(1) && remesher.collapse_short(progress) && at(2) &&
           remesher.swap_for_valence(progress) && at(3) && remesher.relax(progress)))
       return false;
   }
-  return remesher.swap_slivers(progress);
+  return (options.adaptive || close_up(remesher, progress)) && remesher.swap_slivers(progress);
 }
 
 Mesh scaled(const Mesh& mesh, double scale) {
@@ -126,13 +140,36 @@ Crossing crossing_of(const Mesh& mesh, const FacePair& pair) {
   return crossing;
 }
 
+// Boxes of the part that two faces have in common. Of a line, along it: one box of all would hold what lies far from it.
+std::vector<Box> pieces_of_common_part(const Mesh& mesh, const FacePair& pair, double length) {
+  constexpr double most = 256;
+  const Box all = crossing_of(mesh, pair).common;
+  const glm::dvec3 way = all.highest - all.lowest,
+                   along = glm::cross(unit_normal(mesh, mesh.halfedge(pair.first)),
+                                      unit_normal(mesh, mesh.halfedge(pair.second)));
+  const double pieces = std::clamp(std::ceil(glm::length(way) / length), 1.0, most);
+  if (!(glm::dot(along, along) > 0) || !(pieces > 1)) return {all};
+  const auto at = [&](double share) {
+    glm::dvec3 place;
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = all.lowest[axis] + (along[axis] < 0 ? 1 - share : share) * way[axis];
+    return place;
+  };
+  std::vector<Box> boxes;
+  for (double i = 0; i < pieces; ++i) {
+    Box piece{at(i / pieces), at(i / pieces)};
+    piece.add(at((i + 1) / pieces));
+    boxes.push_back(piece);
+  }
+  return boxes;
+}
+
 // The places at which faces meet, and those that lie within a reach of them.
 BoxTree places_of(const Mesh& mesh, std::span<const FacePair> pairs, double reach) {
   std::vector<Box> boxes;
-  for (const FacePair& pair : pairs) {
-    const Box common = crossing_of(mesh, pair).common;
-    boxes.push_back({common.lowest - reach, common.highest + reach});
-  }
+  for (const FacePair& pair : pairs)
+    for (const Box& common : pieces_of_common_part(mesh, pair, reach))
+      boxes.push_back({common.lowest - reach, common.highest + reach});
   return BoxTree(std::move(boxes));
 }
 
@@ -176,7 +213,7 @@ class Attempts {
       Edit edit(work, nullptr);
       SurfaceKeeper keeper(work, known_.points(), watched_, surface_);
       Remesher remesher(edit, known_.features(), known_.target(), keeper);
-      result.is_cancelled = !run_rounds(remesher, options_.rounds, progress);
+      result.is_cancelled = !run_rounds(remesher, options_, progress);
       if (!result.is_cancelled) remesher.take_values(start_);
       edit.commit();
       result.refused = keeper.refused();

@@ -12,7 +12,7 @@ namespace ryosen::remesh {
 
 namespace {
 
-constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5;
+constexpr double longest_share = 4.0 / 3, shortest_share = 4.0 / 5, most_share = 2;
 
 }  // namespace
 
@@ -23,7 +23,8 @@ Remesher::Remesher(Edit& edit, const Features& features, const Target& target, S
       features_(features),
       target_(target),
       keeper_(keeper),
-      judge_(keeper) {
+      judge_(keeper),
+      least_(shortest_share * target.sizing().longest() / 8) {
   wanted_.reserve(mesh_.vertex_slots());
   nearby_.reserve(mesh_.vertex_slots());
   for (Vertex v(0); v.index < mesh_.vertex_slots(); ++v.index) {
@@ -40,6 +41,11 @@ double Remesher::length_of(Edge e) const {
 double Remesher::wanted(Edge e) const {
   const auto [a, b] = ends(mesh_, e);
   return std::min(wanted_[a.index], wanted_[b.index]);
+}
+
+void Remesher::begin_closing() {
+  least_ = shortest_share * target_.sizing().shortest();
+  most_ = most_share * target_.sizing().shortest();
 }
 
 template <class IsWanted>
@@ -90,8 +96,32 @@ bool Remesher::split_long(Progress& progress) {
   return true;
 }
 
+// Of one that splits there: pieces of features do not count.
+bool Remesher::makes_short_edges(Edge e, double along) const {
+  const Halfedge h = halfedge(e);
+  const glm::dvec3 place = SplitEdge{h, along}.position(mesh_);
+  if (!is_feature(e) && std::min(along, 1 - along) * length_of(e) < least_) return true;
+  const auto is_near_apex = [&](Halfedge sheet) {
+    return !mesh_.is_outside(sheet) && glm::distance(place, mesh_.position(mesh_.from(mesh_.prev(sheet)))) < least_;
+  };
+  const auto is_near_apexes = [&](Halfedge sheet) { return is_near_apex(sheet) || is_near_apex(twin(sheet)); };
+  if (!has_several_sheets(mesh_, h)) return is_near_apexes(h);
+  const std::vector<Halfedge> sheets = sheets_between(mesh_, mesh_.from(h), mesh_.to(h));
+  return std::any_of(sheets.begin(), sheets.end(), is_near_apexes);
+}
+
+// Where it makes no edge that is too short: as near to the middle as it can be.
+std::optional<double> Remesher::split_place(Edge e) const {
+  for (const double along : {0.5, 0.35, 0.65, 0.2, 0.8})
+    if (!makes_short_edges(e, along)) return along;
+  return std::nullopt;
+}
+
 bool Remesher::try_split(Edge e) {
-  const SplitEdge split{halfedge(e)};
+  if (!is_feature(e) && makes_short_edges(e, 0.5) && try_swap_cap(e)) return true;
+  const std::optional<double> along = split_place(e);
+  if (!along) return false;
+  const SplitEdge split{halfedge(e), *along};
   if (!keeper_.allows_split(split.halfedge, split.position(mesh_))) return false;
   const Vertex a = point(mesh_, mesh_.from(halfedge(e))), b = point(mesh_, mesh_.to(halfedge(e)));
   const bool was_feature = is_feature(e);
@@ -136,9 +166,11 @@ bool Remesher::try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJu
   return true;
 }
 
-// Of the faces around v none turns away when it lies at `place`.
+// Of the faces around v none turns away when it lies at `place`, and no edge becomes too short.
 bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
   for (const Halfedge h : outgoing(mesh_, v)) {
+    const glm::dvec3& end = mesh_.position(mesh_.to(h));
+    if (is_too_short(glm::distance(place, end), glm::distance(mesh_.position(v), end))) return false;
     if (mesh_.is_outside(h)) continue;
     Corners corners = corners_of(mesh_, h);
     const glm::dvec3 before = area_normal(corners);
@@ -203,21 +235,23 @@ bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
 // No edge around becomes too long, and no face turns.
 bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
   const Halfedge o = twin(h);
+  const double before = length_of(edge(h));
   for (const Halfedge start : {h, o}) {
     const Vertex v = mesh_.from(start);
     if (is_fixed(v) && place == mesh_.position(v)) continue;
     for (const Halfedge out : outgoing(mesh_, v)) {
       const Vertex w = mesh_.to(out);
       if (w != mesh_.from(h) && w != mesh_.to(h)) {
-        const double most = longest_share * std::min(wanted_[v.index], wanted_[w.index]);
-        if (glm::distance(place, mesh_.position(w)) > most) return false;
+        const double most = std::max(longest_share * std::min(wanted_[v.index], wanted_[w.index]), most_);
+        const double made = glm::distance(place, mesh_.position(w));
+        if (made > most || is_too_short(made, before)) return false;
       }
       const Face f = mesh_.face(out);
       if (!f || f == mesh_.face(h) || f == mesh_.face(o)) continue;
       Corners corners = corners_of(mesh_, out);
-      const glm::dvec3 before = area_normal(corners);
+      const glm::dvec3 normal = area_normal(corners);
       corners[0] = place;
-      if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
+      if (!keeps_facing(normal, area_normal(corners), cosine_of_turn)) return false;
     }
   }
   return true;

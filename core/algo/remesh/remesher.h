@@ -28,6 +28,10 @@ class Remesher {
   // Collapses edges shorter than 4/5 of it, the shortest first, where the kernel allows it, no longer edge than 4/3 comes
   // of it and no face turns by 60 degrees: into the middle or else an end, or into the end that stays.
   bool collapse_short(Progress& progress);
+  // After the rounds: from here on no step makes an edge of under 4/5 of the shortest length there is, and edges of up to
+  // twice that length may come of a collapse, so that few short ones are left. Before, an eighth of the longest length
+  // takes its place, so that rounds go on as [Botsch04] has them.
+  void begin_closing();
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
   // Swaps edges between triangles of which one is a sliver, where neither of the two that come of it is as narrow.
@@ -55,6 +59,10 @@ class Remesher {
   // By length, those that `is_wanted`.
   template <class IsWanted>
   std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
+  // Of an edge that a step would make, and the one that it comes of.
+  bool is_too_short(double made, double before) const { return made < least_ && made < before; }
+  bool makes_short_edges(Edge e, double along) const;
+  std::optional<double> split_place(Edge e) const;
   bool try_split(Edge e);
   bool try_collapse(Edge e);
   bool try_collapse(Halfedge h, const glm::dvec3& place);
@@ -62,6 +70,7 @@ class Remesher {
   SwappedTriangles triangles_at(Halfedge h) const;
   bool try_swap(Edge e, std::vector<int>& valences);
   bool try_swap_sliver(Edge e);
+  bool try_swap_cap(Edge e);
   bool swap_if_allowed(Halfedge h);
   int valence_error(Vertex v, int valence) const;
   glm::dvec3 normal_of(Vertex v) const;
@@ -87,6 +96,8 @@ class Remesher {
   const Target& target_;
   SurfaceKeeper& keeper_;
   SurfaceKeeper::MoveJudge judge_;
+  double least_;      // no step makes a shorter edge of a longer one, but pieces of features
+  double most_ = 0;   // edges of this length may come of a collapse, and longer ones only where longer ones are wanted
   std::vector<double> wanted_;         // per vertex
   std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };

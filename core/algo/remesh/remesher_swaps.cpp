@@ -77,7 +77,15 @@ bool Remesher::try_swap_sliver(Edge e) {
   return swap_if_allowed(halfedge(e));
 }
 
+// A long edge over whose middle a corner lies near: what splitting it and joining the two would come to.
+bool Remesher::try_swap_cap(Edge e) {
+  const SwappedTriangles t = triangles_at(halfedge(e));
+  return t.sine_after() > t.sine_before() && t.keep_facing() && swap_if_allowed(halfedge(e));
+}
+
 bool Remesher::swap_if_allowed(Halfedge h) {
+  const glm::dvec3 &c = mesh_.position(mesh_.from(mesh_.prev(h))), &d = mesh_.position(mesh_.from(mesh_.prev(twin(h))));
+  if (is_too_short(glm::distance(c, d), length_of(edge(h)))) return false;
   const SwapEdge swap{h};
   if (!swap.is_legal(mesh_) || !keeper_.allows_swap(h, share_of_reach * wanted(edge(h)))) return false;
   swap.apply(edit_);

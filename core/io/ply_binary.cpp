@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/io/numbers.h"
+#include "core/io/ply_strips.h"
 #include "core/io/ply_values.h"
 #include "core/mesh/column_memory.h"
 #include "core/mesh/touch_pages.h"
@@ -101,7 +102,7 @@ class PlyBinaryReader {
     PropertyTable& table = builder_.tables()[number];
     const std::size_t least = least_bytes(table);
     if (is_absurd(table.rows, least, left())) {
-      failure_ = ply_count_too_large(table, header_.element_lines[number]);
+      failure_ = ply_count_too_large(header_, number);
       return false;
     }
     if (least == 0) return true;
@@ -294,7 +295,9 @@ class PlyBinaryReader {
   }
 
   bool read_rows(PropertyTable& table, const std::vector<PlyTarget>& targets) {
+    const bool are_strips = strip_corners(table) != nullptr;
     for (std::size_t row = 0; row < table.rows; ++row) {
+      if (are_strips) builder_.note_strip(static_cast<std::uint64_t>(at_ - begin_));
       for (std::size_t p = 0; p < targets.size(); ++p) {
         Property& property = table.properties[p];
         const bool done = with_number_type(property.type, [&](auto zero) {

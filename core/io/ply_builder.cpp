@@ -1,9 +1,11 @@
 #include "core/io/ply_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/release.h"
+#include "core/io/ply_strips.h"
 #include "core/mesh/column_memory.h"
 #include "core/mesh/touch_pages.h"
 
@@ -142,38 +144,69 @@ bool PlyBuilder::has_other_byte_order() const {
   });
 }
 
-void PlyBuilder::warn_of_the_whole() {
+// Lists of vertices in elements with other names may be meant as faces.
+void PlyBuilder::warn_of_kept_lists() {
   for (std::size_t t = 0; t < tables().size(); ++t) {
     const PropertyTable& table = tables()[t];
-    if (table.name != "tristrips" || table.rows == 0) continue;
-    reporter_.warn("tristrips_kept", places_[t], [] {
-      return Text{"Triangle strips are not taken apart into faces; they are kept and written back.",
-                  "三角形ストリップは面に分解しません。そのまま保持して書き戻します。"};
+    const bool has_list = std::any_of(table.properties.begin(), table.properties.end(), [](const Property& property) {
+      return property.is_list && property.role == PropertyRole::vertex_number;
+    });
+    const bool are_lists = table.kind == TableKind::other && (has_list || table.name == "tristrips");
+    if (!are_lists || table.rows == 0 || strip_corners(table)) continue;
+    reporter_.warn("tristrips_kept", places_[t], [&] {
+      return Text{
+          "The rows of the element " + shown(table.name) + " are not read as faces; they are kept and written back.",
+          "要素 " + shown(table.name) + " の行は面として読みません。そのまま保持して書き戻します。"};
     });
   }
-  warn_of_missing_elements(reporter_, file_.mesh.positions.size(), file_.mesh.face_count());
+}
+
+// Text may have other numbers than bytes where it announces them; such colours are reals.
+void PlyBuilder::widen_odd_colours() {
+  const auto is_byte = [](double value) { return std::nearbyint(value * 255.0) / 255.0 == value; };
+  for (PropertyTable& table : tables())
+    for (const PropertyRole role : {PropertyRole::vertex_colour, PropertyRole::face_colour}) {
+      bool are_bytes = true;
+      for (const Property& property : table.properties) {
+        if (property.role != role || property.type != NumberType::u8) continue;
+        const PlyTarget target = target_of(property);
+        for (std::size_t row = 0; are_bytes && row < table.rows; ++row)
+          are_bytes = is_byte(target.first[row * target.stride]);
+      }
+      for (Property& property : table.properties)
+        if (!are_bytes && property.role == role) property.type = NumberType::f64;
+    }
+}
+
+FilePlace PlyBuilder::place_of_faces() const {
+  const std::vector<PropertyTable>& all = file_.properties.tables;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].rows != 0 && (all[i].kind == TableKind::faces || strip_corners(all[i]))) return places_[i];
+  return {};
 }
 
 Result<MeshFile> PlyBuilder::finish() {
   IndexedMesh& mesh = file_.mesh;
+  const FilePlace first_face = place_of_faces();
+  warn_of_kept_lists();
+  if (file_.encoding == Encoding::ascii) widen_odd_colours();
   take_corner_texcoords();
+  if (std::optional<Failure> failure = take_strips(file_, faces_, strip_places_, reporter_)) return std::move(*failure);
   faces_.finish(reporter_);
   if (has_other_byte_order()) {
-    const auto is_faces = [](const PropertyTable& table) { return table.kind == TableKind::faces; };
-    const auto at = std::find_if(tables().begin(), tables().end(), is_faces) - tables().begin();
     return malformed("wrong_byte_order",
                      {"No face names vertices that exist; with their bytes the other way round all would. The byte "
                       "order is not the one that the header says.",
                       "どの面も存在しない頂点を参照しています。バイト順を逆にするとすべて正しくなるため、"
                       "ヘッダーのバイト順が誤っています。"},
-                     places_[static_cast<std::size_t>(at)]);
+                     first_face);
   }
   if (!mesh.normals.pool.empty()) mesh.normals.index = mesh.corners;
   if (!mesh.texcoords.pool.empty() && mesh.texcoords.index.empty()) {
     mesh.texcoords.index = mesh.corners;
     mesh.texcoords.components = 2;
   }
-  warn_of_the_whole();
+  warn_of_missing_elements(reporter_, mesh.positions.size(), mesh.face_count());
   file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);

@@ -36,6 +36,8 @@ class PlyBuilder {
   void warn_non_finite(FilePlace place);
   // Warns of a 64-bit integer that is rounded to double.
   void warn_rounded(FilePlace place);
+  // Notes the place of the next strip: its line, in binary files its byte.
+  void note_strip(std::uint64_t place) { strip_places_.push_back(place); }
 
   // Quarantines the unusable faces and returns the file; fails if it looks like the other byte order.
   Result<MeshFile> finish();
@@ -43,13 +45,17 @@ class PlyBuilder {
  private:
   PlyTarget target_of(const Property& property);
   void take_corner_texcoords();
+  void widen_odd_colours();
+  void warn_of_kept_lists();
   bool has_other_byte_order() const;
-  void warn_of_the_whole();
+  // The first face, or strip of triangles; nowhere if there is none.
+  FilePlace place_of_faces() const;
 
   MeshFile file_;
   FaceList faces_;
   Reporter reporter_;
-  std::vector<FilePlace> places_;  // of the first row of each table
+  std::vector<FilePlace> places_;            // of the first row of each table
+  std::vector<std::uint64_t> strip_places_;  // a line or byte for each strip
 };
 
 }  // namespace ryosen

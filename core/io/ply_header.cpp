@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 #include "core/io/numbers.h"
 #include "core/io/ply_roles.h"
@@ -141,6 +142,7 @@ class HeaderReader {
                                         : TableKind::other;
     table.rows = static_cast<std::size_t>(count);
     header_.tables.tables.push_back(std::move(table));
+    header_.counts.emplace_back(word);
     header_.element_lines.push_back(lines_.count());
   }
 
@@ -185,9 +187,7 @@ class HeaderReader {
     for (std::size_t i = 0; i < header_.tables.tables.size(); ++i) {
       const PropertyTable& table = header_.tables.tables[i];
       const FilePlace place = FilePlace::at_line(header_.element_lines[i]);
-      if (table.kind == TableKind::vertices && !has_role(table, PropertyRole::position)) {
-        return fail("missing_property", {"The vertices have no x, y and z.", "頂点に x、y、z がありません。"}, place);
-      }
+      if (table.kind == TableKind::vertices && !has_all_coordinates(table, place)) return;
       if (table.kind == TableKind::faces && table.rows != 0 && !has_role(table, PropertyRole::corners)) {
         return fail("missing_property",
                     {"The faces have no list vertex_indices of whole numbers.",
@@ -203,6 +203,19 @@ class HeaderReader {
     header_.tables.has_decimal_reals = header_.encoding == Encoding::ascii;
   }
 
+  // Points of a plane may be meant by x and y alone.
+  bool has_all_coordinates(const PropertyTable& table, FilePlace place) {
+    if (has_position(table, 2)) return true;
+    fail("missing_property", {"The vertices have no x, y and z.", "頂点に x、y、z がありません。"}, place);
+    if (has_position(table, 1)) header_.missing_z = std::exchange(failure_, std::nullopt);
+    return !failure_;
+  }
+  static bool has_position(const PropertyTable& table, int component) {
+    return std::any_of(table.properties.begin(), table.properties.end(), [&](const Property& property) {
+      return property.role == PropertyRole::position && property.component == component;
+    });
+  }
+
   TextLines lines_;
   PlyHeader header_;
   std::optional<Failure> failure_;
@@ -211,18 +224,25 @@ class HeaderReader {
   bool has_format_ = false;
 };
 
+// Behind the first line end at or after `at`; the end if there is none.
+std::size_t behind_line(std::string_view bytes, std::size_t at, PlyLineEnd ends) {
+  const std::size_t end = bytes.find_first_of(ends == PlyLineEnd::cr ? "\r" : "\r\n", at);
+  if (end == std::string_view::npos) return bytes.size();
+  const bool has_two = ends == PlyLineEnd::lf_cr ? bytes.substr(end, 2) == "\n\r"
+                       : ends == PlyLineEnd::lf  ? bytes.substr(end, 2) == "\r\n"
+                                                 : false;
+  return end + (has_two ? 2 : 1);
+}
+
 // The bytes up to the end of the line end_header (all bytes if there is none), so that binary data are not scanned for
 // line ends.
-std::string_view header_bytes(std::string_view bytes) {
+std::string_view header_bytes(std::string_view bytes, PlyLineEnd ends) {
   constexpr std::string_view last = "end_header";
   for (std::size_t at = bytes.find(last); at != std::string_view::npos; at = bytes.find(last, at + 1)) {
     if (at == 0 || (bytes[at - 1] != '\n' && bytes[at - 1] != '\r')) continue;
     const std::string_view behind = bytes.substr(at + last.size(), 1);
     if (!behind.empty() && behind.find_first_of(" \t\r\n") != 0) continue;  // a longer word
-    std::size_t end = bytes.find_first_of("\r\n", at);
-    if (end == std::string_view::npos) return bytes;
-    if (bytes[end] == '\r' && end + 1 < bytes.size() && bytes[end + 1] == '\n') ++end;
-    return bytes.substr(0, end + 1);
+    return bytes.substr(0, behind_line(bytes, at, ends));
   }
   return bytes;
 }
@@ -244,6 +264,33 @@ Failure PlyHeader::explained(Failure failure) const {
   return failure;
 }
 
-Result<PlyHeader> read_ply_header(std::string_view bytes) { return HeaderReader(header_bytes(bytes)).read(); }
+PlyLineEnd ply_line_end(std::string_view bytes) {
+  const std::size_t end = bytes.find_first_of("\r\n");
+  if (end == std::string_view::npos) return PlyLineEnd::lf;
+  const bool has_two =
+      end + 1 < bytes.size() && bytes[end + 1] != bytes[end] && (bytes[end + 1] == '\r' || bytes[end + 1] == '\n');
+  if (bytes[end] == '\r') return has_two ? PlyLineEnd::lf : PlyLineEnd::cr;
+  const bool is_blank_line = bytes.substr(end + 1).starts_with("\r\n");
+  return has_two && !is_blank_line ? PlyLineEnd::lf_cr : PlyLineEnd::lf;
+}
+
+std::string with_single_line_ends(std::string_view bytes) {
+  std::string out;
+  out.reserve(bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    out += bytes[i];
+    if (bytes[i] == '\n' && i + 1 < bytes.size() && bytes[i + 1] == '\r') ++i;
+  }
+  return out;
+}
+
+Result<PlyHeader> read_ply_header(std::string_view bytes) {
+  const PlyLineEnd ends = ply_line_end(bytes);
+  const std::string_view head = header_bytes(bytes, ends);
+  if (ends != PlyLineEnd::lf_cr) return HeaderReader(head).read();
+  Result<PlyHeader> header = HeaderReader(with_single_line_ends(head)).read();
+  if (header) header->bytes = head.size();
+  return header;
+}
 
 }  // namespace ryosen

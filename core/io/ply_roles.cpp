@@ -18,7 +18,7 @@ struct RoleRow {
 const std::vector<RoleRow>& scalar_roles() {
   using enum PropertyRole;
   static const std::vector<RoleRow> rows = {
-      {TableKind::vertices, position, 3, {"x", "y", "z"}},
+      {TableKind::vertices, position, 2, {"x", "y", "z"}},
       {TableKind::vertices, normal, 3, {"nx", "ny", "nz"}},
       {TableKind::vertices, texcoord, 2, {"s", "t"}},
       {TableKind::vertices, texcoord, 2, {"u", "v"}},

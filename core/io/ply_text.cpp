@@ -1,34 +1,64 @@
-// Reader for ascii PLY: one row per line.
+// Reader for ascii PLY: one row per line, or number by number.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/io/faults.h"
 #include "core/io/numbers.h"
 #include "core/io/ply_plain_rows.h"
+#include "core/io/ply_strips.h"
 #include "core/io/ply_values.h"
 #include "core/io/text_lines.h"
 
 namespace ryosen {
 namespace {
 
+enum class PlyLayout { lines, words };
+
 // Every step returns false where nothing more can be read; what reads a row or less, where that has a fault.
 class PlyTextReader {
  public:
-  PlyTextReader(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder)
-      : bytes_(bytes), header_(header), builder_(builder), lines_(bytes, false) {}
+  PlyTextReader(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder, PlyLayout layout)
+      : bytes_(bytes),
+        header_(header),
+        builder_(builder),
+        lines_(bytes, false),
+        are_words_(layout == PlyLayout::words) {}
 
   std::optional<Failure> read() {
-    TextLine line;
-    for (std::uint64_t i = 0; i < header_.lines; ++i) lines_.next(line);
-    for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
-      if (!read_table(t)) break;
-    }
+    read_tables();
     if (faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, builder_.reporter(), {"row", "行"}, [this] { return next_line(); });
     return std::nullopt;
   }
 
+  // Whether the numbers come out exactly.
+  bool read_exactly() {
+    read_tables();
+    if (faults_.any() || has_number()) return false;
+    if (first_spread_ != 0) warn_of_spread_rows();
+    return true;
+  }
+
  private:
+  void read_tables() {
+    TextLine line;
+    for (std::uint64_t i = 0; i < header_.lines; ++i) lines_.next(line);
+    for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
+      if (!read_table(t)) break;
+    }
+  }
+
+  void warn_of_spread_rows() {
+    builder_.reporter().warn("read_by_words", FilePlace::at_line(first_spread_), [] {
+      return Text{
+          "Rows do not stand on a line each; the file was read number by number, and all its counts come out at its "
+          "end.",
+          "1 行に 1 "
+          "要素ずつ並んでいないため、数の並びとして読みました。個数はファイルの終わりでちょうど合っています。"};
+    });
+  }
+
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
   bool next_line() {
@@ -38,24 +68,43 @@ class PlyTextReader {
     return true;
   }
 
+  // Goes on to the next line that has a number if the current one has no more.
+  bool has_number() { return !is_blank(rest_) || next_line(); }
+
+  // Where a row begins and its numbers are not laid out by lines.
+  bool begin_row_anywhere() {
+    const bool is_amid_line = !is_blank(rest_);
+    if (!has_number()) return false;
+    if (is_amid_line) note_spread();
+    return true;
+  }
+  void note_spread() {
+    if (first_spread_ == 0) first_spread_ = row_line_;
+  }
+  bool begin_row() {
+    const bool begins = are_words_ ? begin_row_anywhere() : next_line();
+    row_line_ = lines_.count();
+    return begins;
+  }
+
   bool read_table(std::size_t number) {
     PropertyTable& table = builder_.tables()[number];
     const std::size_t least_bytes = 2 * table.properties.size(), left = bytes_.size() - lines_.next_byte() + 1;
     if (is_absurd(table.rows, least_bytes, left)) {
-      return faults_.stop(ply_count_too_large(table, header_.element_lines[number]));
+      return faults_.stop(ply_count_too_large(header_, number));
     }
     if (table.properties.empty()) return true;
     const std::size_t rows = table.rows;
     table.rows = std::min(rows, left / least_bytes + 1);  // at most what fits, plus one incomplete row
-    const bool has_first = rows != 0 && next_line();
+    const bool has_first = rows != 0 && begin_row();
     targets_ = builder_.begin_table(number, FilePlace::at_line(lines_.count()));
     table.rows = rows;
     for (std::size_t row = 0; row < rows; ++row) {
-      if (row == 1 && !faults_.any()) row += read_plain(table, rows - 1);
+      if (row == 1 && !faults_.any() && !are_words_) row += read_plain(table, rows - 1);
       if (row == rows) break;
-      if (row == 0 ? !has_first : !next_line())
+      if (row == 0 ? !has_first : !begin_row())
         return faults_.stop(ply_early_end(table, row, FilePlace::at_line(lines_.count() + 1)));
-      if (!read_row(table, row) && faults_.is_stopped()) return false;
+      if (!read_row(table, row) && (are_words_ || faults_.is_stopped())) return false;
     }
     return true;
   }
@@ -75,14 +124,17 @@ class PlyTextReader {
       if (property.is_list ? !read_list(property) : !read_scalar(property, targets_[p], row)) return false;
     }
     if (faults_.any()) return false;
-    if (table.kind == TableKind::vertices) builder_.mesh().vertex_lines.add(lines_.count());
-    if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(lines_.count()));
-    if (!is_blank(rest_)) warn_of_extra_values(builder_.reporter(), FilePlace::at_line(lines_.count()));
+    if (strip_corners(table)) builder_.note_strip(row_line_);
+    if (table.kind == TableKind::vertices) builder_.mesh().vertex_lines.add(row_line_);
+    if (!is_finite_) builder_.warn_non_finite(FilePlace::at_line(row_line_));
+    if (are_words_ && lines_.count() != row_line_) note_spread();
+    if (!are_words_ && !is_blank(rest_)) warn_of_extra_values(builder_.reporter(), FilePlace::at_line(row_line_));
     return true;
   }
 
   bool read_scalar(Property& property, const PlyTarget& target, std::size_t row) {
     if (!target.first) return read_kept(property);
+    if (are_words_) has_number();
     const std::string_view before = rest_;
     double value = 0;
     if (!read_number(value)) return false;
@@ -127,6 +179,7 @@ class PlyTextReader {
 
   // Reads a value into Property::data. Integers must fit their type and may be written with a zero fraction.
   bool read_kept(Property& property) {
+    if (are_words_) has_number();
     if (is_real(property.type)) {
       double value = 0;
       if (!read_number(value)) return false;
@@ -161,6 +214,7 @@ class PlyTextReader {
   }
 
   bool read_list(Property& property) {
+    if (are_words_) has_number();
     const std::string_view before = rest_;
     std::int64_t count = 0;
     if (!read_whole(count)) return false;
@@ -173,9 +227,9 @@ class PlyTextReader {
     const bool are_corners = property.role == PropertyRole::corners;
     if (faults_.any()) property.data.clear();  // nothing is kept any more
     if (are_corners && builder_.faces().is_full(rest_.size()))
-      return faults_.stop(too_many_corners(FilePlace::at_line(lines_.count())));
+      return faults_.stop(too_many_corners(FilePlace::at_line(row_line_)));
     for (std::int64_t i = 0; i < count; ++i) {
-      if (is_blank(rest_)) return short_list(count, i);
+      if (is_blank(rest_) && !(are_words_ && next_line())) return short_list(count, i);
       std::int64_t vertex = 0;
       if (!are_corners) {
         if (!read_kept(property)) return false;
@@ -186,7 +240,7 @@ class PlyTextReader {
     }
     if (faults_.any()) return true;
     if (are_corners)
-      builder_.faces().end_face(lines_.count());
+      builder_.faces().end_face(row_line_);
     else
       property.ends.push_back(static_cast<std::uint32_t>(property.data.size() / size_of(property.type)));
     return true;
@@ -208,12 +262,29 @@ class PlyTextReader {
   std::string_view rest_;  // the rest of the current line
   std::vector<PlyTarget> targets_;
   bool is_finite_ = true;
+  const bool are_words_;
+  std::uint64_t row_line_ = 0;      // where the current row begins
+  std::uint64_t first_spread_ = 0;  // the line of the first row that does not have one for itself
 };
+
+// In what is not laid out by lines damage would show by numbers that cannot be.
+bool has_sound_faces(const IndexedMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    if (mesh.face(f).size() < 3) return false;
+  const std::size_t vertices = mesh.positions.size();
+  return std::all_of(mesh.corners.begin(), mesh.corners.end(), [&](std::uint32_t c) { return c < vertices; });
+}
 
 }  // namespace
 
 std::optional<Failure> read_ply_text(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder) {
-  return PlyTextReader(bytes, header, builder).read();
+  return PlyTextReader(bytes, header, builder, PlyLayout::lines).read();
+}
+
+bool read_ply_words(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder) {
+  // So many corners, of two bytes at least, fit the 32 bits of their numbering whatever comes.
+  if (bytes.size() / 2 >= no_index) return false;
+  return PlyTextReader(bytes, header, builder, PlyLayout::words).read_exactly() && has_sound_faces(builder.mesh());
 }
 
 }  // namespace ryosen

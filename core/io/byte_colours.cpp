@@ -1,7 +1,9 @@
 #include "core/io/byte_colours.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace ryosen {
@@ -50,6 +52,23 @@ double as_byte(double component) {
   for (const double candidate : {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity)})
     if (candidate / byte_scale == component) return candidate;
   return std::nextafter(scaled, -infinity);
+}
+
+std::optional<std::uint8_t> byte_meant(double component) {
+  if (!(component >= 0 && component <= 1)) return std::nullopt;
+  const double byte = std::nearbyint(component * byte_scale), exact = byte / byte_scale;
+  if (exact == component) return static_cast<std::uint8_t>(byte);
+  if (byte == 0) return std::nullopt;  // 0 is exact, and what is smaller may have hundreds of decimals
+  char text[32];
+  char* const end = text + sizeof text;
+  const char* stop = std::to_chars(text, end, component, std::chars_format::fixed).ptr;
+  const char* const point = std::find(static_cast<const char*>(text), stop, '.');
+  constexpr std::ptrdiff_t least_decimals = 4;
+  const std::ptrdiff_t decimals = std::max(point == stop ? 0 : stop - point - 1, least_decimals);
+  stop = std::to_chars(text, end, exact, std::chars_format::fixed, static_cast<int>(decimals)).ptr;
+  double printed = 0;
+  std::from_chars(text, stop, printed);
+  return printed == component ? std::optional(static_cast<std::uint8_t>(byte)) : std::nullopt;
 }
 
 bool are_byte_colours(const MeshFile& file) {

@@ -68,6 +68,11 @@ std::uint64_t rounded_colours(const MeshFile& file, Holds held) {
   return count_rounded_colours(file);
 }
 
+// A format that keeps the properties of the file keeps their types.
+std::uint64_t colours_between_bytes(const MeshFile& file, Holds held) {
+  return holds(held, Holds::properties) ? ply_rounded_colours(file) : 0;
+}
+
 std::uint64_t face_colours(const MeshFile& file, Holds held) {
   const std::vector<std::uint8_t>& count = file.mesh.face_colours.count;
   if (holds(held, Holds::any_face_colours) || count.empty()) return 0;
@@ -275,6 +280,8 @@ const std::vector<LossKind>& loss_kinds() {
        missing_colours},
       {"loses_exact_colours", "colours of vertices or faces among brighter ones than white, which are rounded",
        "白より明るい色を含む頂点や面の色(丸められます)", rounded_colours},
+      {"loses_exact_colours", "Colours are rounded to the uchar that the file has for them; vertices and faces",
+       "色は、ファイルの型 uchar に合わせて丸められます。頂点と面の数", colours_between_bytes, LossSentence::own},
       {"loses_face_colours", "colours of faces, or faces without one among others", "面の色(または色のない面の区別)",
        face_colours},
       {"loses_weights", "weights of vertices", "頂点の重み",

@@ -1,9 +1,13 @@
 #include "core/io/ply_columns.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include "core/geometry/single_precision.h"
+#include "core/io/byte_colours.h"
 #include "core/io/vertex_values.h"
 
 namespace ryosen {
@@ -27,6 +31,32 @@ bool type_holds(NumberType type, double value) {
   });
 }
 
+// In text a decimal stands for a float if the float, printed with as many digits, gives it.
+bool is_decimal_of_single(double value) {
+  if (type_holds(NumberType::f32, value)) return true;
+  if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
+  char text[32];
+  char* const end = text + sizeof text;
+  const char* stop = std::to_chars(text, end, std::abs(value), std::chars_format::scientific).ptr;
+  const std::ptrdiff_t before_exponent = std::find(static_cast<const char*>(text), stop, 'e') - text;
+  const auto decimals = static_cast<int>(std::max<std::ptrdiff_t>(before_exponent - 2, 0));
+  stop = std::to_chars(text, end, to_single(value), std::chars_format::scientific, decimals).ptr;
+  double printed = 0;
+  std::from_chars(text, stop, printed);
+  return printed == value;
+}
+
+// Where reading makes floats, if it is how the float is printed: with its shortest digits.
+bool is_shortest_of_single(double value) {
+  if (type_holds(NumberType::f32, value)) return true;
+  if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
+  double printed = 0;
+  std::from_chars(text, end, printed);
+  return printed == value;
+}
+
 // The scaled number that reading converts back to the same colour component, integral if possible.
 double scaled_colour(double component, double scale) {
   if (scale == 1.0) return component;
@@ -37,6 +67,12 @@ double scaled_colour(double component, double scale) {
     if (candidate / scale == component) return candidate;
   }
   return scaled;
+}
+
+// A rounding of colours to bytes may go a little beyond black and white, as weighted means do.
+bool rounds_to_byte(double component) {
+  const double byte = std::nearbyint(component * 255.0);
+  return byte >= 0 && byte <= 255;
 }
 
 bool is_colour(PropertyRole role) { return role == PropertyRole::vertex_colour || role == PropertyRole::face_colour; }
@@ -57,12 +93,34 @@ int ply_face_colour_components(const FaceColours& colours) {
   return components;
 }
 
+std::uint64_t ply_rounded_colours(const MeshFile& file) {
+  const auto is_byte_colour = [](const Property& p) { return is_colour(p.role) && p.type == NumberType::u8; };
+  const std::vector<PropertyTable>& layout = file.properties.tables;
+  if (std::none_of(layout.begin(), layout.end(), [&](const PropertyTable& table) {
+        return std::any_of(table.properties.begin(), table.properties.end(), is_byte_colour);
+      }))
+    return 0;
+  const PlyColumns columns(file, Encoding::binary_little);
+  std::uint64_t count = 0;
+  for (const PlyTable& table : columns.tables()) {
+    if (table.kind == TableKind::other) continue;
+    std::vector<const PlyColumn*> bytes;
+    for (const PlyColumn& column : table.columns)
+      if (is_colour(column.role) && column.type == NumberType::u8 && column.is_of_layout) bytes.push_back(&column);
+    for (std::size_t row = 0; row < table.rows && !bytes.empty(); ++row)
+      count += std::any_of(bytes.begin(), bytes.end(),
+                           [&](const PlyColumn* column) { return !byte_meant(columns.mesh_value(*column, row)); });
+  }
+  return count;
+}
+
 PlyColumns::PlyColumns(const MeshFile& file, Encoding encoding)
     : file_(file),
       normals_(per_vertex(file.mesh, file.mesh.normals)),
       texcoords_(per_vertex(file.mesh, file.mesh.texcoords)),
       face_colour_components_(ply_face_colour_components(file.mesh.face_colours)),
-      keeps_types_(file.properties.has_decimal_reals && encoding == Encoding::ascii) {
+      has_decimals_(file.properties.has_decimal_reals),
+      writes_decimals_(encoding == Encoding::ascii) {
   const IndexedMesh& mesh = file.mesh;
   if (!mesh.quarantine.empty()) {
     aside_.assign(mesh.face_count(), no_index);
@@ -130,6 +188,7 @@ void PlyColumns::add_layout() {
       column.count_type = property.count_type;
       column.role = property.role;
       column.component = property.component;
+      column.is_of_layout = true;
       if (is_colour(property.role)) column.scale = colour_scale(property.type);
       if (property.is_kept()) column.kept = &property;
     }
@@ -148,7 +207,10 @@ void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_
       return column.role == role && column.component == component;
     });
     if (!is_there && has_data(role, component)) {
-      PlyColumn& column = table.columns.emplace_back();
+      const auto last = std::find_if(table.columns.rbegin(), table.columns.rend(),
+                                     [&](const PlyColumn& column) { return column.role == role; });
+      const auto behind = last == table.columns.rend() ? table.columns.end() : last.base();
+      PlyColumn& column = *table.columns.insert(behind, PlyColumn());
       column.name = name;
       column.type = type;
       column.role = role;
@@ -195,7 +257,7 @@ void PlyColumns::add_missing() {
   add_reals(faces, face_colour, {"red", "green", "blue", "alpha"});
 }
 
-double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
+double PlyColumns::mesh_value(const PlyColumn& column, std::size_t row) const {
   const IndexedMesh& mesh = file_.mesh;
   const int c = column.component;
   switch (column.role) {
@@ -207,11 +269,17 @@ double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
       return value_of(mesh.texcoords, (*texcoords_)[row])[c];
     case PropertyRole::vertex_colour: {
       const glm::dvec4& colour = mesh.vertex_colours[row];
-      return scaled_colour(std::isnan(colour.x) ? 1.0 : colour[c], column.scale);  // no colour: white
+      return std::isnan(colour.x) ? 1.0 : colour[c];  // no colour: white
     }
     default:
-      return scaled_colour(mesh.face_colours.count[row] == 0 ? 1.0 : mesh.face_colours.values[row][c], column.scale);
+      return mesh.face_colours.count[row] == 0 ? 1.0 : mesh.face_colours.values[row][c];
   }
+}
+
+double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
+  const double value = mesh_value(column, row);
+  if (!is_colour(column.role)) return value;
+  return column.type == NumberType::u8 ? std::nearbyint(value * column.scale) : scaled_colour(value, column.scale);
 }
 
 const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) const {
@@ -232,20 +300,27 @@ const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) co
   return scratch_;
 }
 
+bool PlyColumns::holds_value(NumberType type, const PlyColumn& column, double value) const {
+  if (type == NumberType::u8 && is_colour(column.role))
+    return column.is_of_layout ? rounds_to_byte(value) : byte_meant(value).has_value();
+  if (type == NumberType::f32 && has_decimals_) {
+    const bool stay_decimals = writes_decimals_ && column.role != PropertyRole::corner_texcoord;
+    return stay_decimals ? is_decimal_of_single(value) : is_shortest_of_single(value);
+  }
+  return type_holds(type, is_colour(column.role) ? scaled_colour(value, colour_scale(type)) : value);
+}
+
 bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t rows) const {
-  PlyColumn as = column;
-  as.type = type;
-  if (is_colour(column.role)) as.scale = colour_scale(type);
   if (column.role == PropertyRole::corner_texcoord) {
     for (std::size_t row = 0; row < rows; ++row) {
       for (const glm::dvec3& value : corner_texcoords(row)) {
-        if (!type_holds(type, value.x) || !type_holds(type, value.y)) return false;
+        if (!holds_value(type, column, value.x) || !holds_value(type, column, value.y)) return false;
       }
     }
     return true;
   }
   for (std::size_t row = 0; row < rows; ++row) {
-    if (!type_holds(type, value(as, row))) return false;
+    if (!holds_value(type, column, mesh_value(column, row))) return false;
   }
   return true;
 }
@@ -261,12 +336,8 @@ void PlyColumns::widen(const PlyTable& table, PlyColumn& column) {
     }
   }
   if (column.role == PropertyRole::corners) return widen_corners(column);
-  if (column.role != PropertyRole::corner_texcoord || keeps_type(column, table.rows)) return;
+  if (column.role != PropertyRole::corner_texcoord || holds(column.type, column, table.rows)) return;
   column.type = holds(NumberType::f32, column, table.rows) ? NumberType::f32 : NumberType::f64;
-}
-
-bool PlyColumns::keeps_type(const PlyColumn& column, std::size_t rows) const {
-  return (keeps_types_ && is_real(column.type)) || holds(column.type, column, rows);
 }
 
 void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
@@ -274,7 +345,7 @@ void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
   for (PlyColumn& column : table.columns) {
     if (column.role == role) columns.push_back(&column);
   }
-  const auto keeps = [&](const PlyColumn* column) { return keeps_type(*column, table.rows); };
+  const auto keeps = [&](const PlyColumn* column) { return holds(column->type, *column, table.rows); };
   if (std::all_of(columns.begin(), columns.end(), keeps)) return;
   const bool are_singles = std::all_of(columns.begin(), columns.end(), [&](const PlyColumn* column) {
     return column->type != NumberType::f64 && holds(NumberType::f32, *column, table.rows);

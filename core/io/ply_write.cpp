@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/enum_table.h"
+#include "core/geometry/single_precision.h"
 #include "core/io/ply.h"
 #include "core/io/ply_columns.h"
 #include "core/io/text_lines.h"
@@ -19,12 +20,15 @@ class PlyTextSink {
  public:
   explicit PlyTextSink(TextOut& out) : out_(out) {}
 
+  // A float has the shortest digits of one; a decimal of a text in its place keeps its own.
   void real(NumberType type, double value) {
     blank();
-    if (is_real(type)) {
-      out_ << value;
-    } else {
+    if (!is_real(type)) {
       out_ << static_cast<std::int64_t>(value);
+    } else if (type == NumberType::f32 && to_single(value) == value) {
+      out_ << static_cast<float>(value);
+    } else {
+      out_ << value;
     }
   }
   void kept(const Property& property, std::size_t value) {
@@ -195,10 +199,10 @@ class PlyWriter {
     } else if (column.role == PropertyRole::corner_texcoord) {
       const std::vector<glm::dvec3>& texcoords = columns_.corner_texcoords(row);
       sink.whole(column.count_type, static_cast<std::int64_t>(2 * texcoords.size()));
-      for (const glm::dvec3& texcoord : texcoords) {
-        sink.real(column.type, texcoord.x);
-        sink.real(column.type, texcoord.y);
-      }
+      const bool are_singles = column.type == NumberType::f32;  // reading makes them floats
+      for (const glm::dvec3& texcoord : texcoords)
+        for (const double number : {texcoord.x, texcoord.y})
+          sink.real(column.type, are_singles ? to_single(number) : number);
     } else {
       sink.real(column.type, columns_.value(column, row));
     }

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "core/io/byte_colours.h"
 #include "core/io/mesh_file.h"
 
 namespace ryosen::test {
@@ -128,6 +131,37 @@ inline MeshFile without_form(MeshFile file) {
     if (std::all_of(names->index.begin(), names->index.end(), [](std::uint32_t i) { return i == no_index; }))
       names->index.clear();
   for (QuarantinedFace& face : file.mesh.quarantine) face.texcoords.clear(), face.normals.clear();
+  return file;
+}
+
+// What a PLY file says of a value: the float of which it is the shortest decimal, if there is one.
+inline double in_ply(double value) {
+  if (!(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) return value;
+  const volatile float single = static_cast<float>(value);
+  char text[32];
+  const char* const end = std::to_chars(text, text + sizeof text, single).ptr;
+  double printed = 0;
+  std::from_chars(text, end, printed);
+  return printed == value ? double{single} : value;
+}
+
+// The byte that a colour of PLY means, where it means one.
+inline double colour_in_ply(double value) {
+  const auto byte = byte_meant(value);
+  return byte ? *byte / 255.0 : in_ply(value);
+}
+
+// The file as PLY says it: floats and their shortest decimals mean the same, and so do bytes and what they are printed as.
+inline MeshFile as_in_ply(MeshFile file) {
+  const auto each = [](auto& vectors, const auto& change) {
+    for (auto& vector : vectors)
+      for (int i = 0; i < vector.length(); ++i) vector[i] = change(vector[i]);
+  };
+  each(file.mesh.positions, in_ply);
+  each(file.mesh.normals.pool, in_ply);
+  each(file.mesh.texcoords.pool, in_ply);
+  each(file.mesh.vertex_colours, colour_in_ply);
+  each(file.mesh.face_colours.values, colour_in_ply);
   return file;
 }
 

@@ -24,6 +24,7 @@ bool OffBuilder::add_vertex(const double* values, std::size_t count, std::uint64
   const bool has_meaning = kind_.has_colours ? colours == 0 || colours == 3 || colours == 4 : colours == 0;
   if (!has_meaning) colours = 0;
   if (kind_.has_colours) add_colour(values + before, colours);
+  if (kind_.has_colours && kind_.has_normals && colours != 0) order_.add(values + 3, colours);
   // If there are values without a meaning in between, the texture coordinates are those after the normal.
   const double* const texcoord = values + before + colours;
   if (kind_.has_texcoords) mesh.texcoords.pool.emplace_back(texcoord[0], texcoord[1], 0.0);
@@ -59,6 +60,27 @@ bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t 
   return has_meaning;
 }
 
+// Shares the numbers of normal and colour out anew.
+void OffBuilder::put_colours_first() {
+  IndexedMesh& mesh = file_.mesh;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    glm::dvec3& normal = mesh.normals.pool[v];
+    glm::dvec4& colour = mesh.vertex_colours[v];
+    if (std::isnan(colour.x)) continue;
+    const glm::dvec3 first = normal;
+    const bool has_alpha = !std::isnan(colour.w);
+    normal = has_alpha ? glm::dvec3(colour.y, colour.z, colour.w) : glm::dvec3(colour);
+    colour = glm::dvec4(first, has_alpha ? colour.x : no_colour);
+  }
+  reporter_.warn("content_mismatch", FilePlace::at_line(mesh.vertex_lines.line(0)), [] {
+    return Text{
+        "The numbers of a vertex are read as place, colour, normal: in the order of the format, place, normal, colour, "
+        "normals would not have the length 1, or colours would be out of range.",
+        "頂点の数を座標、色、法線の順に読みました。形式どおりの座標、法線、色の順では、法線の長さが 1 でないか、"
+        "色が範囲を外れるためです。"};
+  });
+}
+
 // If any vertex colour value exceeds 1, all range over 0..255.
 void OffBuilder::scale_byte_colours() {
   std::vector<glm::dvec4>& colours = file_.mesh.vertex_colours;
@@ -73,6 +95,7 @@ void OffBuilder::scale_byte_colours() {
 MeshFile OffBuilder::finish() {
   IndexedMesh& mesh = file_.mesh;
   faces_.finish(reporter_);
+  if (order_.is_colours_first()) put_colours_first();
   if (kind_.has_normals) mesh.normals.index = mesh.corners;
   if (!mesh.texcoords.pool.empty()) {
     mesh.texcoords.index = mesh.corners;

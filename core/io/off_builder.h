@@ -7,6 +7,7 @@
 #include "core/io/face_list.h"
 #include "core/io/mesh_file.h"
 #include "core/io/off.h"
+#include "core/io/off_order.h"
 #include "core/io/reporter.h"
 
 namespace ryosen {
@@ -38,12 +39,14 @@ class OffBuilder {
 
  private:
   void add_colour(const double* values, std::size_t count);
+  void put_colours_first();
   void scale_byte_colours();
 
   OffKind kind_;
   MeshFile file_;
   FaceList faces_;
   Reporter reporter_;
+  OffOrder order_;
 };
 
 }  // namespace ryosen

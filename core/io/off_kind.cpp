@@ -6,15 +6,27 @@ namespace ryosen {
 
 std::optional<OffKind> OffKind::from_word(std::string_view word) {
   OffKind kind;
-  const auto take = [&](std::string_view prefix) {
-    if (!word.starts_with(prefix)) return false;
-    word.remove_prefix(prefix.size());
-    return true;
+  bool has_fourth = false, has_dimension = false;
+  struct Prefix {
+    std::string_view letters;
+    bool& is_there;
   };
-  kind.has_texcoords = take("ST");
-  kind.has_colours = take("C");
-  kind.has_normals = take("N");
-  const bool has_fourth = take("4"), has_dimension = take("n");
+  const Prefix prefixes[] = {{"ST", kind.has_texcoords},
+                             {"C", kind.has_colours},
+                             {"N", kind.has_normals},
+                             {"4", has_fourth},
+                             {"n", has_dimension}};
+  // In any order, each once.
+  const auto take_one = [&] {
+    for (const Prefix& prefix : prefixes) {
+      if (prefix.is_there || !word.starts_with(prefix.letters)) continue;
+      word.remove_prefix(prefix.letters.size());
+      return prefix.is_there = true;
+    }
+    return false;
+  };
+  while (take_one()) {
+  }
   kind.is_three_dimensional = !has_fourth && !has_dimension;
   if (word != "OFF") return std::nullopt;
   return kind;

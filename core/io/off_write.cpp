@@ -3,6 +3,7 @@
 
 #include "core/io/byte_colours.h"
 #include "core/io/off.h"
+#include "core/io/off_order.h"
 #include "core/io/reporter.h"
 #include "core/io/text_out.h"
 #include "core/io/vertex_values.h"
@@ -18,7 +19,9 @@ class OffWriter {
         are_bytes_(are_byte_colours(file)),
         normals_(per_vertex(mesh_, mesh_.normals)),
         texcoords_(per_vertex(mesh_, mesh_.texcoords)),
-        out_(64 * mesh_.positions.size() + 10 * mesh_.corners.size()) {}
+        out_(64 * mesh_.positions.size() + 10 * mesh_.corners.size()) {
+    are_bytes_ = are_bytes_ || would_be_taken_for_normals();
+  }
 
   std::string write() {
     head();
@@ -67,6 +70,19 @@ class OffWriter {
       else
         out_.put_real(value[i]);
     }
+  }
+
+  // Whether reading would take colours for normals. As bytes they are too long for that.
+  bool would_be_taken_for_normals() const {
+    if (!normals_ || mesh_.vertex_colours.empty()) return false;
+    OffOrder order;
+    for (std::size_t v = 0; v < mesh_.vertex_colours.size(); ++v) {
+      const glm::dvec3 normal = value_of(mesh_.normals, (*normals_)[v]);
+      const glm::dvec4& colour = mesh_.vertex_colours[v];
+      const double numbers[] = {normal.x, normal.y, normal.z, colour.x, colour.y, colour.z, colour.w};
+      if (!std::isnan(colour.x)) order.add(numbers, mesh_.colour_components == 4 ? 4 : 3);
+    }
+    return order.is_colours_first();
   }
 
   void vertex(std::size_t v) {

@@ -34,6 +34,14 @@ bool read_index(const char*& at, const char* end, std::int64_t& value, bool& has
   return readable;
 }
 
+// Whether it has the keyword of an element and a number behind it.
+bool is_line_of_obj(std::string_view text) {
+  constexpr std::string_view words[] = {"v", "vt", "vn", "f", "l", "p"};
+  if (std::find(std::begin(words), std::end(words), take_word(text)) == std::end(words)) return false;
+  const std::string_view value = take_word(text);
+  return value.find_first_of("0123456789") != std::string_view::npos;
+}
+
 }  // namespace
 
 ObjBuilder::ObjBuilder(const TextLines& lines, const std::filesystem::path& model, bool is_later_piece)
@@ -272,6 +280,21 @@ void ObjBuilder::name(NameKind kind, std::string_view text) {
     return;
   }
   table.current = number_of(key, table);
+  warn_of_taken_lines();
+}
+
+// A name that ends in a backslash, as paths do, takes the next line with it.
+void ObjBuilder::warn_of_taken_lines() {
+  lines_->for_each_continuation([&](std::string_view text, std::uint64_t line) {
+    if (!is_line_of_obj(text)) return;
+    reporter_.warn("unknown_keyword", FilePlace::at_line(lines_->first_line()), [&] {
+      const std::string number = std::to_string(line), taken = shown(trimmed(text));
+      return Text{"The name ends in a backslash, which joins lines: line " + number + ", " + taken +
+                      ", is part of the name and is not read.",
+                  "名前が行をつなぐバックスラッシュで終わるため、" + number + " 行目 " + taken +
+                      " は名前の一部となり、読み込みません。"};
+    });
+  });
 }
 
 // The number of a name, assigning a new one if needed.

@@ -86,6 +86,7 @@ class ObjBuilder {
   std::uint32_t resolve_value(std::int64_t index, std::size_t pool, bool is_normal);
   void push_value(std::vector<std::uint32_t>& indices, bool has, std::int64_t index, std::size_t pool, bool is_normal);
   void end_names();
+  void warn_of_taken_lines();
   bool has_room(std::size_t bytes);
   void append_points(ObjBuilder& next, std::uint64_t lines_before);
   void append_faces(ObjBuilder& next, std::uint64_t lines_before);

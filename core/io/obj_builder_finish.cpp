@@ -32,6 +32,7 @@ void ObjBuilder::material_library(std::string_view text) {
     });
     return;
   }
+  warn_of_taken_lines();
   if (!libraries_.insert(std::string(name)).second) return;
   file_.material_libraries.emplace_back(name);
   if (model_.empty() || libraries_.size() > most_libraries) return;

@@ -194,8 +194,9 @@ std::vector<std::string_view> cut_obj(std::string_view bytes, std::size_t piece_
   for (std::size_t end = piece_bytes; end < bytes.size();) {
     end = bytes.find('\n', end);
     if (end == std::string_view::npos || ++end == bytes.size()) break;
-    const std::size_t last = end >= 2 && bytes[end - 2] == '\r' ? end - 2 : end - 1;
-    const bool goes_on = last > begin && bytes[last - 1] == '\\';
+    const std::size_t line_end = end >= 2 && bytes[end - 2] == '\r' ? end - 2 : end - 1;
+    const std::size_t last = bytes.substr(begin, line_end - begin).find_last_not_of(" \t");
+    const bool goes_on = last != std::string_view::npos && bytes[begin + last] == '\\';
     if (goes_on || bytes[end] == byte_order_mark.front()) continue;
     pieces.push_back(bytes.substr(begin, end - begin));
     begin = end;

@@ -18,6 +18,27 @@ bool is_comment(std::string_view text) {
   return first != std::string_view::npos && text[first] == '#';
 }
 
+// Whether the line has numbers alone behind its first word.
+bool is_of_numbers(std::string_view text) {
+  constexpr std::string_view words[] = {"v", "vt", "vn", "f", "l", "p"};
+  return std::find(std::begin(words), std::end(words), take_word(text)) != std::end(words);
+}
+
+// The length of a line without the backslash that joins it with the next one, and blanks behind that; all of it if it has
+// none.
+std::size_t length_before_joint(std::string_view text, bool allows_blanks) {
+  const std::size_t last = allows_blanks ? text.find_last_not_of(" \t") : text.size() - 1;
+  return last < text.size() && text[last] == '\\' ? last : text.size();
+}
+
+// Nearly no line ends so, and most in neither of these characters.
+bool goes_on_behind(std::string_view text) {
+  if (text.empty() || (text.back() != '\\' && text.back() != ' ' && text.back() != '\t')) return false;
+  const std::size_t last = text.find_last_not_of(" \t");
+  if (last == std::string_view::npos || text[last] != '\\') return false;
+  return last + 1 == text.size() ? !is_comment(text) : is_of_numbers(text);
+}
+
 }  // namespace
 
 TextLines::TextLines(std::string_view bytes, bool join_continuations, std::uint64_t lines_before)
@@ -55,12 +76,13 @@ std::string_view TextLines::take() {
 void TextLines::join(std::string_view first) {
   joined_.clear();
   pieces_.clear();
+  const bool allows_blanks = is_of_numbers(first);
   std::string_view text = first;
   while (true) {
     pieces_.push_back({joined_.size(), count_});
-    const bool goes_on = join_continuations_ && !text.empty() && text.back() == '\\';
-    joined_ += goes_on ? text.substr(0, text.size() - 1) : text;
-    if (!goes_on || at_ == end_) break;
+    const std::size_t length = length_before_joint(text, allows_blanks);
+    joined_ += text.substr(0, length);
+    if (length == text.size() || at_ == end_) break;
     joined_ += ' ';
     text = take();
   }
@@ -79,7 +101,7 @@ bool TextLines::next(TextLine& line) {
   const std::string_view text = take();
   stop_if_interrupted(static_cast<std::uint32_t>(count_));
   line.number = count_;
-  const bool goes_on = join_continuations_ && !text.empty() && text.back() == '\\' && !is_comment(text);
+  const bool goes_on = join_continuations_ && goes_on_behind(text);
   is_joined_ = goes_on || !has_plain_end_;
   if (!is_joined_) {
     line.text = text;

@@ -22,7 +22,8 @@ struct TextLine {
 };
 
 // A single pass over a text. With `join_continuations` a line that ends in a backslash is joined with the next one by a
-// space, unless its first character is #. Cost: O(bytes), no allocation for ordinary lines.
+// space, unless its first character is #. A line of numbers (v, vt, vn, f, l, p) may have blanks behind its backslash; in
+// a name they end it. Cost: O(bytes), no allocation for ordinary lines.
 class TextLines {
  public:
   // `lines_before`: number of lines of the file before these bytes; a byte order mark is only allowed at the start of
@@ -41,6 +42,15 @@ class TextLines {
 
   // The place in the file of a character of the current line; `at` may be one past its end.
   FilePlace place(const char* at) const;
+
+  // Calls visit(text, line number) for each line that was joined to the first one of the current line.
+  template <class Visit>
+  void for_each_continuation(Visit visit) const {
+    for (std::size_t i = 1; is_joined_ && i < pieces_.size(); ++i) {
+      const std::size_t end = i + 1 < pieces_.size() ? pieces_[i + 1].offset : joined_.size();
+      visit(std::string_view(joined_).substr(pieces_[i].offset, end - pieces_[i].offset - 1), pieces_[i].number);
+    }
+  }
 
   // The number of the current line; of the first one if joined.
   std::uint64_t first_line() const { return is_joined_ ? pieces_.front().number : count_; }

@@ -63,6 +63,7 @@ TEST(obj_pieces, cuts_only_where_a_line_ends) {
   EXPECT_EQ(cut_obj("a\nb\nc\nd\n", 2), (Pieces{"a\nb\n", "c\nd\n"}));
   EXPECT_EQ(cut_obj("a\\\nb\nc", 0), (Pieces{"a\\\nb\n", "c"})) << "a line that goes on";
   EXPECT_EQ(cut_obj("a\\\r\nb\nc", 0), (Pieces{"a\\\r\nb\n", "c"}));
+  EXPECT_EQ(cut_obj("f\\ \t\nb\nc", 0), (Pieces{"f\\ \t\nb\n", "c"}));
   EXPECT_EQ(cut_obj("a\n\xef\xbb\xbf"
                     "b\nc",
                     0),
@@ -91,6 +92,7 @@ TEST(obj_pieces, what_needs_the_lines_before_or_a_message_is_read_in_its_turn) {
       "what\nv nan 0 0\nv 1e999 0 0 0 0\nf 1/7 2/0 3\nbevel\nf 1 2 3\n");
   expect_same_in_pieces("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 1 x 0\nf 1 2 q\n");
   expect_same_in_pieces("v 0 0 0\nv 1 0\nv 0 1 0\n");
+  expect_same_in_pieces("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\\b\\\nf 1 2 3\nf 3 2 1\n");
   expect_same_in_pieces(std::string_view("v 0 0 0\nv 1 0 \0\nv 0 1 q\n\0\n", 26));
   expect_same_in_pieces("one\ntwo\nthree\n");
   expect_same_in_pieces("\n# nothing\n\n# at all\n");
@@ -154,8 +156,8 @@ std::string random_line(std::mt19937& random) {
     default:
       line = pick(2) ? "unknown" : "f 1 \\\n 2 3";
   }
-  constexpr const char* ends[] = {"\n", "\r\n", "\r", "\\\n"};
-  return line + ends[pick(40) ? 0 : pick(4)];
+  constexpr const char* ends[] = {"\n", "\r\n", "\r", "\\\n", "\\ \t\n", "\\ \r\n"};
+  return line + ends[pick(40) ? 0 : pick(6)];
 }
 
 TEST(obj_pieces, random_lines) {

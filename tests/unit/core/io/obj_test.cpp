@@ -70,6 +70,33 @@ TEST(obj_read, line_ends_tabs_marks_and_continuations) {
   }
 }
 
+TEST(obj_read, a_backslash_before_blanks_joins_lines_of_numbers) {
+  for (const char* face : {"f 1 2 \\ \n3\n", "f 1 \\\t\r\n2 \\ \r\n3\n", "f \\  \n1 \\\n2 3 \\ \n\n"}) {
+    const MeshFile file = read_sound("obj", with_vertices(face));
+    ASSERT_EQ(file.mesh.face_count(), 1u) << face;
+    EXPECT_EQ(corners(file, 0), (Corners{0, 1, 2})) << face;
+    EXPECT_TRUE(file.messages.empty()) << face;
+  }
+  EXPECT_EQ(read_sound("obj", "v 1 \\ \n2 3\nvt 0 \\ \n1\n").mesh.positions[0], glm::dvec3(1, 2, 3));
+}
+
+TEST(obj_read, a_name_that_swallows_a_line_is_warned_of) {
+  for (const char* name : {"usemtl dir\\sub\\", "g a\\", "o C:\\", "usemtl a \\", "mtllib x\\", "s 1\\"}) {
+    for (const char* line : {"f 1 3 4", "v 0 0 5", "vt 0 0", "f -1 -2 -3", "  f 1 3 4"}) {
+      const MeshFile file = read_sound("obj", with_vertices("f 1 2 3\n" + std::string(name) + "\n" + line + "\n"));
+      EXPECT_EQ(file.mesh.face_count(), 1u);
+      const Message* const message = find_message(file, "unknown_keyword");
+      ASSERT_NE(message, nullptr) << name << line;
+      EXPECT_EQ(message->line, 6u);
+      EXPECT_NE(message->text.en.find("line 7"), std::string::npos) << message->text.en;
+      EXPECT_NE(message->text.ja.find("7 行目"), std::string::npos) << message->text.ja;
+    }
+  }
+  for (const char* lines :
+       {"usemtl a\\\nb\nf 1 2 3\n", "usemtl a\\ \nf 1 2 3\n", "g a\\\nfront 1\nf 1 2 3\n", "g a \\\n\nf 1 2 3\n"})
+    EXPECT_EQ(find_message(read_sound("obj", with_vertices(lines)), "unknown_keyword"), nullptr) << lines;
+}
+
 TEST(obj_read, relative_and_forward_indices) {
   const MeshFile file = read_sound("obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\nv 0 0 1\nf -1 -2 1\n");
   EXPECT_TRUE(file.messages.empty());

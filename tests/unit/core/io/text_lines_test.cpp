@@ -40,6 +40,31 @@ TEST(text_lines, joins_continuations_except_comments) {
   EXPECT_EQ(lines_of("f \\\nv\n", false), (Lines{"1:f \\", "2:v"}));
 }
 
+TEST(text_lines, blanks_may_stand_behind_the_backslash_of_numbers) {
+  EXPECT_EQ(lines_of("f 1 2 \\ \n3\nv", true), (Lines{"1:f 1 2  3", "3:v"}));
+  EXPECT_EQ(lines_of("v 1\\\t \r\n2 \\ \r\n3\n", true), (Lines{"1:v 1 2  3"}));
+  EXPECT_EQ(lines_of("usemtl a\\ \nf\n", true), (Lines{"1:usemtl a\\ ", "2:f"})) << "the end of a name";
+  EXPECT_EQ(lines_of("# f \\ \nv\n", true), (Lines{"1:# f \\ ", "2:v"}));
+  EXPECT_EQ(lines_of("  \\ \nv\n", true), (Lines{"1:  \\ ", "2:v"}));
+  EXPECT_EQ(lines_of("f 1 \\ ", true), Lines{"1:f 1 "});
+}
+
+TEST(text_lines, continuations_are_told_with_their_lines) {
+  TextLines lines("a\\\nf 1\nb\nc\\\n\\\nd", true);
+  TextLine line;
+  const auto continuations = [&] {
+    EXPECT_TRUE(lines.next(line));
+    Lines out;
+    lines.for_each_continuation([&](std::string_view text, std::uint64_t number) {
+      out.push_back(std::to_string(number) + ":" + std::string(text));
+    });
+    return out;
+  };
+  EXPECT_EQ(continuations(), Lines{"2:f 1"});
+  EXPECT_EQ(continuations(), Lines{});
+  EXPECT_EQ(continuations(), (Lines{"5:", "6:d"}));
+}
+
 TEST(text_lines, places_lie_in_the_physical_line) {
   TextLines lines("x\nf 1 \\\n  2 zz\n", true);
   TextLine line;

@@ -282,7 +282,9 @@ Document::Elsewhere Document::exists_elsewhere(NameError error, std::span<const 
 }
 
 MeshFile Document::contents() const {
-  return is_on_trial() ? edited_file(file_, without_trial(), tables_) : edited_file(file_, mesh_, tables_);
+  MeshFile file = is_on_trial() ? edited_file(file_, without_trial(), tables_) : edited_file(file_, mesh_, tables_);
+  if (position() != 0) drop_unused_values(file);
+  return file;
 }
 
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {

@@ -5,6 +5,7 @@
 
 #include "core/base/sort_unique.h"
 #include "core/io/elements.h"
+#include "core/io/format.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -27,6 +28,36 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementL
       drawn.insert(std::minmax(lines.vertices[item.first + i - 1], lines.vertices[item.first + i]));
   std::erase_if(wires, [&](const auto& wire) { return drawn.contains(wire); });
   return wires;
+}
+
+// Leaves out the entries of a pool that neither corners nor `quarantined` faces nor lines use.
+void drop_unused(CornerValues& values, std::vector<QuarantinedFace>& quarantine,
+                 CompactList<std::uint32_t> QuarantinedFace::*quarantined, std::vector<std::uint32_t>& of_lines) {
+  std::vector<std::uint32_t> number(values.pool.size(), no_index);
+  const auto for_each_use = [&](const auto& visit) {
+    for (std::uint32_t& entry : values.index)
+      if (entry < number.size()) visit(entry);
+    for (std::uint32_t& entry : of_lines)
+      if (entry < number.size()) visit(entry);
+    for (QuarantinedFace& face : quarantine)
+      for (std::uint32_t& entry : face.*quarantined)
+        if (entry < number.size()) visit(entry);
+  };
+  for_each_use([&](std::uint32_t entry) { number[entry] = 0; });
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    if (number[i] == no_index) continue;
+    values.pool[kept] = values.pool[i];
+    number[i] = kept++;
+  }
+  if (kept == values.pool.size()) return;
+  values.pool.resize(kept);
+  for_each_use([&](std::uint32_t& entry) { entry = number[entry]; });
+}
+
+// In a format without pools of its own one with an entry per vertex has those of isolated vertices too.
+bool has_pools(const MeshFile& file) {
+  return !file.format || !file.format->holds || holds(file.format->holds(file.encoding), Holds::corner_normals);
 }
 
 }  // namespace
@@ -57,6 +88,18 @@ MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables&
   file.wires = wires_beside(file.elements, mesh, compact.vertex_number);
   file.mesh = std::move(compact.mesh);
   return file;
+}
+
+void drop_unused_values(MeshFile& file) {
+  IndexedMesh& mesh = file.mesh;
+  const auto may_be_of_vertices = [&](const CornerValues& values) {
+    return !has_pools(file) && values.pool.size() == mesh.positions.size();
+  };
+  std::vector<std::uint32_t> no_lines;
+  if (!may_be_of_vertices(mesh.texcoords))
+    drop_unused(mesh.texcoords, mesh.quarantine, &QuarantinedFace::texcoords, file.elements.texcoords);
+  if (!may_be_of_vertices(mesh.normals))
+    drop_unused(mesh.normals, mesh.quarantine, &QuarantinedFace::normals, no_lines);
 }
 
 }  // namespace ryosen

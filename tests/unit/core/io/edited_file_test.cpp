@@ -91,6 +91,52 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
+// Two quads with texture coordinates and normals of their own, and one of each that nothing uses.
+constexpr std::string_view textured =
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nv 9 9 9\nvt 7 7\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+    "vt .5 .5\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/1 2/3/1 5/4/1 4/5/1\nf 2/2/2 3/3/2 6/6/2 5/5/2\n";
+
+MeshFile without_unused_values(MeshFile file) {
+  drop_unused_values(file);
+  return file;
+}
+
+TEST(edited_file, leaves_out_texture_coordinates_and_normals_that_nothing_uses) {
+  const MeshFile source = io_test::read_sound("obj", textured);
+  EXPECT_EQ(count(write_obj(after_lines(source, {"delete f1"})), "\nvt "), 6u) << "only where it is asked for";
+  const std::string first = write_obj(without_unused_values(after_lines(source, {"delete f1"})));
+  EXPECT_NE(first.find("\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\nf 1/1/1 2/2/1 "), std::string::npos) << first;
+  EXPECT_EQ(count(first, "\nvt ") + count(first, "\nvn "), 5u) << first;
+  const std::string second = write_obj(without_unused_values(after_lines(source, {"delete f0"})));
+  EXPECT_NE(second.find("\nvt 0 0\nvt 1 0\nvt 0 1\nvt 0.5 0.5\nvn 0 1 0\nf "), std::string::npos) << second;
+  EXPECT_EQ(count(second, "/4/1 "), 1u) << second;
+  EXPECT_EQ(count(write_obj(without_unused_values(after_lines(source, {"delete f0", "delete f1"}))), "\nvt "), 0u);
+}
+
+TEST(edited_file, faces_set_aside_and_lines_keep_their_texture_coordinates) {
+  const MeshFile source =
+      io_test::read_sound("obj", std::string(textured) + "vt 3 3\nvt 4 4\nf 1/7 1/7 2/7\nl 1/8 2/8\n");
+  const MeshFile edited = without_unused_values(after_lines(source, {"delete f1"}));
+  const MeshFile again = io_test::read_sound("obj", write_obj(edited));
+  ASSERT_EQ(again.mesh.quarantine.size(), 1u);
+  EXPECT_EQ(again.mesh.texcoords.pool[again.mesh.quarantine[0].texcoords.data()[0]], glm::dvec3(3, 3, 0));
+  EXPECT_EQ(again.mesh.texcoords.pool[again.elements.texcoords[0]], glm::dvec3(4, 4, 0));
+  EXPECT_EQ(again.mesh.texcoords.pool.size(), 6u);
+}
+
+TEST(edited_file, isolated_vertices_of_ply_keep_their_normals) {
+  MeshFile source = io_test::read_sound(
+      "ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 1 0\n0 1 0 1 0 0\n1 1 0 0 0 -1\n"
+      "3 0 1 2\n");
+  source.format = find_format("ply");
+  const MeshFile again = written_and_read_again(without_unused_values(source), "ply");
+  ASSERT_EQ(again.mesh.normals.pool.size(), 4u);
+  EXPECT_EQ(again.mesh.normals.pool[3], glm::dvec3(0, 0, -1));
+}
+
 TEST(edited_file, writes_wires_as_lines_that_come_back_once) {
   const MeshFile source = io_test::read_sound("obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\ng side\nf 1 2 3\n");
   const MeshFile file = after_lines(source, {"make_edge 3 2", "make_vertex 6,6,6", "make_edge 4 3"});

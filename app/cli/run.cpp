@@ -7,7 +7,9 @@
 #include "app/cli/last_words.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/visible.h"
 #include "core/algo/algorithms.h"
+#include "core/io/safe_write.h"
 
 namespace ryosen::cli {
 
@@ -37,11 +39,24 @@ ExitCode run_command(const CommandLine& line) {
   return command->run(line.arguments, line.console);
 }
 
+// What was to be said cannot be; what is done stays done.
+Text unwritable_stdout() {
+  Text text{"Standard output cannot be written.", "標準出力に書き込めません。"};
+  std::string names, names_ja;
+  const std::vector<std::string> written = files_put_in_place();
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    names += (i == 0 ? "" : i + 1 == written.size() ? " and " : ", ") + visible_line(written[i]);
+    names_ja += (i == 0 ? "" : "、") + visible_line(written[i]);
+  }
+  if (written.empty()) return text;
+  return {text.en + " " + names + (written.size() == 1 ? " is written." : " are written."),
+          text.ja + names_ja + " は書き出しました。"};
+}
+
 // Output may still be buffered; a full disk is detected only here.
 ExitCode finish_output(const Console& console, ExitCode code) {
   if (console.conclude({}, code)) return code;
-  const Failure failure = make_failure(ExitCode::output_not_writable, "output_not_writable",
-                                       {"The output cannot be written.", "出力を書き込めません。"});
+  const Failure failure = make_failure(ExitCode::output_not_writable, "output_not_writable", unwritable_stdout());
   console.show(failure.message);
   return failure.exit_code;
 }

@@ -26,7 +26,10 @@ Failure failure(const std::filesystem::path& path, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
   const std::string name = path.string();
   Failure out{ExitCode::input_missing, {}};
-  if (error == ENOENT || error == ENOTDIR) {
+  if (name.empty()) {
+    out.message.code = "input_missing";
+    out.message.text = {"The name of the file is empty.", "ファイル名が空です。"};
+  } else if (error == ENOENT || error == ENOTDIR) {
     out.message.code = "input_missing";
     out.message.text = {"There is no file " + name + ".", "ファイル " + name + " がありません。"};
   } else if (error == EISDIR) {

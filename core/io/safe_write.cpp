@@ -8,7 +8,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <mutex>
+#include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/io/beside.h"
 #include "core/io/descriptor.h"
@@ -32,6 +36,20 @@ Failure not_durable(const std::filesystem::path& path, int error) {
       ExitCode::output_not_writable, not_durable_code,
       {path.string() + " is written, but it is not certain that it survives a power cut: " + reason.en + ".",
        path.string() + " は書き出しましたが、停電が起きても残るかどうかは確かではありません：" + reason.ja + "。"});
+}
+
+std::mutex names_in_place_mutex;
+std::vector<std::string> names_in_place;
+
+// What has been written stays so where there is no memory to note it.
+void note_in_place(const std::filesystem::path& path) {
+  try {
+    const std::lock_guard lock(names_in_place_mutex);
+    std::string name = path.string();
+    if (std::find(names_in_place.begin(), names_in_place.end(), name) == names_in_place.end())
+      names_in_place.push_back(std::move(name));
+  } catch (const std::bad_alloc&) {
+  }
 }
 
 // For a descriptor that whoever handed it over has set to wait for nobody.
@@ -103,7 +121,9 @@ bool take_over_rights(int descriptor, const struct stat& old) {
 
 Failure not_writable(const std::filesystem::path& path, int error) { return cannot_write(path, system_reason(error)); }
 
-Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
+namespace {
+
+Status write_in_place(const std::filesystem::path& path, std::string_view bytes) {
   const FileTarget found = target_of(path);
   const std::filesystem::path& target = found.path;
   const auto failed = [&] { return not_writable(path, errno); };
@@ -129,6 +149,19 @@ Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
   else if (!synchronise(folder.number()))
     return not_durable(path, errno);
   return success();
+}
+
+}  // namespace
+
+Status safe_write(const std::filesystem::path& path, std::string_view bytes) {
+  Status status = write_in_place(path, bytes);
+  if (is_in_place(status)) note_in_place(path);
+  return status;
+}
+
+std::vector<std::string> files_put_in_place() {
+  const std::lock_guard lock(names_in_place_mutex);
+  return names_in_place;
 }
 
 bool is_in_place(const Status& status) { return status.ok() || status.failure().message.code == not_durable_code; }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -18,6 +20,10 @@ namespace ryosen {
 // exception: with the code output_not_durable the new file is in place, but syncing the folder failed (see
 // is_in_place). A file system without sync support is not a failure.
 Status safe_write(const std::filesystem::path& path, std::string_view bytes);
+
+// The files that safe_write() has put in place in this process, as they were named, each once, in the order of their first
+// time.
+std::vector<std::string> files_put_in_place();
 
 // The failure of a file that cannot be written, with this errno value.
 Failure not_writable(const std::filesystem::path& path, int error);

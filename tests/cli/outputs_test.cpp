@@ -121,6 +121,48 @@ TEST(outputs, standard_output_gets_the_mesh_and_nothing_else) {
   EXPECT_EQ(run_program({"repair", "in.off", "-o", "/dev/null"}, folder.path()).exit_code, 0);
 }
 
+// What a shell does with the program's words.
+struct ShellRun {
+  int exit_code;
+  std::string err;
+};
+
+ShellRun run_in_shell(const TemporaryFolder& folder, const std::string& words, const std::string& redirection) {
+  const std::string command =
+      "cd '" + folder.path().string() + "' && '" + RYOSEN_PROGRAM + "' " + words + " 2>err " + redirection;
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), read_file(folder.at("err"))};
+}
+
+TEST(outputs, a_report_that_cannot_be_written_says_what_was_written) {
+  const TemporaryFolder folder;
+  folder.write("in.off", tetrahedron);
+  for (const char* redirection : {">&-", ">/dev/full"}) {
+    for (const auto& [words, written] : {std::pair{"subdivide in.off -o o.obj", "o.obj"},
+                                         {"convert in.off -o o2.obj --json", "o2.obj"},
+                                         {"repair in.off -o o3.off --json", "o3.off"},
+                                         {"edit in.off --do 'split 0-1' -o o4.off", "o4.off"},
+                                         {"hull in.off -o o5.off", "o5.off"}}) {
+      const ShellRun run = run_in_shell(folder, words, redirection);
+      EXPECT_EQ(run.exit_code, 5) << words << redirection;
+      EXPECT_NE(run.err.find("Standard output cannot be written. " + std::string(written) + " is written."),
+                std::string::npos)
+          << words << redirection << run.err;
+      EXPECT_EQ(run_program({"check", written}, folder.path()).exit_code, 0) << words << redirection;
+      std::filesystem::remove(folder.at(written));
+    }
+    const ShellRun two = run_in_shell(folder, "edit in.off --do 'save a.off; split 0-1' -o b.off", redirection);
+    EXPECT_EQ(two.exit_code, 5);
+    EXPECT_NE(two.err.find("a.off and b.off are written."), std::string::npos) << two.err;
+    const ShellRun none = run_in_shell(folder, "check in.off", redirection);
+    EXPECT_EQ(none.exit_code, 5);
+    EXPECT_NE(none.err.find("Standard output cannot be written.\n"), std::string::npos) << none.err;
+    const ShellRun japanese = run_in_shell(folder, "repair in.off -o o6.off --lang ja", redirection);
+    EXPECT_NE(japanese.err.find("標準出力に書き込めません。o6.off は書き出しました。"), std::string::npos)
+        << japanese.err;
+  }
+}
+
 TEST(outputs, what_convert_writes_is_read_again_as_what_it_is) {
   const TemporaryFolder folder;
   folder.write("full.off", tetrahedron);

@@ -19,6 +19,7 @@ constexpr LabelSource sources[] = {
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
     {"snap", [](const Session& session) { return session.gesture() && session.gesture()->snapped_to(); }, add_snap},
+    {"faceless", is_faceless, add_faceless},
     {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
 };
 

@@ -74,6 +74,12 @@ void add_measures(Session& session, std::vector<Label>& labels);
 void add_step(Session& session, std::vector<Label>& labels);
 // How high at the top of the view a usual caption reaches, in pixels.
 double caption_px(const Session& session);
+// Adds sentences in the upper left corner, broken into lines that have room.
+void add_caption(const Session& session, std::span<const std::string> sentences, std::vector<Label>& labels);
+// Whether a file is open and its mesh has nothing that a picture could show as a surface or as edges.
+bool is_faceless(const Session& session);
+// Adds how much there is then, and the first warning of the file.
+void add_faceless(Session& session, std::vector<Label>& labels);
 // Adds the name of what is snapped to, beside the place where that is.
 void add_snap(Session& session, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.

@@ -247,5 +247,51 @@ TEST_F(LabelsTest, tell_what_was_measured) {
   EXPECT_TRUE(texts().empty());
 }
 
+// A file without faces is not shown as nothing without a word.
+TEST_F(LabelsTest, say_what_a_file_without_faces_has) {
+  const test::TemporaryFolder folder;
+  struct Case {
+    const char *name, *text, *en, *more;
+  };
+  for (const Case& c :
+       {Case{"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "The mesh has 3 vertices and no faces.", ""},
+        {"curves.obj", "v 0 0 0\nv 1 0 0\ncurv 0 1 1 2\n", "The mesh has 2 vertices and no faces.", "curves.obj:3: "},
+        {"one.xyz", "1 2 3 4\n", "The mesh has one vertex and no faces.", "one.xyz:1:"},
+        {"none.off", "OFF\n0 0 0\n", "The mesh is empty.", ""},
+        {"edges.ply",
+         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+         "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n0 0 0\n1 0 0\n0 1\n",
+         "The mesh has 2 vertices and no faces.", ""}}) {
+    session_.set_document(Document::open(folder.write(c.name, c.text)).value());
+    session_.place_view({900, 360}, {0, 0});
+    std::string all;
+    for (const PlacedLabel& label : placed()) all += label.text;
+    EXPECT_TRUE(all.starts_with(c.en)) << c.name << all;
+    EXPECT_EQ(all.size() > std::string_view(c.en).size(), *c.more != '\0') << all;
+    EXPECT_NE(all.find(c.more), std::string::npos) << c.name << all;
+  }
+  session_.set_document(Document::open(test::asset("cube.obj")).value());
+  EXPECT_TRUE(placed().empty());
+  session_.set_document(std::make_unique<Document>());
+  EXPECT_TRUE(placed().empty()) << "nothing was opened";
+}
+
+TEST_F(LabelsTest, say_it_in_the_picture) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("points.ply",
+                                        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                                        "property float y\nproperty float z\nend_header\n0 0 0\n");
+  for (const bool panels : {false, true}) {
+    headless_.reset();
+    headless_ = Headless::make({.backend = Backend::osmesa, .size = {900, 500}, .panels = panels}).value();
+    session_.set_document(Document::open(file).value());
+    headless_->place_view(session_);
+    const Image with = headless_->picture(session_);
+    session_.awaits_file = true;  // then nothing is said
+    EXPECT_FALSE(headless_->picture(session_) == with) << panels;
+    session_.awaits_file = false;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -205,10 +205,10 @@ TEST(check, counts_lines_and_points_and_calls_no_vertex_of_a_line_isolated) {
   EXPECT_EQ(wires["kind"], "wires");
   EXPECT_EQ(wires["kind_reason"]["en"], "There is no usable face; lines: 2.");
   EXPECT_EQ(lines["kind"], "surface") << "lines beside faces are not the mesh";
-  folder.write("strips.ply",
+  folder.write("fans.ply",
                "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-               "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  EXPECT_EQ(run_program({"check", folder.at("strips.ply"), "--json"}).line()["kind"], "points") << "a strip is no line";
+               "element trifans 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(run_program({"check", folder.at("fans.ply"), "--json"}).line()["kind"], "points") << "a fan is no line";
   EXPECT_NE(run_program({"check", folder.at("lines.obj")}).out.find("lines  "), std::string::npos);
 }
 

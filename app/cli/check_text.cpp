@@ -106,7 +106,7 @@ std::string to_text(const NamedProblem& named, const Console& console) {
 }
 
 std::string to_text(const CheckReport& report, const Console& console) {
-  std::string text = visible_line(report.file);
+  std::string text = report.file.empty() ? "\"\"" : visible_line(report.file);
   if (!report.format.empty()) text += " (" + report.format + ")";
   if (report.failure) return text + console.text(": refused\n", "：読み込めません\n").data();
   text +=

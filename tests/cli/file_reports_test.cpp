@@ -119,6 +119,7 @@ TEST(file_reports, sentences_about_names_and_counts) {
     EXPECT_EQ(run.exit_code, 3);
     EXPECT_NE(run.err.find("The name of the file is empty."), std::string::npos) << run.err;
   }
+  EXPECT_EQ(run_program({"check", ""}, folder.path()).out, "\"\": refused\n");
   const ProgramRun in_japanese = run_program({"check", "", "--lang", "ja"}, folder.path());
   EXPECT_NE(in_japanese.err.find("ファイル名が空です。"), std::string::npos) << in_japanese.err;
   folder.write("h.ply",

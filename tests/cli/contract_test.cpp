@@ -214,8 +214,8 @@ void sweep_ply(Sweep& sweep) {
   sweep.check("range.ply", head + points + "property char small\nend_header\n0 0 0 400\n");
   sweep.check("rounded.ply", head + "element vertex 1\nproperty int64 x\nproperty float y\nproperty float z\n" +
                                  "end_header\n9007199254740993 0 0\n");
-  sweep.check("strips.ply", head + points + "element tristrips 1\nproperty list uchar int vertex_indices\n" +
-                                "end_header\n0 0 0\n3 0 0 0\n");
+  sweep.check("fans.ply", head + points + "element trifans 1\nproperty list uchar int vertex_indices\n" +
+                              "end_header\n0 0 0\n3 0 0 0\n");
 }
 
 void sweep_gzip(Sweep& sweep) {

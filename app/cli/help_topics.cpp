@@ -71,8 +71,9 @@ std::string repairs_topic(Language language) {
     help.append(choose(language, "; solves ", "（対象：")).append(solved_by(row)).append(choose(language, "", "）"));
     (row.keeps_geometry ? unasked : named).add(std::string(row.id) + kinds_syntax(row), help);
   }
-  return std::string(choose(language, "Done unless --kinds names others (every place and face stays):\n",
-                            "--kinds を省いたときに行うもの（形状はすべて保たれる）：\n")) +
+  return std::string(choose(
+             language, "Done unless --kinds names others (every place and face stays; exact T-junctions are split):\n",
+             "--kinds を省いたときに行うもの（形状はすべて保たれ、正確な T 字接合は分割される）：\n")) +
          unasked.text() +
          std::string(choose(language, "Done where --kinds names them:\n", "--kinds で指定したときだけ行うもの：\n")) +
          named.text();

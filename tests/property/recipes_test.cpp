@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string usual = "remove_duplicates,weld_equal,orient,detach_nonmanifold";
+const std::string usual = "remove_duplicates,weld_equal,stitch,orient,detach_nonmanifold";
 
 // A random mesh whose points lie on a small grid, so that many are equal and many faces have no area; or apart.
 MeshFile random_soup(std::uint64_t seed) {

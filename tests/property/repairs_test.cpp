@@ -240,6 +240,35 @@ TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
   });
 }
 
+TEST_F(Repairs, stitching_adds_no_place_and_keeps_the_surface) {
+  std::size_t changed = 0;
+  for (std::uint64_t seed = 1; seed <= 10 * seeds && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = mesh_on_grid(seed);
+    const Mesh before = mesh;
+    const AlgorithmRow& row = *find_algorithm("stitch");
+    {
+      Progress unheard;
+      Edit edit(mesh, nullptr);
+      const bool is_needed = row.run(edit, input_of(row, {}), unheard).changed > 0;
+      edit.commit();
+      if (!is_needed) continue;
+    }
+    ++changed;
+    mesh = before;
+    const Proved proved = repair_and_prove(mesh, {&row, std::nullopt});
+    EXPECT_EQ(places_of(before), places_of(mesh));
+    EXPECT_NEAR(proved.after.area, proved.before.area, 1e-12 * proved.before.area);
+    EXPECT_LE(count_findings(mesh)[static_cast<std::size_t>(ProblemKind::boundary_loop)],
+              count_findings(before)[static_cast<std::size_t>(ProblemKind::boundary_loop)]);
+    for (const ProblemRow& kind : problem_table()) {
+      if (!must_not_grow(kind)) continue;
+      EXPECT_LE(proved.after[kind.kind], proved.before[kind.kind]) << kind.id;
+    }
+  }
+  EXPECT_GT(changed, 20u) << "the meshes hardly need it";
+}
+
 TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
   on_all("orient", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
@@ -320,9 +349,14 @@ TEST_F(Repairs, the_default_ones_in_their_order_leave_sound_meshes) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = mesh_on_grid(seed);
     const Mesh before = mesh;
-    for (const AlgorithmRow& row : algorithm_table())
-      if (row.is_repair() && row.keeps_geometry) repair_and_prove(mesh, {&row, std::nullopt});
-    EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(mesh, true)));
+    bool is_cut = false;
+    for (const AlgorithmRow& row : algorithm_table()) {
+      if (!row.is_repair() || !row.keeps_geometry) continue;
+      is_cut |= repair_and_prove(mesh, {&row, std::nullopt}).result.changed > 0 && row.id == "stitch";
+    }
+    if (!is_cut) {
+      EXPECT_EQ(as_set(loops_of_all(before, true)), as_set(loops_of_all(mesh, true)));
+    }
     EXPECT_EQ(places_of(before), places_of(mesh));
     sound += compute_figures(mesh).manifold;
   }

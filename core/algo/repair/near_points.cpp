@@ -105,13 +105,14 @@ NearPoints find_near_points(const Mesh& m, const Reach& reach) {
   const auto stays_in_file = [&](Vertex v) {
     return std::binary_search(reach.used.begin(), reach.used.end(), v) && is_isolated_point(m, v);
   };
+  const auto may_be_near = [&](std::uint32_t i) { return !reach.only || (i < reach.only->size() && (*reach.only)[i]); };
   NearPoints near{points_by_slot(m), std::vector<Vertex>(m.vertex_slots())};
   PointGrid grid(m, reach.distance);
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
     const Vertex v(i);
     if (near.point_of[i] != v) continue;
     near.first[i] = v;
-    if (!is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
+    if (!may_be_near(i) || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
     if (const Vertex other = grid.first_near(m.position(v)))
       near.first[i] = other;
     else if (!stays_in_file(v))

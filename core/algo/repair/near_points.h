@@ -12,6 +12,7 @@ namespace ryosen {
 struct Reach {
   double distance;
   std::span<const Vertex> used;  // elsewhere (AlgorithmInput): these stay in the file whatever becomes of them
+  const std::vector<bool>* only = nullptr;  // by slot: no other point is near any; null: all may be
 };
 
 struct NearPoints {

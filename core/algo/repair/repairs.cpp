@@ -7,6 +7,7 @@
 #include "core/algo/repair/orient_faces.h"
 #include "core/algo/repair/remove_degenerate.h"
 #include "core/algo/repair/remove_faces.h"
+#include "core/algo/repair/stitch.h"
 #include "core/algo/repair/weld_points.h"
 #include "core/base/count_text.h"
 
@@ -53,11 +54,26 @@ std::vector<AlgorithmRow> repair_rows() {
        true,
        {Kind::boundary_loop},
        weld_equal_points},
+      {"stitch",
+       "Stitch T-junctions",
+       "T 字接合の縫合",
+       "a vertex on an edge of another face is put into it and welded, where this closes a gap",
+       "ほかの面の辺の上にある頂点を、すき間がふさがる限りその稜線に入れて縫合する",
+       {{.id = "distance",
+         .kind = ParameterKind::length,
+         .name_en = "Distance",
+         .name_ja = "距離",
+         .help_en = "how far from the edge it may be; 0 is exactly on it",
+         .help_ja = "稜線からの最大の距離。0 は正確に稜線上",
+         .initial = "0"}},
+       true,
+       {Kind::boundary_loop},
+       stitch},
       {"orient",
        "Orient faces",
        "面の向きを揃える",
-       "turns faces so that fewer neighbours disagree, none where possible",
-       "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
+       "turns faces so that neighbours agree where they can, and shells look out of the solid",
+       "隣り合う面の向きをできる限り揃え、閉じた殻が立体の外を向くように面を裏返す",
        {},
        true,
        {Kind::misoriented_edge},

@@ -1,8 +1,10 @@
 #include "core/algo/repair/sides_apart.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 
 namespace ryosen {
@@ -15,6 +17,31 @@ struct SideAtPlace {
   bool is_forward;
   friend auto operator<=>(const SideAtPlace&, const SideAtPlace&) = default;
 };
+
+// All sides of faces between two places with an end among the points asked for, sorted.
+std::vector<SideAtPlace> sides_between_places(const Mesh& m, const std::vector<Vertex>& point_of,
+                                              const std::vector<Vertex>& place, const std::vector<bool>& is_asked) {
+  std::vector<SideAtPlace> sides;
+  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!m.is_alive(h) || m.is_outside(h)) continue;
+    const Vertex a = point_of[m.from(h).index], b = point_of[m.to(h).index];
+    const Vertex from = place[a.index], to = place[b.index];
+    if (from == to || (!is_asked[a.index] && !is_asked[b.index])) continue;
+    sides.push_back({std::min(from, to), std::max(from, to), h, from < to});
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// Calls visit with all sides between the same two places.
+template <class Visit>
+void for_each_group(const std::vector<SideAtPlace>& sides, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) ++last;
+    visit(std::span(sides).subspan(first, last - first));
+  }
+}
 
 // Sets of faces that are turned together or against each other.
 class TurnedSets {
@@ -56,29 +83,35 @@ std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex
     is_shared[p.index] = is_shared[place[p.index].index] = is_any = true;
   }
   if (!is_any) return {};
-  std::vector<SideAtPlace> sides;
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!m.is_alive(h) || m.is_outside(h)) continue;
-    const Vertex a = point_of[m.from(h).index], b = point_of[m.to(h).index];
-    const Vertex from = place[a.index], to = place[b.index];
-    if (from == to || (!is_shared[a.index] && !is_shared[b.index])) continue;
-    sides.push_back({std::min(from, to), std::max(from, to), h, from < to});
-  }
-  std::sort(sides.begin(), sides.end());
   std::vector<SidePair> pairs;
-  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    const SideAtPlace& side = sides[first];
-    for (last = first; last < sides.size() && sides[last].low == side.low && sides[last].high == side.high;) ++last;
-    if (last - first != 2) continue;
-    const Halfedge h = side.halfedge, other = sides[first + 1].halfedge;
-    if (!m.is_outside(twin(h)) || !m.is_outside(twin(other))) continue;
+  for_each_group(sides_between_places(m, point_of, place, is_shared), [&](std::span<const SideAtPlace> sides) {
+    if (sides.size() != 2) return;
+    const Halfedge h = sides[0].halfedge, other = sides[1].halfedge;
+    if (!m.is_outside(twin(h)) || !m.is_outside(twin(other))) return;
     const auto points = [&](Halfedge of) {
       return std::minmax({point_of[m.from(of).index], point_of[m.to(of).index]});
     };
-    if (points(h) != points(other)) pairs.push_back({h, other, side.is_forward == sides[first + 1].is_forward});
-  }
+    if (points(h) != points(other)) pairs.push_back({h, other, sides[0].is_forward == sides[1].is_forward});
+  });
   return pairs;
+}
+
+std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& point_of, const std::vector<Vertex>& place) {
+  std::vector<bool> is_at_boundary(m.vertex_slots(), false);
+  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!m.is_alive(h) || m.is_outside(h) || !m.is_outside(twin(h))) continue;
+    for (Vertex v : {m.from(h), m.to(h)}) is_at_boundary[point_of[v.index].index] = true;
+  }
+  std::vector<Halfedge> lone;
+  for_each_group(sides_between_places(m, point_of, place, is_at_boundary), [&](std::span<const SideAtPlace> sides) {
+    const Halfedge h = sides[0].halfedge;
+    if (sides.size() == 1 && m.is_outside(twin(h)) && is_finite(m.position(m.from(h))) &&
+        is_finite(m.position(m.to(h))))
+      lone.push_back(h);
+  });
+  std::sort(lone.begin(), lone.end());
+  return lone;
 }
 
 std::vector<bool> turns_of(const Mesh& m, const std::vector<SidePair>& pairs) {

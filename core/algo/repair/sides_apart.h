@@ -19,6 +19,11 @@ struct SidePair {
 std::vector<SidePair> sides_at_one_place(const Mesh& mesh, const std::vector<Vertex>& point_of,
                                          const std::vector<Vertex>& place);
 
+// Halfedges with a face and none beyond that are the only sides of faces between two places, both finite; ascending.
+// O(n log n).
+std::vector<Halfedge> lone_sides(const Mesh& mesh, const std::vector<Vertex>& point_of,
+                                 const std::vector<Vertex>& place);
+
 // The faces to turn, as few as possible, so that as many pairs as can run in opposite directions while neighbours stay
 // turned alike; empty where none is to be turned. O(n log n).
 std::vector<bool> turns_of(const Mesh& mesh, const std::vector<SidePair>& pairs);

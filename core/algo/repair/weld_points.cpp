@@ -27,6 +27,7 @@ namespace {
 struct Welded {
   std::size_t points = 0, turned = 0;
   std::vector<Element> left;  // the first point of each place that stays several
+  std::vector<Edge> joined;
 };
 
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
@@ -49,7 +50,8 @@ class Welding {
     const std::vector<SidePair> all = pairs();
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!progress.go_on(i, all.size())) return welded;
-      if (!all[i].runs_alike) join(all[i]);
+      if (!all[i].runs_alike && join(all[i]))
+        for (Halfedge h : {all[i].first, all[i].second}) welded.joined.push_back(edge(h));
     }
     std::vector<JoinedPoints> classes;
     for (const auto& [first, others] : mates_) {
@@ -110,7 +112,7 @@ class Welding {
     return false;
   }
 
-  void join(const SidePair& pair) {
+  bool join(const SidePair& pair) {
     const std::array<Vertex, 4> ends{point_of_[m_.from(pair.first).index], point_of_[m_.to(pair.second).index],
                                      point_of_[m_.to(pair.first).index], point_of_[m_.from(pair.second).index]};
     std::vector<Vertex> merged;
@@ -123,8 +125,9 @@ class Welding {
       merges += is_sound;
       merged.insert(merged.end(), {ends[i], ends[i + 1]});
     }
-    if (is_sound && move(merged)) return;
+    if (is_sound && move(merged)) return true;
     for (; merges > 0; --merges) merger_->undo();
+    return false;
   }
 
   // The classes of several points at one place. Isolated ones join the lowest other. Returns how many points stay apart.
@@ -216,15 +219,23 @@ Welded turn_and_weld(Edit& edit, const NearPoints& near, const Reach& reach, Wel
   return welded;
 }
 
+Welded weld_near(Edit& edit, const Reach& reach, Progress& progress) {
+  const NearPoints near = find_near_points(edit.mesh(), reach);
+  if (!near.are_any()) return {};
+  return turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& now) {
+    return Welding(on.mesh(), now, reach).weld(on, progress);
+  });
+}
+
 }  // namespace
 
 AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const Reach reach{0, input.used_elsewhere};
-  const NearPoints near = find_near_points(edit.mesh(), reach);
-  if (!near.are_any()) return result_of({});
-  return result_of(turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& now) {
-    return Welding(on.mesh(), now, reach).weld(on, progress);
-  }));
+  return result_of(weld_near(edit, {0, input.used_elsewhere}, progress));
+}
+
+WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress) {
+  Welded welded = weld_near(edit, reach, progress);
+  return {welded.points, std::move(welded.joined)};
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {

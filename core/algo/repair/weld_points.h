@@ -1,6 +1,9 @@
 // Repairs that weld points at equal or nearby positions.
 #pragma once
 
+#include <vector>
+
+#include "core/algo/repair/near_points.h"
 #include "core/algo/repair/repairs.h"
 
 namespace ryosen {
@@ -20,5 +23,12 @@ AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& p
 // point moves by more than the distance. Nothing is done that would make a face flat. `crossings` counts the pairs of
 // faces that meet afterwards and did not before. Cost: that of two searches for self-intersections.
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress);
+
+struct WeldedSides {
+  std::size_t points = 0;    // that were welded to others
+  std::vector<Edge> joined;  // the sides that were joined, by the numbers that their edges had
+};
+// What both do: welds the points that are near each other, edges between them apart. The only write of the edit.
+WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress);
 
 }  // namespace ryosen

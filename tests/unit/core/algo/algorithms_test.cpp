@@ -158,7 +158,7 @@ TEST_F(Algorithms, lengths_and_elements_are_those_of_the_mesh) {
 }
 
 // Something for every row: a sheet with a hole, three faces on an edge, a face twice, a face turned against its
-// neighbour, corners on a line, an edge torn open, points next to each other, vertices without a face, and a solid.
+// neighbour, corners on a line, an edge torn open, a point on an edge, points next to each other, vertices without a face, and a solid.
 Mesh mesh_of_all_defects() {
   IndexedMesh source;
   const auto add = [&](const std::vector<glm::dvec3>& places, const Polygons& faces) {
@@ -183,6 +183,7 @@ Mesh mesh_of_all_defects() {
   add({{0, 0, 80}, {9, 0, 80}, {0, 9, 80}, {9, 9, 80}}, {{0, 1, 2}, {1, 2, 3}});
   add({{0, 0, 100}, {9, 0, 100}, {4, 0, 100}, {4, 9, 100}}, {{0, 1, 2}, {0, 3, 1}});
   add({{0, 0, 120}, {9, 0, 120}, {0, 9, 120}, {0, 0, 120}, {9, 0, 120}, {0, -9, 120}}, {{0, 1, 2}, {4, 3, 5}});
+  add({{0, 0, 140}, {9, 0, 140}, {0, 9, 140}, {4, 0, 140}, {0, -9, 140}}, {{0, 1, 2}, {3, 0, 4}, {1, 3, 4}});
   add({{0, 0, 140}, {9, 0, 140}, {0, 9, 140}, {0, -0.5, 140}, {9, -0.5, 140}, {0, -9, 140}}, {{0, 1, 2}, {4, 3, 5}});
   add({{0, 0, 160}, {9, 0, 160}}, {});
   add({{0, 0, 180}, {9, 0, 180}, {0, 9, 180}, {0, 0, 189}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});

@@ -70,7 +70,9 @@ TEST(repair_report, counts_as_problems_what_a_list_of_problems_has) {
     RepairCall call{{}, in_rounds};
     for (const std::string_view id : repairs) {
       const AlgorithmRow& row = *find_algorithm(id);
-      call.steps.push_back({&row, ParameterValues(row.parameters)});
+      ParameterValues values(row.parameters);
+      if (!row.parameters.empty() && row.parameters[0].is_required) values.set(row.parameters[0].id, "0", {});
+      call.steps.push_back({&row, std::move(values)});
     }
     return try_repair(mesh, call, {}, {}).value();
   };

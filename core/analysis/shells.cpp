@@ -4,9 +4,11 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <span>
+#include <utility>
 
 #include "core/analysis/box_nesting.h"
 #include "core/analysis/box_tree.h"
+#include "core/analysis/disjoint_sets.h"
 #include "core/analysis/leaf_planes.h"
 #include "core/analysis/overlap_tree.h"
 #include "core/base/interruption.h"
@@ -44,37 +46,65 @@ bool ray_passes(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
 
 class ShellSearch {
  public:
-  explicit ShellSearch(Neighbourhood& around) : mesh_(around.mesh()), components_(find_face_components(around)) {
+  ShellSearch(const Mesh& mesh, FaceComponents components)
+      : mesh_(mesh),
+        components_(std::move(components)),
+        bodies_(components_.count),
+        has_volume_(components_.count, true) {
     boxes_.resize(components_.count);
     triangles_.resize(components_.count);
     faces_.resize(components_.count);
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
       stop_if_interrupted();
-      if (!mesh_.is_alive(Face(i))) continue;
       const std::uint32_t shell = components_.of_face[i];
+      if (shell == no_index) continue;
       faces_[shell].emplace_back(i);
       for (const glm::dvec3& p : places_of(Face(i))) boxes_[shell].add(p);
     }
   }
 
+  // Where shells meet their depths are not known.
   Shells run() {
-    Shells shells;
-    for (std::uint32_t i = 0; i < components_.count; ++i) shells.all.push_back({faces_[i].front(), turned(i), 0});
+    Shells shells = turned_shells();
     const bool encloses_nothing =
         std::any_of(shells.all.begin(), shells.all.end(), [](const Shell& shell) { return shell.turned == 0; });
     if (components_.count < 2 || encloses_nothing) return shells;
     const BoxNesting nesting(boxes_);
     const std::vector<std::uint32_t> parents = find_parents(nesting);
     shells.meeting = find_meeting(parents);
-    if (shells.meeting) return shells;
-    for (std::uint32_t n = components_.count; n-- > 0;) {
-      const std::uint32_t shell = nesting.order()[n];
-      if (parents[shell] != no_index) shells.all[shell].depth = shells.all[parents[shell]].depth + 1;
+    if (!shells.meeting) add_depths(nesting, parents, shells);
+    return shells;
+  }
+
+  Shells run_with_bodies() {
+    Shells shells = turned_shells();
+    for (std::uint32_t i = 0; i < components_.count; ++i) has_volume_[i] = shells.all[i].turned != 0;
+    if (components_.count < 2) return shells;
+    const BoxNesting nesting(boxes_);
+    std::vector<std::uint32_t> parents = find_parents(nesting);
+    shells.meeting = find_meeting(parents);
+    if (shells.meeting) {
+      join_bodies();
+      parents = find_parents(nesting);
     }
+    add_depths(nesting, parents, shells);
     return shells;
   }
 
  private:
+  Shells turned_shells() {
+    Shells shells;
+    for (std::uint32_t i = 0; i < components_.count; ++i) shells.all.push_back({faces_[i].front(), turned(i), 0});
+    return shells;
+  }
+
+  static void add_depths(const BoxNesting& nesting, std::span<const std::uint32_t> parents, Shells& shells) {
+    for (std::size_t n = shells.all.size(); n-- > 0;) {
+      const std::uint32_t shell = nesting.order()[n];
+      if (parents[shell] != no_index) shells.all[shell].depth = shells.all[parents[shell]].depth + 1;
+    }
+  }
+
   int turned(std::uint32_t shell) {
     RoundedVolume rounded(boxes_[shell].lowest);
     for (const Face f : faces_[shell]) rounded.add(places_of(f));
@@ -118,12 +148,15 @@ class ShellSearch {
     return found;
   }
 
-  // The innermost shell around each, or none, as if no two met.
+  // The innermost shell of another body around each, or none. As long as no shells are joined, as if no two met.
   std::vector<std::uint32_t> find_parents(const BoxNesting& nesting) {
-    std::vector<std::uint32_t> parents;
+    std::vector<std::uint32_t> parents(components_.count, no_index);
     for (std::uint32_t i = 0; i < components_.count; ++i) {
+      if (!has_volume_[i]) continue;
       const glm::dvec3 p = mesh_.position(mesh_.from(mesh_.halfedge(faces_[i].front())));
-      parents.push_back(nesting.first_around(i, [&](std::uint32_t other) { return is_inside(p, other); }));
+      parents[i] = nesting.first_around(i, [&](std::uint32_t other) {
+        return has_volume_[other] && bodies_.root(other) != bodies_.root(i) && is_inside(p, other);
+      });
     }
     return parents;
   }
@@ -145,20 +178,37 @@ class ShellSearch {
 
   // If any two shells meet, then also two of which one is the parent of the other, or that have the same or no parent:
   // where those are apart, a shell parts what lies inside of it from what lies outside.
-  std::optional<std::pair<Face, Face>> find_meeting(std::span<const std::uint32_t> parents) const {
+  std::optional<std::pair<Face, Face>> find_meeting(std::span<const std::uint32_t> parents) {
     std::vector<std::vector<std::uint32_t>> families(components_.count + 1);  // the last: of those without a parent
     for (std::uint32_t i = 0; i < components_.count; ++i)
-      families[std::min(parents[i], components_.count)].push_back(i);
-    for (std::uint32_t i = 0; i <= components_.count; ++i) {
+      if (has_volume_[i]) families[std::min(parents[i], components_.count)].push_back(i);
+    std::optional<std::pair<Face, Face>> found;
+    for (std::uint32_t i = 0; i <= components_.count && !found; ++i) {
       if (i < components_.count && !families[i].empty()) families[i].push_back(i);
-      if (const auto found = find_meeting_among(families[i])) return found;
+      for_each_meeting(families[i], [&](Face f, Face g) {
+        found = {std::min(f, g), std::max(f, g)};
+        return false;
+      });
     }
-    return std::nullopt;
+    return found;
   }
 
-  // Among all triangles of the shells whose boxes overlap, in one tree, which tells those of fans and slivers apart.
-  std::optional<std::pair<Face, Face>> find_meeting_among(std::span<const std::uint32_t> shells) const {
-    if (shells.size() < 2) return std::nullopt;
+  // Shells that meet become one body.
+  void join_bodies() {
+    std::vector<std::uint32_t> shells;
+    for (std::uint32_t i = 0; i < components_.count; ++i)
+      if (has_volume_[i]) shells.push_back(i);
+    for_each_meeting(shells, [&](Face f, Face g) {
+      bodies_.join(components_.of_face[f.index], components_.of_face[g.index]);
+      return true;
+    });
+  }
+
+  // Calls visit for faces of two bodies that meet until it returns false. Among all triangles of the shells whose boxes
+  // overlap, in one tree, which tells those of fans and slivers apart.
+  template <class Visit>
+  void for_each_meeting(std::span<const std::uint32_t> shells, const Visit& visit) {
+    if (shells.size() < 2) return;
     std::vector<Box> boxes;
     for (const std::uint32_t shell : shells) boxes.push_back(boxes_[shell]);
     const BoxTree tree_of_boxes(boxes);
@@ -171,24 +221,19 @@ class ShellSearch {
     }
     const NumberedSurface surface(mesh_, faces);
     const OverlapTree tree(surface, threads_for(surface.slots()));
-    std::optional<std::pair<Face, Face>> found;
     LeafPlanes planes(surface);
-    const auto may = [&](std::uint32_t a, std::uint32_t b) {
-      const Face f = surface.face(a), g = surface.face(b);
-      return components_.of_face[f.index] != components_.of_face[g.index] && !planes.are_clear(a, b);
+    const auto body = [&](std::uint32_t slot) { return bodies_.root(components_.of_face[surface.face(slot).index]); };
+    const auto may = [&](std::uint32_t a, std::uint32_t b) { return body(a) != body(b) && !planes.are_clear(a, b); };
+    const auto ask = [&](std::uint32_t a, std::uint32_t b) {
+      return !meet_elsewhere(surface.triangle(a), surface.triangle(b)) || visit(surface.face(a), surface.face(b));
     };
-    const auto visit = [&](std::uint32_t a, std::uint32_t b) {
-      const Face f = surface.face(a), g = surface.face(b);
-      if (!meet_elsewhere(surface.triangle(a), surface.triangle(b))) return true;
-      found = {std::min(f, g), std::max(f, g)};
-      return false;
-    };
-    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, may, visit);) ++node;
-    return found;
+    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, may, ask);) ++node;
   }
 
   const Mesh& mesh_;
   FaceComponents components_;
+  DisjointSets bodies_;                   // of shells that meet
+  std::vector<bool> has_volume_;          // else it counts for no other
   std::vector<std::vector<Face>> faces_;  // by shell
   std::vector<Box> boxes_;
   std::vector<ShellTriangles> triangles_;  // of the shells that were asked whether others lie in them
@@ -200,6 +245,10 @@ class ShellSearch {
 
 }  // namespace
 
-Shells find_shells(Neighbourhood& around) { return ShellSearch(around).run(); }
+Shells find_shells(Neighbourhood& around) { return ShellSearch(around.mesh(), find_face_components(around)).run(); }
+
+Shells nest_shells(const Mesh& mesh, FaceComponents components) {
+  return ShellSearch(mesh, std::move(components)).run_with_bodies();
+}
 
 }  // namespace ryosen

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/algo/repair/loose_pieces.h"
 #include "core/analysis/problem_sets.h"
 
 namespace ryosen {
@@ -35,6 +36,8 @@ bool must_not_grow(const ProblemRow& row) {
 
 AlgorithmResult run_guarded(Edit& edit, const AlgorithmRow& row, const AlgorithmInput& input, Progress& progress,
                             FindingCounts& counts) {
+  FaceComponents components;
+  if (row.is_repair()) components = components_of(edit.mesh());
   AlgorithmResult result = row.run(edit, input, progress);
   if (!row.is_repair() || progress.is_cancelled() || result.changed == 0) return result;
   const FindingCounts after = count_findings(edit.mesh(), input.on_lines);
@@ -43,6 +46,7 @@ AlgorithmResult run_guarded(Edit& edit, const AlgorithmRow& row, const Algorithm
     if (must_not_grow(kind) && after[k] > counts[k]) return refusal(row, result, kind, after[k] - counts[k]);
   }
   counts = after;
+  add_loose_pieces(components, edit.mesh(), result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/algo/repair/turn_outwards.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/base/count_text.h"
 #include "core/mesh/circulate.h"
@@ -32,14 +33,30 @@ bool would_hang(Neighbourhood& around, Face f) {
   return of_two_alike >= 2;
 }
 
-}  // namespace
-
-AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress&) {
-  const Mesh& m = edit.mesh();
-  AlgorithmResult result;
+// First so that neighbours agree, then outwards.
+std::vector<bool> faces_to_turn(const Mesh& m, Progress& progress) {
   std::vector<bool> turned = turned_by_orient(m);
   Neighbourhood around(m);
   for (std::uint32_t f = 0; f < turned.size(); ++f) turned[f] = turned[f] && !would_hang(around, Face(f));
+  const bool agrees = std::find(turned.begin(), turned.end(), true) == turned.end();
+  const std::vector<bool> outwards = agrees ? faces_to_turn_outwards(m, progress)
+                                            : faces_to_turn_outwards(Mesh(turn_faces(m, turned).columns), progress);
+  for (std::size_t f = 0; f < outwards.size(); ++f) turned[f] = turned[f] != outwards[f];
+  return turned;
+}
+
+}  // namespace
+
+std::size_t count_turned_wrong(const Mesh& mesh, Progress& progress) {
+  const std::vector<bool> turned = faces_to_turn_outwards(mesh, progress);
+  return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
+}
+
+AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progress) {
+  const Mesh& m = edit.mesh();
+  AlgorithmResult result;
+  const std::vector<bool> turned = faces_to_turn(m, progress);
+  if (progress.is_cancelled()) return {};
   if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
     TurnedMesh now = turn_faces(m, turned);
     result.changed = now.effect.changed.size();

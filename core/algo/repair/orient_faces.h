@@ -1,4 +1,4 @@
-// Repair: turns faces so that neighbours agree.
+// Repair: turns faces so that neighbours agree and the surface looks outwards.
 #pragma once
 
 #include "core/algo/repair/repairs.h"
@@ -6,7 +6,11 @@
 namespace ryosen {
 
 // As the operator orient, but two triangles on the same points that agree with each other and touch nothing else stay:
-// turning one would make a hanging pair of them. O(n), beside copies O(n log n).
+// turning one would make a hanging pair of them. Then whole patches are turned outwards (turn_outwards.h), at the cost of
+// that.
 AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progress);
+
+// How many faces of patches that agree with themselves it would turn.
+std::size_t count_turned_wrong(const Mesh& mesh, Progress& progress);
 
 }  // namespace ryosen

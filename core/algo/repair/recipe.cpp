@@ -4,15 +4,14 @@
 #include <utility>
 
 #include "core/algo/repair/guard.h"
+#include "core/algo/repair/loose_pieces.h"
+#include "core/algo/repair/recipe_goal.h"
 #include "core/analysis/problems.h"
 #include "core/indexed/lost_vertices.h"
 
 namespace ryosen {
 
 namespace {
-
-// What a round must lower: problems first, then boundary edges.
-using Measure = std::pair<std::size_t, std::size_t>;
 
 struct State {
   Mesh mesh;
@@ -32,10 +31,7 @@ std::size_t kept_by_the_file(const Mesh& mesh, const RecipeInput& input, bool ha
 class RecipeRun {
  public:
   RecipeRun(std::span<const RecipeStep> steps, const RecipeInput& input, const RecipeEvents& events)
-      : steps_(steps), input_(input), events_(events), results_(steps.size()) {
-    for (const RecipeStep& step : steps)
-      for (ProblemKind kind : step.row->solves) is_for_[static_cast<std::size_t>(kind)] = true;
-  }
+      : steps_(steps), input_(input), events_(events), goal_(steps), results_(steps.size()) {}
 
   // None: cancelled.
   std::optional<RecipeResult> run(const Mesh& mesh) {
@@ -48,7 +44,7 @@ class RecipeRun {
       if (!run_round(next, round)) return std::nullopt;
       const bool has_changed =
           std::any_of(results_.begin(), results_.end(), [](const AlgorithmResult& r) { return r.changed > 0; });
-      const bool is_kept = has_changed && measure(next) < measure(state);
+      const bool is_kept = has_changed && goal_.is_nearer(found_in(next), found_in(state));
       if (round == 1 || is_kept || !has_changed) add_round(result, has_changed && !is_kept);
       if (!is_kept) {
         if (has_changed && events_.round_undone) events_.round_undone(round);
@@ -62,11 +58,20 @@ class RecipeRun {
     result.drops_quarantined = !input_.quarantine.empty() && !state.has_quarantine;
     count_kinds(mesh, input_, true, &KindCount::before, result.findings);
     count_kinds(state.mesh, input_, state.has_quarantine, &KindCount::after, result.findings);
+    if (result.is_changed) tell_loose(mesh, state.mesh, result.steps);
     result.mesh = std::move(state.mesh);
     return result;
   }
 
  private:
+  // What came off in any round, beside what the last step that changed something has left.
+  static void tell_loose(const Mesh& before, const Mesh& after, std::vector<AlgorithmResult>& steps) {
+    for (AlgorithmResult& step : steps) std::erase_if(step.left_for, tells_of_loose_pieces);
+    const auto last =
+        std::find_if(steps.rbegin(), steps.rend(), [](const AlgorithmResult& step) { return step.changed > 0; });
+    if (last != steps.rend()) add_loose_pieces(components_of(before), after, *last);
+  }
+
   static std::size_t boundary_edges(const State& state) {
     return state.counts[static_cast<std::size_t>(ProblemKind::boundary_loop)];
   }
@@ -94,19 +99,8 @@ class RecipeRun {
     return true;
   }
 
-  Measure measure(const State& state) const {
-    std::size_t problems = 0;
-    for (const ProblemRow& row : problem_table()) {
-      const auto k = static_cast<std::size_t>(row.kind);
-      if (!is_for_[k] || row.severity != ProblemSeverity::problem) continue;
-      problems += row.quarantined ? quarantined(row, state.has_quarantine) : state.counts[k];
-    }
-    return {problems, is_for_[static_cast<std::size_t>(ProblemKind::boundary_loop)] ? boundary_edges(state) : 0};
-  }
-
-  std::size_t quarantined(const ProblemRow& row, bool has_quarantine) const {
-    if (!has_quarantine) return 0;
-    return row.kind == ProblemKind::quarantined_face ? input_.quarantine.size() : 0;
+  FoundInMesh found_in(const State& state) const {
+    return {&state.mesh, state.counts, state.has_quarantine ? input_.quarantine.size() : 0};
   }
 
   void add_round(RecipeResult& result, bool is_undone) const {
@@ -135,7 +129,7 @@ class RecipeRun {
   std::span<const RecipeStep> steps_;
   const RecipeInput& input_;
   const RecipeEvents& events_;
-  std::array<bool, most_problem_kinds> is_for_{};
+  RecipeGoal goal_;
   std::vector<AlgorithmResult> results_;  // of the last round
 };
 

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/algo/repair/guard.h"
+#include "core/algo/repair/loose_pieces.h"
 #include "core/analysis/problems.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
@@ -66,9 +67,10 @@ void count_left(RepairReport& report, std::span<const Problem> problems) {
   for (const Problem& problem : problems) report.problems += problem.count();
   std::vector<Element> others;
   for (const LeftForReason& left : report.left)
-    std::copy_if(left.elements.begin(), left.elements.end(), std::back_inserter(others), [&](const Element& element) {
-      return std::none_of(problems.begin(), problems.end(), [&](const Problem& p) { return names(p, element); });
-    });
+    if (!tells_of_loose_pieces(left))
+      std::copy_if(left.elements.begin(), left.elements.end(), std::back_inserter(others), [&](const Element& element) {
+        return std::none_of(problems.begin(), problems.end(), [&](const Problem& p) { return names(p, element); });
+      });
   sort_unique(others);
   report.others = others.size();
 }

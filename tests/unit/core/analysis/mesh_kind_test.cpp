@@ -12,6 +12,7 @@
 #include "core/analysis/shells.h"
 #include "core/indexed/to_indexed.h"
 #include "tests/support/core/asset_mesh.h"
+#include "tests/support/core/boxes.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
@@ -28,30 +29,6 @@ std::string id_of(const Mesh& mesh) {
   return std::string(row_of(kind.kind).id);
 }
 std::string reason_of(const Mesh& mesh) { return find_kind(mesh, ProblemSets(mesh)).reason.en; }
-
-// Boxes along the axes in one mesh, each of six quads that look outwards, or inwards.
-class Boxes {
- public:
-  Boxes& add(const glm::dvec3& lowest, const glm::dvec3& highest, bool inwards = false) {
-    const auto first = static_cast<std::uint32_t>(source_.positions.size());
-    for (const std::uint32_t corner : {0u, 1u, 3u, 2u, 4u, 5u, 7u, 6u})
-      source_.positions.emplace_back((corner & 1u) != 0 ? highest.x : lowest.x,
-                                     (corner & 2u) != 0 ? highest.y : lowest.y,
-                                     (corner & 4u) != 0 ? highest.z : lowest.z);
-    for (std::vector<std::uint32_t> face :
-         Polygons{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}) {
-      if (inwards) std::reverse(face.begin(), face.end());
-      for (const std::uint32_t corner : face) source_.corners.push_back(first + corner);
-      source_.face_offsets.push_back(static_cast<std::uint32_t>(source_.corners.size()));
-    }
-    return *this;
-  }
-  Boxes& cube(double from, double to, bool inwards = false) { return add(glm::dvec3(from), glm::dvec3(to), inwards); }
-  Mesh mesh() const { return from_indexed(source_); }
-
- private:
-  IndexedMesh source_;
-};
 
 TEST(mesh_kind, each_kind_has_a_mesh_and_names_its_element) {
   EXPECT_EQ(id_of(make_mesh(fin())), "non_manifold");

@@ -6,6 +6,7 @@
 #include "core/algo/proposals.h"
 #include "core/algo/remesh/planar_regions.h"
 #include "core/algo/remesh/remesh.h"
+#include "core/algo/remesh/straight_corners.h"
 #include "core/base/count_text.h"
 
 namespace ryosen {
@@ -75,22 +76,62 @@ AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progre
 }
 
 AlgorithmResult unite_planar_regions(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  const remesh::PlanarOptions options{input.values.angle_rad("angle"), input.values.length("distance")};
+  const double angle_rad = input.values.angle_rad("angle"), distance = input.values.length("distance");
   AlgorithmResult result;
-  const remesh::United united = remesh::unite_planar(edit, options, progress);
+  const remesh::United united = remesh::unite_planar(edit, {angle_rad, distance}, progress);
   if (united.is_cancelled) return result;
-  result.changed = united.regions;
+  const bool drops = input.values.choice("straight") == "drop";
+  const std::size_t dropped = drops ? remesh::drop_straight_corners(edit, {angle_rad, distance}, progress) : 0;
+  if (progress.is_cancelled()) return result;
+  result.changed = united.regions + dropped;
   result.left = united.left.size();
   const std::string faces = std::to_string(united.faces);
   result.text = Text{"No region of several faces is planar.", "多角形にまとめられる平らな領域はありません。"};
   if (united.regions > 0)
     result.text = count_text(united.regions, "One region of " + faces + " faces became a polygon.",
-                           "# regions with " + faces + " faces in all became polygons.",
-                           "合わせて面 " + faces + " 個の領域 # 個を多角形にまとめました。");
+                             "# regions with " + faces + " faces in all became polygons.",
+                             "合わせて面 " + faces + " 個の領域 # 個を多角形にまとめました。");
+  if (dropped > 0)
+    result.text = result.text + count_text(dropped, " One corner on a straight edge was taken out.",
+                                           " # corners on straight edges were taken out.",
+                                           "まっすぐな稜線上の角を # 個取り除きました。");
   std::vector<Element> left(united.left.begin(), united.left.end());
   add_left(result.left_for, {"the polygon would touch itself at a vertex", "まとめると多角形が頂点で自身に接します"},
            std::move(left));
   return result;
+}
+
+AlgorithmRow unite_planar_row() {
+  return {.id = "unite_planar",
+          .name_en = "Unite planar regions",
+          .name_ja = "平面領域の統合",
+          .help_en = "makes one polygon, with rings, of neighbouring faces that lie in one plane",
+          .help_ja = "同じ平面上の隣り合う面を、リングを持つ一つの多角形にまとめる",
+          .parameters = {{.id = "angle",
+                          .kind = ParameterKind::angle,
+                          .name_en = "Angle",
+                          .name_ja = "角度",
+                          .help_en = "by which normals may differ from that of the first face",
+                          .help_ja = "最初の面の法線との差の上限",
+                          .initial = "1"},
+                         {.id = "distance",
+                          .kind = ParameterKind::length,
+                          .name_en = "Distance",
+                          .name_ja = "距離",
+                          .help_en = "by which points may leave its plane",
+                          .help_ja = "その平面からの距離の上限",
+                          .initial = "0.01%"},
+                         {.id = "straight",
+                          .kind = ParameterKind::choice,
+                          .name_en = "Corners on straight edges",
+                          .name_ja = "まっすぐな稜線上の角",
+                          .help_en = "whether vertices with two edges stay where these are straight",
+                          .help_ja = "二本の稜線がまっすぐに続く頂点を残すか",
+                          .initial = "keep",
+                          .choices = {{"keep", "keep", "残す"}, {"drop", "drop", "取り除く"}}}},
+          .keeps_geometry = false,
+          .solves = {},
+          .run = unite_planar_regions};
 }
 
 AlgorithmRow remesh_row() {
@@ -171,28 +212,7 @@ std::vector<AlgorithmRow> remeshing_rows() {
            .solves = {},
            .run = swap_to_delaunay,
            .lineage = Lineage::told},
-          {.id = "unite_planar",
-           .name_en = "Unite planar regions",
-           .name_ja = "平面領域の統合",
-           .help_en = "makes one polygon, with rings, of neighbouring faces that lie in one plane",
-           .help_ja = "同じ平面上の隣り合う面を、リングを持つ一つの多角形にまとめる",
-           .parameters = {{.id = "angle",
-                           .kind = ParameterKind::angle,
-                           .name_en = "Angle",
-                           .name_ja = "角度",
-                           .help_en = "by which normals may differ from that of the first face",
-                           .help_ja = "最初の面の法線との差の上限",
-                           .initial = "1"},
-                          {.id = "distance",
-                           .kind = ParameterKind::length,
-                           .name_en = "Distance",
-                           .name_ja = "距離",
-                           .help_en = "by which points may leave its plane",
-                           .help_ja = "その平面からの距離の上限",
-                           .initial = "0.01%"}},
-           .keeps_geometry = false,
-           .solves = {},
-           .run = unite_planar_regions}};
+          unite_planar_row()};
 }
 
 }  // namespace ryosen

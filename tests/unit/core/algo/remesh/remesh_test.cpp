@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -16,6 +17,8 @@
 #include "core/analysis/invariants.h"
 #include "core/analysis/self_intersections.h"
 #include "core/base/parallel.h"
+#include "core/indexed/from_indexed.h"
+#include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
@@ -287,10 +290,90 @@ TEST(Planar, holes_become_rings_and_materials_stay_apart) {
   EXPECT_EQ(run_algorithm(bent, journal, "unite_planar angle=0.001 distance=0").changed, 0u);
 }
 
+Mesh reported(const std::string& name) {
+  return from_indexed(read_mesh_file(std::filesystem::path(RYOSEN_SOURCE_DIR) / "tests/data/reports" / name)->mesh);
+}
+
+TEST(Planar, corners_on_straight_edges_are_dropped_where_asked) {
+  Mesh box = reported("box_2x2.off"), kept = box;
+  Journal journal;
+  run_algorithm(kept, journal, "unite_planar");
+  EXPECT_EQ(kept.live().vertices, 20u);
+  EXPECT_EQ(run_algorithm(box, journal, "unite_planar straight=drop").changed, 6u + 12u);
+  EXPECT_FALSE(check_invariants(box)) << check_invariants(box)->sentence;
+  EXPECT_EQ(box.live(), (ElementCounts{8, 12, 6, 0}));
+  EXPECT_EQ(compute_figures(box).volume, 8.0);
+  EXPECT_EQ(run_algorithm(box, journal, "unite_planar straight=drop").changed, 0u);
+  EXPECT_EQ(run_algorithm(kept, journal, "unite_planar straight=drop").changed, 12u) << "of polygons as they are, too";
+  EXPECT_EQ(kept.live(), box.live());
+}
+
+TEST(Planar, straight_corners_of_turned_scaled_and_finer_boxes_go) {
+  for (const int steps : {1, 2, 4})
+    for (const double size : {1.0, 1e-6, 1e6})
+      for (const bool turns : {false, true}) {
+        Mesh mesh = made_by("cube");
+        Journal journal;
+        run_algorithm(mesh, journal, "subdivide scheme=midpoint steps=" + std::to_string(steps));
+        Edit edit(mesh, nullptr);
+        for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+          const glm::dvec3 p = size * mesh.position(Vertex(i));
+          const double c = turns ? std::cos(0.7) : 1, s = turns ? std::sin(0.7) : 0;
+          edit.set_position(Vertex(i), {c * p.x - s * p.y, s * p.x + c * p.y, p.z});
+        }
+        edit.commit();
+        run_algorithm(mesh, journal, "unite_planar straight=drop");
+        EXPECT_EQ(mesh.live(), (ElementCounts{8, 12, 6, 0})) << steps << " " << size << " " << turns;
+        EXPECT_FALSE(check_invariants(mesh));
+      }
+}
+
+TEST(Planar, straight_corners_of_holes_and_borders_go_and_others_stay) {
+  Polygons faces;
+  for (std::uint32_t y = 0; y < 5; ++y)
+    for (std::uint32_t x = 0; x < 5; ++x) {
+      const std::uint32_t a = 6 * y + x;
+      if (x < 1 || x > 3 || y < 1 || y > 3) faces.push_back({a, a + 1, a + 7, a + 6});
+    }
+  IndexedMesh list = indexed(faces, 36);
+  for (std::uint32_t i = 0; i < 36; ++i) list.positions[i] = {i % 6, i / 6, 0};
+  Mesh mesh = from_indexed(list);
+  Journal journal;
+  run_algorithm(mesh, journal, "unite_planar distance=0 straight=drop");
+  EXPECT_FALSE(check_invariants(mesh)) << check_invariants(mesh)->sentence;
+  EXPECT_EQ(compute_figures(mesh).vertices, 8u + 4u) << "corners of the border and of the hole; points in the hole";
+  EXPECT_NEAR(compute_figures(mesh).area, 16, 1e-12);
+  // A round border has none.
+  Polygons rim(1);
+  for (std::uint32_t i = 0; i < 48; ++i) rim[0].push_back(i);
+  list = indexed(rim, 48);
+  for (std::uint32_t i = 0; i < 48; ++i) list.positions[i] = {std::cos(i * 0.1309), std::sin(i * 0.1309), 0};
+  Mesh round = from_indexed(list);
+  EXPECT_EQ(run_algorithm(round, journal, "unite_planar straight=drop").changed, 0u);
+}
+
+TEST(Planar, a_long_straight_edge_loses_all_its_corners) {
+  constexpr std::uint32_t length = 1000;
+  Polygons faces(2);
+  for (std::uint32_t i = 0; i <= length; ++i) faces[0].push_back(i);
+  faces[0].push_back(length + 1);
+  for (std::uint32_t i = length + 1; i-- > 0;) faces[1].push_back(i);
+  faces[1].push_back(length + 2);
+  IndexedMesh list = indexed(faces, length + 3);
+  for (std::uint32_t i = 0; i <= length; ++i) list.positions[i] = {i, 0, 0};
+  list.positions[length + 1] = {0.5 * length, 100, 3};
+  list.positions[length + 2] = {0.5 * length, -100, 3};
+  Mesh mesh = from_indexed(list);
+  Journal journal;
+  EXPECT_EQ(run_algorithm(mesh, journal, "unite_planar straight=drop").changed, length - 1);
+  EXPECT_EQ(mesh.live(), (ElementCounts{4, 5, 2, 0}));
+}
+
 TEST(Planar, any_mesh_comes_out_whole) {
   for (const Polygons& faces : {tetrahedron(), cube(), torus_grid(3, 4), two_quads(), closed_fan(9), bow_tie(), fin(),
                                 moebius_strip(), two_tetrahedra_on_an_edge(), Polygons{{0, 1, 2}, {0, 1, 2}}})
-    for (const char* line : {"unite_planar angle=180 distance=100", "unite_planar angle=60 distance=20%"}) {
+    for (const char* line : {"unite_planar angle=180 distance=100", "unite_planar angle=60 distance=20%",
+                             "unite_planar angle=60 distance=20% straight=drop"}) {
       Mesh mesh = make_mesh(faces);
       const std::int64_t before = compute_figures(mesh).euler_characteristic;
       Journal journal;

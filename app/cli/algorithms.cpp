@@ -13,10 +13,13 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
+#include "app/cli/written_mesh.h"
 #include "app/editor/commands.h"
 #include "app/editor/repair_call.h"
 #include "app/editor/script.h"
 #include "core/algo/edge_rules.h"
+#include "core/algo/repair/loose_pieces.h"
+#include "core/io/given_back.h"
 #include "core/mesh/find_element.h"
 #include "core/mesh/names.h"
 
@@ -69,12 +72,15 @@ Json value_json(const ParameterRow& row, const ParameterValue* value) {
 class AlgorithmRun {
  public:
   // By `repair` each call is one of a list, else there is only one.
-  // `given_up`: the warnings about what the document has lost already for the sake of the format of the output.
-  AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, std::vector<Message> given_up,
-               RunFiles files, const Console& console, bool by_repair, bool wants_distance)
+  // `given_up`: the warnings about what the document has lost already for the sake of the format of the output. `format`:
+  // that of the output, or of the input where there is none; null: what is left is counted on the mesh.
+  AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, const Format* format,
+               std::vector<Message> given_up, RunFiles files, const Console& console, bool by_repair,
+               bool wants_distance)
       : document_(document),
         input_(std::move(input)),
         wanted_(std::move(output)),
+        format_(format),
         given_up_(std::move(given_up)),
         files_(std::move(files)),
         console_(console),
@@ -85,7 +91,9 @@ class AlgorithmRun {
     calls_ = std::move(calls);
     if (const auto failure = by_repair_ ? run_recipe() : run(calls_.front())) return console_.fail(*failure, input_);
     // What is left is named as in the file that is written.
-    after_ = check_mesh(document_.contents(), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
+    MeshFile contents = document_.contents();
+    if (format_) contents = given_back(std::move(contents), *format_);
+    after_ = check_mesh(std::move(contents), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
     const bool wants_points = !by_repair_ && calls_.front().row->adds_points;
     has_problem_ = std::any_of(after_.problems.begin(), after_.problems.end(), [&](const NamedProblem& p) {
       return p.problem.row().severity == ProblemSeverity::problem &&
@@ -127,8 +135,14 @@ class AlgorithmRun {
     return std::nullopt;
   }
 
-  void print_step(const std::string& name, const AlgorithmResult& result) const {
-    if (!console_.json) console_.print_now(name + console_.text(": ", "：").data() + console_.text(result.text) + "\n");
+  // At once, unless what is done may be undone in the end.
+  void print_step(const std::string& name, const AlgorithmResult& result) {
+    if (console_.json) return;
+    const std::string line = name + console_.text(": ", "：").data() + console_.text(result.text) + "\n";
+    if (waits_)
+      waiting_.push_back(line);
+    else
+      console_.print_now(line);
   }
 
   std::optional<Failure> run_recipe() {
@@ -154,12 +168,42 @@ class AlgorithmRun {
       if (round == 1 || result.changed > 0) print_step(name_in(step, round), result);
     };
     events.round_undone = [&](std::size_t round) { print_undone(round); };
+    std::optional<WrittenMesh> before;
+    if (format_ && gives_back_others(document_.file(), *format_)) before.emplace(document_.contents(), *format_);
+    waits_ = before.has_value();
     RecipeResult result = document_.run(steps, "repair " + kinds, events).value();
     rounds_ = result.rounds;
     findings_ = std::move(result.findings);
     boundary_edges_ = {result.boundary_edges_before, result.boundary_edges_after};
     for (std::size_t i = 0; i < calls_.size(); ++i) calls_[i].result = std::move(result.steps[i]);
+    if (before) judge_as_written(*before, RecipeGoal(steps), result.is_changed);
+    for (const Call& call : calls_)
+      for (const LeftForReason& left : call.result.left_for)
+        if (tells_of_loose_pieces(left)) loose_ = left.elements;
     return std::nullopt;
+  }
+
+  // Undoes what leaves the file no better: there points at one place are one. What is found is counted as the file has it.
+  void judge_as_written(const WrittenMesh& before, const RecipeGoal& goal, bool is_changed) {
+    const WrittenMesh after(document_.contents(), *format_);
+    const bool is_kept = is_changed && goal.is_nearer(after.found(), before.found());
+    if (is_changed && !is_kept) {
+      document_.undo();
+      rounds_ = 0;
+      for (Call& call : calls_) call.result = undone_in_file(std::move(call.result));
+    }
+    for (Call& call : calls_) std::erase_if(call.result.left_for, tells_of_loose_pieces);  // they are one with the rest
+    const WrittenMesh& is = is_kept ? after : before;
+    for (KindCount& kind : findings_) kind.after = 0;
+    is.count(&KindCount::after, findings_);
+    boundary_edges_.second = is.boundary_edges();
+    waits_ = false;
+    for (const std::string& line : waiting_)
+      if (is_kept || !is_changed) console_.print_now(line);
+    if (is_changed && !is_kept && !console_.json)
+      console_.print_now(std::string(
+          console_.text("nothing to do: points at one place are one in the file, which would have as many problems\n",
+                        "変更なし：ファイルでは同じ位置の点が一つになり、問題が減らないため\n")));
   }
 
   void print_undone(std::size_t round) const {
@@ -220,8 +264,44 @@ class AlgorithmRun {
                      " -> " + std::to_string(after) + "\n");
   }
 
+  // The first faces of the loose pieces, as the output numbers its faces.
+  std::vector<std::string> loose_names() const {
+    std::vector<std::uint32_t> aside;
+    for (const QuarantinedFace& face : document_.tables().quarantine) aside.push_back(face.face);
+    std::sort(aside.begin(), aside.end());
+    std::vector<std::string> names;
+    std::size_t number = 0;
+    std::uint32_t next = 0;
+    for (const Element& face : loose_) {
+      for (; next < face.index; ++next) number += document_.mesh().is_alive(Face(next));
+      const auto before = std::lower_bound(aside.begin(), aside.end(), face.index) - aside.begin();
+      names.push_back("f" + std::to_string(number + static_cast<std::size_t>(before)));
+    }
+    return names;
+  }
+
+  // "loose pieces: 2 (f4, f5)", and how to be rid of them.
+  void print_loose() const {
+    if (loose_.empty()) return;
+    constexpr std::size_t most_names = 8;
+    const std::vector<std::string> all = loose_names();
+    std::string names, words;
+    for (std::size_t i = 0; i < std::min(most_names, all.size()); ++i) {
+      names += (i == 0 ? "" : ", ") + all[i];
+      words += " " + all[i];
+    }
+    if (all.size() > most_names) names += ", ...";
+    const std::string count = std::to_string(all.size());
+    const std::string script = "edit --do \"select" + words + "; select linked; delete selected\"\n";
+    console_.print(console_.text(
+        Text{"loose pieces: " + count + " (" + names + ")\n", "切り離された部分：" + count + "（" + names + "）\n"}));
+    if (all.size() <= most_names)
+      console_.print(console_.text(Text{"  to delete them: " + script, "  削除するには：" + script}));
+  }
+
   void print_text() const {
     if (by_repair_) print_findings();
+    if (by_repair_) print_loose();
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));
     for (const NamedProblem& problem : after_.problems) console_.print(to_text(problem, console_));
@@ -329,14 +409,18 @@ class AlgorithmRun {
   Document& document_;
   std::string input_;                  // empty where it began with an empty mesh
   std::optional<std::string> wanted_;  // -o
+  const Format* format_;
   std::vector<Message> given_up_;
   RunFiles files_;
   const Console& console_;
   bool by_repair_, wants_distance_;
   std::vector<Call> calls_;
+  bool waits_ = false;
+  std::vector<std::string> waiting_;  // lines
   std::size_t rounds_ = 0;
   std::vector<KindCount> findings_;
   std::pair<std::size_t, std::size_t> boundary_edges_;  // before, after
+  std::vector<Element> loose_;                          // their first faces
   CheckReport after_;
   std::size_t faces_before_ = 0;
   std::optional<SurfaceDistance> distance_;
@@ -360,11 +444,11 @@ ExitCode run_on_file(std::vector<Call> calls, const Arguments& arguments, const 
   if (!file) return console.fail(file.failure(), input);
   for (const Message& message : file->messages) console.show(message, input);
   std::vector<Message> given_up;
-  if (const Format* const format = output ? format_to_write(*output, *file) : nullptr)
-    given_up = give_up_lost_elements(*file, *format);
+  const Format* const format = output ? format_to_write(*output, *file) : file->format;
+  if (output && format) given_up = give_up_lost_elements(*file, *format);
   Document document(std::move(file).value(), input);
-  return AlgorithmRun(document, input, output ? std::optional(*output) : std::nullopt, std::move(given_up), files,
-                      console, by_repair, arguments.has("--distance"))
+  return AlgorithmRun(document, input, output ? std::optional(*output) : std::nullopt, format, std::move(given_up),
+                      files, console, by_repair, arguments.has("--distance"))
       .run(std::move(calls));
 }
 

@@ -22,6 +22,12 @@ const Json* repair_of(const Json& report, const std::string& kind) {
   return nullptr;
 }
 
+std::pair<int, int> counts_of(const Json& report, const std::string& kind) {
+  for (const Json& count : report["findings"])
+    if (count["kind"] == kind) return {count["before"], count["after"]};
+  return {-1, -1};
+}
+
 TEST(repair, the_usual_repairs_together_take_no_number) {
   const std::string cube = asset("cube.obj");
   const ProgramRun run = run_program({"repair", cube, "--kinds", "default=5"});
@@ -148,6 +154,74 @@ TEST(repair, everything_by_name) {
   EXPECT_NE(only.out.find("nothing written"), std::string::npos) << only.out;
 }
 
+TEST(repair, counts_what_an_stl_file_has_and_does_nothing_again) {
+  const std::string reported = std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/stl_report.stl";
+  const TemporaryFolder folder;
+  // Two solids that touch at an edge, in another format: the points of the edge are two in one and one in the other.
+  const std::string touching = folder.write(
+      "a.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 -1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 2 5\n"
+      "f 1 6 2\nf 2 6 5\nf 1 5 6\n");
+  for (const std::string& input : {reported, touching})
+    for (const char* const kinds : {"default", "default,fill_holes,weld_close=1e-9"}) {
+      const std::string out = folder.at("o.stl"), again = folder.at("again.stl");
+      const Json report = run_program({"repair", input, "-o", out, "--overwrite", "--kinds", kinds, "--json"}).line();
+      const Json check = run_program({"check", out, "--json"}).line();
+      EXPECT_EQ(report["hash"], check["hash"]) << input;
+      EXPECT_EQ(report["vertices"], check["vertices"]) << input;
+      for (const Json& problem : check["problems"])
+        EXPECT_EQ(counts_of(report, problem["kind"]).second, problem["count"]) << input << problem["kind"];
+      const ProgramRun second = run_program({"repair", out, "-o", again, "--overwrite", "--kinds", kinds, "--json"});
+      EXPECT_EQ(second.line()["rounds"], 0) << input << second.out;
+      for (const Json& repair : second.line()["repairs"]) EXPECT_EQ(repair["changed"], 0) << input << repair["kind"];
+      for (const Json& kind : second.line()["findings"]) EXPECT_EQ(kind["before"], kind["after"]) << kind;
+      EXPECT_EQ(read_file(out), read_file(again));
+    }
+  const ProgramRun text = run_program({"repair", reported});
+  EXPECT_NE(text.out.find("nothing to do: points at one place are one in the file"), std::string::npos) << text.out;
+  EXPECT_EQ(text.exit_code, 1);
+  // What helps stays: a triangle that is there twice goes.
+  const std::string twice = folder.write("twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n");
+  EXPECT_EQ(run_program({"repair", twice, "-o", folder.at("t.stl"), "--json"}).line()["rounds"], 1);
+}
+
+TEST(repair, an_inside_out_stl_is_turned) {
+  const TemporaryFolder folder;
+  const std::string inside = std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/inside_out.off";
+  run_program({"convert", inside, "-o", folder.at("a.stl")});
+  const Json report = run_program({"repair", folder.at("a.stl"), "-o", folder.at("b.stl"), "--json"}).line();
+  EXPECT_EQ(report["rounds"], 1);
+  EXPECT_NEAR(run_program({"check", folder.at("b.stl"), "--json"}).line()["volume"].get<double>(), 1.0, 1e-12);
+}
+
+TEST(repair, names_the_loose_pieces_and_how_to_delete_them) {
+  const TemporaryFolder folder;
+  const std::string out = folder.at("o.off");
+  const ProgramRun run =
+      run_program({"repair", std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/two_fins.off", "-o", out});
+  EXPECT_NE(run.out.find("loose pieces: 2 (f4, f5)\n"), std::string::npos) << run.out;
+  const std::string script = "select f4 f5; select linked; delete selected";
+  EXPECT_NE(run.out.find("edit --do \"" + script + "\""), std::string::npos) << run.out;
+  run_program({"edit", out, "-o", folder.at("solid.off"), "--do", script});
+  const Json check = run_program({"check", folder.at("solid.off"), "--json"}).line();
+  EXPECT_EQ(check["closed"], true);
+  EXPECT_EQ(check["faces"], 4);
+}
+
+TEST(repair, stitches_within_a_distance_where_it_is_asked) {
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.write("a.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 1 -0.001 0\nv 0 -2 0\nf 1 2 3\nf 4 1 5\nf 2 4 5\n");
+  EXPECT_EQ(run_program({"repair", path, "--kinds", "stitch", "--json"}).line()["rounds"], 0);
+  const Json report = run_program({"repair", path, "--kinds", "stitch=0.01", "--json"}).line();
+  EXPECT_EQ((*repair_of(report, "stitch"))["changed"], 1);
+  EXPECT_EQ((*repair_of(report, "stitch"))["number"], 0.01);
+  EXPECT_EQ(report["boundary_edges"]["after"], 4);
+  EXPECT_EQ(run_program({"stitch", path, "--distance", "0.01", "--json"}).line()["crossings"], 0);
+  const ProgramRun help = run_program({"help", "repair"});
+  EXPECT_NE(help.out.find("every place and face stays; exact T-junctions are split"), std::string::npos) << help.out;
+}
+
 TEST(repair, fills_the_holes_of_the_bunny) {
   const TemporaryFolder folder;
   const ProgramRun run =
@@ -171,12 +245,6 @@ TEST(repair, what_is_left_is_named_with_the_reason) {
                     {"en", "a face on the same three points is there already"},
                     {"ja", "同じ三点の面がすでにあるため"}};
   EXPECT_EQ(json["left_for"], Json::array({reason}));
-}
-
-std::pair<int, int> counts_of(const Json& report, const std::string& kind) {
-  for (const Json& count : report["findings"])
-    if (count["kind"] == kind) return {count["before"], count["after"]};
-  return {-1, -1};
 }
 
 TEST(repair, a_recipe_tells_its_rounds_and_each_kind_before_and_after) {

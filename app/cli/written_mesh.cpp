@@ -1,0 +1,33 @@
+#include "app/cli/written_mesh.h"
+
+#include <utility>
+
+#include "core/indexed/from_indexed.h"
+#include "core/io/elements.h"
+
+namespace ryosen::cli {
+
+WrittenMesh::WrittenMesh(MeshFile contents, const Format& format) {
+  MeshFile file = given_back(std::move(contents), format);
+  on_lines_ = vertices_on_lines(file, file.mesh.positions.size());
+  quarantine_ = std::move(file.mesh.quarantine);
+  mesh_ = from_indexed(std::move(file.mesh));
+  counts_ = count_findings(mesh_, on_lines_);
+}
+
+void WrittenMesh::count(std::size_t KindCount::*at, std::vector<KindCount>& findings) const {
+  count_kinds(mesh_, {quarantine_, {}, {}, on_lines_}, true, at, findings);
+}
+
+AlgorithmResult undone_in_file(AlgorithmResult result) {
+  result.left += result.changed;
+  if (result.changed > 0)
+    result.text = {"Undone, since points at one place are one in the file.",
+                   "ファイルでは同じ位置の点が一つになるため、元に戻しました。"};
+  result.changed = 0;
+  result.crossings = {};
+  result.drops_quarantined = false;
+  return result;
+}
+
+}  // namespace ryosen::cli

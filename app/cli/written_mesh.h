@@ -1,0 +1,30 @@
+// A mesh as its file gives it back, and what is found in that.
+#pragma once
+
+#include <vector>
+
+#include "core/algo/repair/recipe_goal.h"
+#include "core/io/given_back.h"
+
+namespace ryosen::cli {
+
+class WrittenMesh {
+ public:
+  WrittenMesh(MeshFile contents, const Format& format);
+
+  FoundInMesh found() const { return {&mesh_, counts_, quarantine_.size()}; }
+  // Into these findings, as count_kinds does.
+  void count(std::size_t KindCount::*at, std::vector<KindCount>& findings) const;
+  std::size_t boundary_edges() const { return counts_[static_cast<std::size_t>(ProblemKind::boundary_loop)]; }
+
+ private:
+  Mesh mesh_;
+  std::vector<QuarantinedFace> quarantine_;
+  std::vector<Vertex> on_lines_;
+  FindingCounts counts_{};
+};
+
+// What is said of a repair that was undone since its file would be no better.
+AlgorithmResult undone_in_file(AlgorithmResult result);
+
+}  // namespace ryosen::cli

@@ -188,6 +188,23 @@ bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
   return is_pressed;
 }
 
+bool RepairRows::draw_beyond_all(PanelContext& context, ProblemKind kind, bool is_mended) {
+  const ProblemRow& row = row_of(kind);
+  const Text said =
+      Text{"Repair all moves no point, and leaves this: ", "「まとめて修復」は点を動かさず、次を残します："} +
+      Text{std::string(row.name_en) + ".", std::string(row.name_ja) + "。"};
+  ImGui::PushID("beyond");
+  dim_text(context, said.in(context.language()).c_str());
+  bool is_pressed = false;
+  const Text off = why_off(context.session, is_mended);
+  for (const AlgorithmRow& repair : algorithm_table())
+    if (!repair.keeps_geometry && repair.parameters.empty() &&
+        std::find(repair.solves.begin(), repair.solves.end(), kind) != repair.solves.end())
+      is_pressed |= draw_repair(context, repair, off);
+  ImGui::PopID();
+  return is_pressed;
+}
+
 void RepairRows::end_frame(PanelContext& context) {
   if (!std::exchange(wants_trial_, false)) context.session.trials().cancel();
 }

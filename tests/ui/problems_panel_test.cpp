@@ -195,6 +195,45 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   EXPECT_EQ(session.document().history().size(), 1u);
 }
 
+TEST_F(ProblemsPanel, beside_repair_all_stands_what_moves_geometry_where_only_degenerate_faces_are_left) {
+  open("fin.obj");
+  EXPECT_FALSE(is_drawn("Repairallmovesnopoint"));
+  const test::TemporaryFolder folder;
+  const std::string path =
+      folder.write("flat.obj", "v 0 0 0\nv 2 0 0\nv 1 0 0\nv 1 2 0\nv 1 -2 0\nf 1 3 2\nf 1 2 4\nf 3 1 5\nf 2 3 5\n");
+  ASSERT_TRUE(session.run("open " + file_argument(path)).done());
+  frames(4);
+  ASSERT_TRUE(is_drawn("Repairallmovesnopoint,andleavesthis:Degenerateface."));
+  EXPECT_TRUE(is_drawn("Trial:Onefacewithoutareawasremoved")) << "with its trial";
+  const glm::dvec2 button = place("Removefaceswithoutarea");
+  click(button);
+  ASSERT_EQ(session.document().history().size(), 1u);
+  EXPECT_EQ(session.document().history()[0].command, "repair remove_degenerate");
+  EXPECT_EQ(place("Removefaceswithoutarea"), button) << "it stays under the pointer";
+  gui.pointer({500, 400});
+  frames(3);
+  EXPECT_FALSE(is_drawn("Repairallmovesnopoint"));
+}
+
+TEST_F(ProblemsPanel, loose_pieces_that_a_repair_leaves_are_offered_for_deletion) {
+  ASSERT_TRUE(
+      session.run("open " + file_argument(std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/two_fins.off")).done());
+  frames(4);
+  EXPECT_FALSE(is_drawn("loosepieces"));
+  click(place("Repairall"));
+  ASSERT_EQ(session.document().history().size(), 1u);
+  gui.pointer({500, 400});
+  frames(3);
+  click(place("Selecttheloosepieces(2)"));
+  EXPECT_FALSE(session.selection.empty());
+  EXPECT_EQ(session.document().history().size(), 1u);
+  click(place("Deletetheloosepieces(2)"));
+  ASSERT_EQ(session.document().history().size(), 2u);
+  EXPECT_EQ(session.mesh().live().faces, 4u);
+  frames(3);
+  EXPECT_FALSE(is_drawn("theloosepieces")) << "nothing is left to delete";
+}
+
 // Of all that is left on a mesh with every kind of fault no more is told than a glance takes.
 TEST_F(ProblemsPanel, a_repair_tells_about_eight_lines_of_a_long_report_and_counts_the_rest) {
   open("fin.obj");

@@ -7,6 +7,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"
+#include "core/algo/repair/loose_pieces.h"
 #include "core/analysis/boundary_loops.h"
 #include "core/analysis/problems.h"
 #include "core/mesh/find_element.h"
@@ -120,6 +121,8 @@ class ProblemsPanel : public Panel {
   void draw_kind(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_left(PanelContext& context);
+  void draw_loose(PanelContext& context);
+  bool is_only_degenerate(Session& session);
   void draw_searches(PanelContext& context);
   const HeldKind* held(ProblemKind kind) const;
   void hold(Session& session);
@@ -128,6 +131,7 @@ class ProblemsPanel : public Panel {
   RepairRows repairs_;
   std::vector<HeldKind> held_;       // as they are drawn; empty: nothing is held
   std::uint64_t held_document_ = 0;  // its serial number
+  bool offers_more_ = false;         // beside Repair all; as long as rows are held, as before
   ImVec2 first_, last_;              // the corners of the panel in the last frame
 };
 
@@ -205,6 +209,34 @@ void ProblemsPanel::draw_left(PanelContext& context) {
   }
 }
 
+// What came off in the last repair is offered for deletion.
+void ProblemsPanel::draw_loose(PanelContext& context) {
+  const RepairReport* const report = context.session.last_repair();
+  if (!report) return;
+  const auto loose = std::find_if(report->left.begin(), report->left.end(), tells_of_loose_pieces);
+  if (loose == report->left.end()) return;
+  std::string names;
+  for (const Element& face : loose->elements) names += " f" + std::to_string(face.index);
+  const std::string count = grouped(static_cast<std::int64_t>(loose->elements.size()));
+  const Text select{"Select the loose pieces (" + count + ")", "切り離された部分を選択（" + count + "）"};
+  const Text remove{"Delete the loose pieces (" + count + ")", "切り離された部分を削除（" + count + "）"};
+  for (const auto& [text, command] : {std::pair(select, "frame selected"), std::pair(remove, "delete selected")})
+    if (link(context, text.in(context.language()).c_str())) {
+      context.run("select" + names);
+      context.run("select linked");
+      context.run(command);
+      return;
+    }
+}
+
+// Whether nothing is wrong but faces without area, for which no repair is that keeps geometry.
+bool ProblemsPanel::is_only_degenerate(Session& session) {
+  return std::all_of(problem_table().begin(), problem_table().end(), [&](const ProblemRow& row) {
+    const bool is_degenerate = row.kind == ProblemKind::degenerate_area;
+    return row.severity != ProblemSeverity::problem || (findings_.count(session, row) > 0) == is_degenerate;
+  });
+}
+
 // What nobody searches for unasked, until it is asked for.
 void ProblemsPanel::draw_searches(PanelContext& context) {
   if (context.session.mesh().live().faces == 0 || context.session.has_searched(ProblemKind::self_intersection)) return;
@@ -235,10 +267,13 @@ void ProblemsPanel::draw(PanelContext& context) {
   } else if (!has_finding && held_.empty()) {
     coloured_text(context.colours().legal, context.text(UiText::no_problems));
   } else {
+    if (held_.empty()) offers_more_ = is_only_degenerate(session);
     if (repairs_.draw_all(context, !has_finding)) hold(session);
+    if (offers_more_ && repairs_.draw_beyond_all(context, ProblemKind::degenerate_area, !has_finding)) hold(session);
     draw_kinds(context);
   }
   draw_left(context);
+  draw_loose(context);
   draw_searches(context);
   repairs_.end_frame(context);
   first_ = first;

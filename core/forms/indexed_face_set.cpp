@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/sort_unique.h"
+#include "core/forms/side_search.h"
 #include "core/indexed/from_indexed.h"
 
 namespace ryosen::forms {
@@ -45,18 +46,10 @@ std::uint32_t IndexedFaceSet::find_edge(std::uint32_t a, std::uint32_t b) const 
 }
 
 void IndexedFaceSet::answer_about_vertex(Relation relation, std::uint32_t v, Answer& out) const {
-  for_each_side([&](std::uint32_t f, std::uint32_t, EdgeEnds ends) {
-    if (ends.a != v && ends.b != v) return;
-    if (relation == Relation::vertex_faces)
-      out.numbers.push_back(f);
-    else if (relation == Relation::vertex_edges)
-      out.edges.push_back(ends);
-    else
-      out.numbers.push_back(ends.a == v ? ends.b : ends.a);
-  });
-  sort_unique(out.numbers);
-  sort_unique(out.edges);
-  if (relation == Relation::valence) out.numbers = {static_cast<std::uint32_t>(out.numbers.size())};
+  const auto all_sides = [&](auto visit) {
+    for_each_side([&](std::uint32_t f, std::uint32_t, EdgeEnds ends) { visit(f, ends); });
+  };
+  answer_by_all_sides(relation, v, all_sides, out);
 }
 
 void IndexedFaceSet::answer_about_edge(Relation relation, std::uint32_t corner, Answer& out) const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/forms/polygons.h"
+#include "core/forms/side_search.h"
 #include "core/forms/walk.h"
 
 namespace ryosen::forms {
@@ -49,8 +50,14 @@ std::uint32_t OppositeMap::find_edge(std::uint32_t a, std::uint32_t b) const {
 
 bool OppositeMap::answer(Relation relation, std::uint32_t element, Answer& out) const {
   out.clear();
-  if (relations()[static_cast<std::size_t>(relation)].asks == ElementOf::vertex) return false;
-  answer_by_walk(*this, relation, element, out);
+  if (relations()[static_cast<std::size_t>(relation)].asks != ElementOf::vertex) {
+    answer_by_walk(*this, relation, element, out);
+    return true;
+  }
+  const auto all_sides = [&](auto visit) {
+    for (std::uint32_t h = 0; h < 3 * faces_.size(); ++h) visit(h / 3, edge_ends(corner(h), corner(next(h))));
+  };
+  answer_by_all_sides(relation, element, all_sides, out);
   return true;
 }
 

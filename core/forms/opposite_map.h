@@ -34,8 +34,8 @@ struct CountingAllocator {
 };
 
 // Halfedge 3i+j is side j of face i. The map stores for (from, to) the number of the opposite halfedge, at a boundary
-// -(own number + 1). The text has no link from a vertex to its halfedges, so vertex relations cannot be answered. The
-// handle of an edge is one of its halfedges.
+// -(own number + 1). The text has no link from a vertex to its halfedges, so a vertex relation is a search through all
+// faces: O(n). The handle of an edge is one of its halfedges.
 class OppositeMap : public Form {
  public:
   explicit OppositeMap(const Mesh& mesh);

@@ -5,8 +5,8 @@
 
 namespace ryosen::forms {
 
-// Points exist only as equal coordinates, so it answers no relation. In the conversion back the points are numbered by
-// their first corner; +0 and -0 are equal.
+// It stores neither vertices nor edges, so it answers no relation. In the conversion back equal coordinates are one point,
+// numbered by its first corner; +0 and -0 are equal.
 class PolygonSet : public Form {
  public:
   explicit PolygonSet(const Mesh& mesh);

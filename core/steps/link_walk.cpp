@@ -91,14 +91,12 @@ Element LinkWalk::first_of(Element f, Tell how, const Text& what) {
   return follow(f, reader_.stores(Element::Kind::face, "outer") ? "outer" : "halfedge", how, what);
 }
 
-std::vector<Element> LinkWalk::corners_of(Face f) {
-  if (!reader_.stores(Element::Kind::face, "positions")) return follow_all(f, "vertices", Tell::own);
-  std::vector<Element> corners;
-  for (const Vertex v : reader_.corners_by_place(f)) corners.push_back(v);
-  const std::string names = names_text(corners);
-  Step& step = tell(Tell::own, f, {}, link_said("positions", f, "those of " + names, names + " の座標"));
-  mark_all(step, Role::read, corners);
-  return corners;
+std::size_t LinkWalk::read_places(Face f) {
+  const std::vector<glm::dvec3> places = reader_.places(f);
+  std::string text;
+  for (const glm::dvec3& place : places) text += (text.empty() ? "" : " ") + place_text(place);
+  add_row(tell(Tell::own, f, {}, link_said("positions", f, text, text)), f, "positions", text, false);
+  return places.size();
 }
 
 void LinkWalk::say(Text caption, const std::vector<Element>& answer) {

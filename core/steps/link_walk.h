@@ -29,8 +29,8 @@ class LinkWalk {
   // The first halfedge of a face: stored, or 3i.
   Element first_of(Element f, Tell tell, const Text& what = {});
 
-  // The corners of a face by its list of vertices, or by their places; a step of its own.
-  std::vector<Element> corners_of(Face f);
+  // The places of a face, of a form that stores nothing else; a step of its own. Returns how many there are.
+  std::size_t read_places(Face f);
 
   void say(Text caption, const std::vector<Element>& answer);
   void add_to_last(const Text& more) { steps_.back().caption = steps_.back().caption + more; }

@@ -55,8 +55,8 @@ Step step_of_form(const Mesh& mesh, const forms::FormRow& form, const Asked& ask
   }
   Answer answer;
   if (!answer_by_records(reader, asked, answer)) {
-    step.caption = place + Text{"it stores no link from a vertex to its halfedges, so it cannot tell.",
-                                "頂点から半稜線へのリンクがないため答えられません。"};
+    step.caption = place + Text{"it stores places alone, neither vertices nor neighbours, so it cannot tell.",
+                                "座標だけを持ち、頂点も隣接関係も持たないため答えられません。"};
     return step;
   }
   const bool is_number = asked.row.relation == Relation::valence;

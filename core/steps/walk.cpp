@@ -20,13 +20,17 @@ const forms::FormRow& usual_form(const Mesh& mesh) {
   return forms::why_unsuitable(mesh, table_5) ? *forms::find_form("ryosen") : table_5;
 }
 
+Text records_read(std::size_t records) {
+  const std::string r = std::to_string(records);
+  return {"; " + r + (records == 1 ? " record was read" : " records were read"), "。読んだデータは " + r + " 個"};
+}
+
 // How many were found, "neighbour" or "corner", and which.
 Text counted(const std::string& en, const std::string& ja, const std::vector<Element>& found, std::size_t records) {
-  const std::string n = std::to_string(found.size()), names = names_text(found), r = std::to_string(records);
-  const Text read{"; " + r + (records == 1 ? " record was read" : " records were read"),
-                  "。読んだデータは " + r + " 個"};
-  if (found.empty()) return Text{"no " + en, ja + "なし"} + read;
-  return Text{n + " " + en + (found.size() == 1 ? ": " : "s: ") + names, ja + " " + n + " 個：" + names} + read;
+  const std::string n = std::to_string(found.size()), names = names_text(found);
+  if (found.empty()) return Text{"no " + en, ja + "なし"} + records_read(records);
+  return Text{n + " " + en + (found.size() == 1 ? ": " : "s: ") + names, ja + " " + n + " 個：" + names} +
+         records_read(records);
 }
 
 const Text counter_clockwise_text{"Counter-clockwise: ", "反時計回りに："},
@@ -153,12 +157,12 @@ class RingWalk {
     return across[counter_clockwise ? before : at];
   }
 
-  // Table 2 and the lists without links: every face is read.
+  // Table 2, and text 003's map: every face is read.
   void by_search() {
     const Mesh& mesh = walk_.mesh();
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
       if (!mesh.is_alive(Face(i))) continue;
-      const std::vector<Element> corners = walk_.corners_of(Face(i));
+      const std::vector<Element> corners = walk_.follow_all(Face(i), "vertices", Tell::own);
       const std::size_t n = corners.size();
       bool is_there = false;
       for (std::size_t at = 0; at < n; ++at)
@@ -212,7 +216,7 @@ std::vector<Element> corners_of_face(LinkWalk& walk, Face f) {
   } else if (walk.stores(Element::Kind::face, "edge")) {
     loop_by_wings(walk, f, corners);
   } else {
-    corners = walk.corners_of(f);
+    corners = walk.follow_all(f, "vertices", Tell::own);
     for (const Element corner : corners) walk.mark_last(Role::answer, corner);
   }
   return corners;
@@ -238,11 +242,12 @@ Result<const forms::FormRow*> wanted_form(const Mesh& mesh, Arguments arguments)
 }
 
 // On each form that can hold the mesh, the usual one first; on a large mesh that alone, since it takes time to see which can.
-Choices choices_on_forms(const Mesh& mesh, const std::string& element) {
+Choices choices_on_forms(const Mesh& mesh, const std::string& element, bool is_of_vertices) {
   Choices choices{{element}};
   if (mesh.live().faces > most_faces_asked) return choices;
   for (const forms::FormRow& row : forms::all_forms())
-    if (!forms::why_unsuitable(mesh, row)) choices.push_back({element, std::string(row.id)});
+    if ((row.stores_vertices || !is_of_vertices) && !forms::why_unsuitable(mesh, row))
+      choices.push_back({element, std::string(row.id)});
   return choices;
 }
 
@@ -258,6 +263,10 @@ Made play_walk(const Mesh& mesh, Arguments arguments) {
   if (!v) return v.failure();
   const Result<const forms::FormRow*> form = wanted_form(mesh, arguments);
   if (!form) return form.failure();
+  if (!(*form)->stores_vertices)
+    return refusal_of(on_form(**form) +
+                      Text{" It stores places alone, neither vertices nor neighbours: choose another.",
+                           "座標だけを持ち、頂点も隣接関係も持ちません。別の形状表現を選んでください。"});
   LinkWalk walk(mesh, **form, problem_2);
   const bool searches = !walk.stores(Element::Kind::vertex, "halfedge") &&
                         !walk.stores(Element::Kind::vertex, "edge") && !walk.stores(Element::Kind::vertex, "face");
@@ -282,6 +291,11 @@ Made play_loop(const Mesh& mesh, Arguments arguments) {
   const Result<const forms::FormRow*> form = wanted_form(mesh, arguments);
   if (!form) return form.failure();
   LinkWalk walk(mesh, **form, loop_text);
+  if (!(*form)->stores_vertices) {
+    const std::string n = std::to_string(walk.read_places(*f));
+    walk.say(Text{n + " places", "座標 " + n + " 個"} + records_read(walk.records()), {});
+    return std::move(walk).done(on_form(**form));
+  }
   const std::vector<Element> corners = corners_of_face(walk, *f);
   walk.say(counted("corner", "角", corners, walk.records()), corners);
   return std::move(walk).done(on_form(**form));
@@ -289,12 +303,12 @@ Made play_loop(const Mesh& mesh, Arguments arguments) {
 
 Choices choices_of_walk(const Mesh& mesh, Selected selection) {
   const auto v = usual_of<Vertex>(mesh, selection, mesh.vertex_slots());
-  return v ? choices_on_forms(mesh, slot_name(*v)) : Choices();
+  return v ? choices_on_forms(mesh, slot_name(*v), true) : Choices();
 }
 
 Choices choices_of_loop(const Mesh& mesh, Selected selection) {
   const auto f = usual_of<Face>(mesh, selection, mesh.face_slots());
-  return f ? choices_on_forms(mesh, slot_name(*f)) : Choices();
+  return f ? choices_on_forms(mesh, slot_name(*f), false) : Choices();
 }
 
 }  // namespace ryosen::steps

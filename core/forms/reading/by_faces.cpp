@@ -38,12 +38,9 @@ void add_from_face(const Asked& asked, std::uint32_t f, const Corners& corners, 
   }
 }
 
-Corners corners_of(RecordReader& reader, bool by_place, Face f) {
+Corners corners_of(RecordReader& reader, Face f) {
   Corners corners;
-  if (by_place)
-    for (const Vertex v : reader.corners_by_place(f)) corners.push_back(v.index);
-  else
-    for (const Element v : reader.links(f, "vertices")) corners.push_back(v.index);
+  for (const Element v : reader.links(f, "vertices")) corners.push_back(v.index);
   return corners;
 }
 
@@ -59,7 +56,7 @@ void for_each_face_at(RecordReader& reader, std::uint32_t v, Visit visit) {
   const std::uint32_t first = reader.link(Vertex(v), "face").index;
   const auto walk = [&](std::uint32_t face, bool clockwise) {
     while (face != no_index) {
-      const Corners corners = corners_of(reader, false, Face(face));
+      const Corners corners = corners_of(reader, Face(face));
       const std::vector<Element> across = reader.links(Face(face), "faces");
       const std::size_t at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
       if (!clockwise || face != first) visit(face, corners, across, at);
@@ -83,17 +80,16 @@ void for_each_neighbour_by_faces(RecordReader& reader, std::uint32_t v, Visit vi
 
 }  // namespace
 
-// Triangle soup, polygon set, table 2: all faces are looked through, but for what stands in the face itself.
+// Table 2, and the map of text 003 about a vertex: all faces are looked through, but for what stands in the face itself.
 void answer_by_search(RecordReader& reader, const Asked& asked, Answer& out) {
-  const bool by_place = reader.stores(Element::Kind::face, "positions");
   Corners own;
   if (asked.row.asks == ElementOf::face) {
-    own = corners_of(reader, by_place, asked.element.face());
+    own = corners_of(reader, asked.element.face());
     add_own_sides(asked, own, out);
     if (asked.row.relation != Relation::face_faces) return;
   }
   for (std::uint32_t f = 0; f < reader.mesh().face_slots(); ++f)
-    if (reader.mesh().is_alive(Face(f))) add_from_face(asked, f, corners_of(reader, by_place, Face(f)), own, out);
+    if (reader.mesh().is_alive(Face(f))) add_from_face(asked, f, corners_of(reader, Face(f)), own, out);
 }
 
 void answer_by_faces(RecordReader& reader, const Asked& asked, Answer& out) {
@@ -123,7 +119,7 @@ void answer_by_faces(RecordReader& reader, const Asked& asked, Answer& out) {
     for (const Element across : reader.links(asked.element, "faces"))
       if (across.index != no_index) out.numbers.push_back(across.index);
   } else {
-    add_own_sides(asked, corners_of(reader, false, asked.element.face()), out);
+    add_own_sides(asked, corners_of(reader, asked.element.face()), out);
   }
 }
 

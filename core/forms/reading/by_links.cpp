@@ -140,19 +140,14 @@ std::uint32_t side_of_edge(RecordReader& reader, Edge e) {
   return reader.mesh().is_outside(h) ? twin(h).index : h.index;
 }
 
-bool answer_by_links(RecordReader& reader, const Asked& asked, Answer& out) {
+void answer_by_links(RecordReader& reader, const Asked& asked, Answer& out) {
   const RecordLinks links(reader);
-  const bool needs_vertex = asked.row.asks == ElementOf::vertex;
-  if (needs_vertex && !reader.stores(Element::Kind::vertex, "halfedge")) return false;
-  if (reader.mesh().has_copies()) {
-    answer_by_copies(reader, links, asked, out);
-    return true;
-  }
+  // A form of points holds no mesh with copies, though one that once had some keeps the column.
+  if (reader.row().holds_copies && reader.mesh().has_copies()) return answer_by_copies(reader, links, asked, out);
   const std::uint32_t element =
       asked.row.asks == ElementOf::edge ? side_of_edge(reader, asked.element.edge()) : asked.element.index;
   const Relation relation = asked.row.relation == Relation::valence ? Relation::vertex_vertices : asked.row.relation;
   answer_by_walk(links, relation, element, out);
-  return true;
 }
 
 }  // namespace ryosen::forms

@@ -1,8 +1,5 @@
 #include "core/forms/reading/record_reader.h"
 
-#include <algorithm>
-#include <array>
-
 #include "core/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -35,8 +32,6 @@ const Field* field_of(const Fields& fields, std::string_view key) {
     if (field.key == key) return &field;
   return nullptr;
 }
-
-std::array<double, 3> sortable(const glm::dvec3& place) { return {place.x, place.y, place.z}; }
 
 }  // namespace
 
@@ -76,20 +71,9 @@ std::vector<Element> RecordReader::links(Element of, std::string_view key) {
   return found ? found->links : std::vector<Element>();
 }
 
-std::vector<Vertex> RecordReader::corners_by_place(Face f) {
-  if (places_.empty()) {
-    for (std::uint32_t v = 0; v < mesh_.vertex_slots(); ++v)
-      if (mesh_.is_alive(Vertex(v))) places_.push_back({sortable(mesh_.position(Vertex(v))), v});
-    std::sort(places_.begin(), places_.end());
-  }
-  std::vector<Vertex> corners;
+std::vector<glm::dvec3> RecordReader::places(Face f) {
   const Field* const found = field(f, "positions");
-  if (!found) return corners;
-  for (const glm::dvec3& place : found->places) {
-    const auto at = std::lower_bound(places_.begin(), places_.end(), std::pair(sortable(place), std::uint32_t{0}));
-    corners.emplace_back(at == places_.end() ? no_index : at->second);
-  }
-  return corners;
+  return found ? found->places : std::vector<glm::dvec3>();
 }
 
 RecordLinks::RecordLinks(RecordReader& reader)

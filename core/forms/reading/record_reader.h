@@ -2,10 +2,8 @@
 // elements are slots of the mesh that the form was made of.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/forms/records.h"
@@ -19,6 +17,7 @@ class RecordReader {
   RecordReader(const Mesh& mesh, const FormRow& row);
 
   const Mesh& mesh() const { return mesh_; }
+  const FormRow& row() const { return records_.row(); }
   // Null where the form can hold the mesh.
   const std::optional<Text>& unsuitable() const { return unsuitable_; }
   // Whether the form stores a field of elements of a kind; asked of the first live one, without reading it.
@@ -27,8 +26,8 @@ class RecordReader {
   // The element, of this kind, that a field of a record leads to; its index is none where the field is none.
   Element link(Element of, std::string_view key);
   std::vector<Element> links(Element of, std::string_view key);
-  // Of a face, by the points that have these places.
-  std::vector<Vertex> corners_by_place(Face f);
+  // The places that a face stores; empty where it stores vertices.
+  std::vector<glm::dvec3> places(Face f);
 
   // In the order in which they were read first, each once.
   const std::vector<Element>& read() const { return order_; }
@@ -45,7 +44,6 @@ class RecordReader {
   std::vector<Element> order_;
   ElementRecord last_;  // of last_element_
   std::optional<Element> last_element_;
-  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> places_;  // sorted; made when asked for
 };
 
 // The accessors of forms/walk.h over the records of a form whose halfedges are linked, or numbered 3i+j. Numbers are

@@ -31,22 +31,23 @@ Asked asked_about(const Mesh& mesh, const RelationRow& row, Element element) {
 }
 
 bool answer_by_records(RecordReader& reader, const Asked& asked, Answer& out) {
-  bool is_told = true;
+  if (!reader.row().stores_vertices) return false;
+  const bool leads_nowhere = asked.row.asks == ElementOf::vertex && !reader.stores(Element::Kind::vertex, "halfedge");
   if (asked.row.relation == Relation::edge_vertices)
     answer_ends(reader, asked, out);
   else if (reader.stores(Element::Kind::vertex, "face"))
     answer_by_faces(reader, asked, out);
   else if (reader.stores(Element::Kind::vertex, "edge"))
     answer_by_wings(reader, asked, out);
-  else if (reader.stores(Element::Kind::halfedge, "from"))
-    is_told = answer_by_links(reader, asked, out);
+  else if (reader.stores(Element::Kind::halfedge, "from") && !leads_nowhere)
+    answer_by_links(reader, asked, out);
   else
     answer_by_search(reader, asked, out);
   // What a face says of itself comes in its order.
-  if (asked.row.relation == Relation::face_vertices || asked.row.relation == Relation::face_edges) return is_told;
+  if (asked.row.relation == Relation::face_vertices || asked.row.relation == Relation::face_edges) return true;
   sort_unique(out.numbers);
   sort_unique(out.edges);
-  return is_told;
+  return true;
 }
 
 }  // namespace ryosen::forms

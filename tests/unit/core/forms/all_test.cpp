@@ -52,7 +52,7 @@ void expect_same_after_conversion(const Mesh& mesh, const FormRow& row, const Fo
   ASSERT_TRUE(!broken || check_invariants(mesh)) << row.id << " on " << name << ": " << broken->sentence;
   const Mesh saved = as_saved(mesh);
   EXPECT_EQ(back.live(), saved.live()) << row.id << " on " << name;
-  if (row.keeps_numbers)
+  if (row.stores_vertices)
     EXPECT_EQ(back.hash(), saved.hash()) << row.id << " on " << name;
   else
     EXPECT_EQ(places_of(back), places_of(saved)) << row.id << " on " << name;
@@ -89,7 +89,7 @@ class Suitable {
       const bool is_edge = relations()[static_cast<std::size_t>(relation)].asks == ElementOf::edge;
       const std::uint32_t asked = is_edge ? form->find_edge(ends.a, ends.b) : element;
       if (is_edge && asked == no_index) {
-        EXPECT_FALSE(row->keeps_numbers) << row->id << " on " << name << " edge " << ends.a << "-" << ends.b;
+        EXPECT_FALSE(row->stores_vertices) << row->id << " on " << name << " edge " << ends.a << "-" << ends.b;
         continue;
       }
       if (!form->answer(relation, asked, answer)) continue;
@@ -185,8 +185,7 @@ TEST(forms, random_meshes_come_back_and_all_agree) {
   // What a form can tell is a property of the form: it answers a relation on all meshes or on none.
   for (const FormRow& row : all_forms()) {
     for (const RelationRow& relation : relations()) {
-      const bool map_about_vertex = row.id == "opposite_map" && relation.asks == ElementOf::vertex;
-      EXPECT_EQ(tally.answered.count({row.id, relation.relation}) > 0, row.keeps_numbers && !map_about_vertex)
+      EXPECT_EQ(tally.answered.count({row.id, relation.relation}) > 0, row.stores_vertices)
           << row.id << ", " << relation.id;
     }
   }

@@ -110,11 +110,12 @@ std::string forms_text(const Comparison& comparison, const Console& console) {
   std::string text(console.text("Forms; nanoseconds per query, - where the form cannot tell:\n",
                                 "形状表現（問い合わせはナノ秒、- は答えられないもの）：\n"));
   text += table.text();
-  for (const forms::SizeClaim& claim : forms::contradicted_claims(comparison))
-    text.append("  * ")
-        .append(console.text(claim.en, claim.ja))
-        .append(console.text(" ", ""))
-        .append(console.text(claim.why_en, claim.why_ja)) += "\n";
+  for (const forms::ComparedClaim& compared : forms::compare_claims(comparison)) {
+    text.append("  * ").append(console.text(compared.sentence));
+    if (!compared.holds)
+      text.append(console.text(" ", "")).append(console.text(compared.claim->why_en, compared.claim->why_ja));
+    text += "\n";
+  }
   if (!unsuitable.empty())
     text.append(console.text("Forms that cannot hold this mesh:\n", "このメッシュを持てない形状表現：\n")) +=
         unsuitable;

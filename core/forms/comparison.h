@@ -47,14 +47,19 @@ struct Comparison {
 // Cost: about the effort per form and relation, plus building each form once.
 Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
 
-// What a source text says of the memory of two forms.
+// What text 002, section 2.3, says of the memory of two of its own forms.
 struct SizeClaim {
   std::string_view smaller, larger;  // ids of forms
-  std::string_view en, ja;           // the claim, and that it does not hold here
-  std::string_view why_en, why_ja;
+  std::string_view en, ja;           // the claim
+  std::string_view why_en, why_ja;   // what decides, as the forms are stored here
 };
-// Those that the figures contradict.
-std::vector<SizeClaim> contradicted_claims(const Comparison& comparison);
+struct ComparedClaim {
+  const SizeClaim* claim;
+  bool holds;
+  Text sentence;  // the claim, whether it holds here, and the bytes per face of both
+};
+// The claims about forms that both hold the mesh; none without faces.
+std::vector<ComparedClaim> compare_claims(const Comparison& comparison);
 
 // One method.
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);

@@ -128,9 +128,9 @@ void FormsPanel::draw(PanelContext& context) {
                   context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
   choose_relation(context, relation_);
   draw_query_times(context, measured_->comparison, relation_);
-  for (const forms::SizeClaim& claim : forms::contradicted_claims(measured_->comparison)) {
-    dim_text(context, context.text(claim.en, claim.ja));
-    tip(context.text(claim.why_en, claim.why_ja));
+  for (const forms::ComparedClaim& compared : forms::compare_claims(measured_->comparison)) {
+    dim_text(context, compared.sentence.in(context.language()).c_str());
+    tip(context.text(compared.claim->why_en, compared.claim->why_ja));
   }
   draw_pairing_times(context, measured_->comparison);
   draw_texts(context, measured_->comparison);

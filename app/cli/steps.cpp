@@ -56,7 +56,9 @@ Json to_json(const steps::Delta& delta) {
   json["V"] = delta.v;
   json["E"] = delta.e;
   json["F"] = delta.f;
-  json["B"] = delta.b;
+  json["B"] = delta.b ? Json(*delta.b) : Json();
+  json["W"] = delta.w;
+  json["I"] = delta.i;
   json["H"] = delta.h;
   json["S"] = delta.s;
   json["G"] = delta.g ? Json(*delta.g) : Json();

@@ -49,14 +49,14 @@ class Telling {
     if (step.marks.size() < most_marks) step.marks.push_back({role, element});
   }
 
-  // By the sum V - E + F + B = 2 S of one closed surface, or one face with its boundary loop, beside points by themselves,
-  // each of which is a B and an S.
+  // By the sum V - E + F + B + I = 2 S of one closed surface, or one face with its boundary loop, beside points by
+  // themselves, each of which is an I and an S.
   static Delta delta_of(const HullStep& step, const ElementCounts& before, const ElementCounts& after) {
     const int e = static_cast<int>(after.edges) - static_cast<int>(before.edges),
               f = static_cast<int>(after.faces) - static_cast<int>(before.faces),
               surfaces = step.kind == HullStep::Kind::begin ? 1 : 0, loops = step.is_planar ? surfaces : 0,
               alone = f - e + loops - 2 * surfaces;
-    return {.v = 0, .e = e, .f = f, .b = alone + loops, .h = 0, .s = alone + surfaces, .g = 0};
+    return {.v = 0, .e = e, .f = f, .b = loops, .w = 0, .i = alone, .h = 0, .s = alone + surfaces, .g = 0};
   }
 
   // Beside what the point lies that changes nothing.

@@ -34,13 +34,15 @@ std::vector<Element> changed_elements(const Mesh& mesh, const Journal& journal, 
 }
 
 Delta difference(const EulerPoincare& was, const EulerPoincare& is) {
-  Delta delta{is.vertices - was.vertices,
-              is.edges - was.edges,
-              is.faces - was.faces,
-              is.outside() - was.outside(),
-              is.rings - was.rings,
-              is.parts - was.parts,
-              {}};
+  Delta delta{.v = is.vertices - was.vertices,
+              .e = is.edges - was.edges,
+              .f = is.faces - was.faces,
+              .b = is.boundary_loops - was.boundary_loops,
+              .w = is.wire_cycles - was.wire_cycles,
+              .i = is.isolated - was.isolated,
+              .h = is.rings - was.rings,
+              .s = is.parts - was.parts,
+              .g = {}};
   if (was.genus && is.genus) delta.g = *is.genus - *was.genus;
   return delta;
 }
@@ -70,7 +72,9 @@ Text text_of(const Delta& delta) {
   add('V', delta.v);
   add('E', delta.e);
   add('F', delta.f);
-  add('B', delta.b);
+  add('B', delta.b.value_or(0));
+  add('W', delta.w);
+  add('I', delta.i);
   add('H', delta.h);
   add('S', delta.s);
   add('G', delta.g.value_or(0));

@@ -40,22 +40,24 @@ struct RowChange {
   friend bool operator==(const RowChange&, const RowChange&) = default;
 };
 
-// A place in the source texts. Line from 1 within the listing; 0 for none.
+// A place in the source texts. Line from 1 within the listing as printed, blank lines included; 0 for none.
 struct Source {
   std::string_view text;  // its number
   std::string_view listing_en, listing_ja;
   int line = 0;
 };
 
-// By how much the terms of V - E + F + B - H = 2(S - G) change; B stands for all walks outside of the faces, as in the
-// headers of the operators (core/ops/op.h). No G where there is none before or after (analysis/euler_poincare.h).
+// By how much the terms of V - E + F + (B + W + I) - H = 2(S - G) change, as in the totals. No B or no G where there is none
+// before or after (analysis/euler_poincare.h).
 struct Delta {
-  std::int64_t v = 0, e = 0, f = 0, b = 0, h = 0, s = 0;
+  std::int64_t v = 0, e = 0, f = 0;
+  std::optional<std::int64_t> b = 0;
+  std::int64_t w = 0, i = 0, h = 0, s = 0;
   std::optional<std::int64_t> g = 0;
 
   friend bool operator==(const Delta&, const Delta&) = default;
 };
-// "E + 1, B - 1"; "no term changes" where none does.
+// "E + 1, W - 1"; "no term changes" where none does.
 Text text_of(const Delta& delta);
 
 struct Step {

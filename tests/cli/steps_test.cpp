@@ -1,6 +1,7 @@
 // `steps`: what is played, as lines and as pictures.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "core/steps/all.h"
@@ -51,13 +52,32 @@ TEST(steps_command, plays_every_row_of_the_table) {
 
 TEST(steps_command, gives_the_delta_of_what_edits) {
   const ProgramRun run = run_program({"steps", "script", "cube_with_hole", "--json"});
-  Json sum = {{"V", 0}, {"E", 0}, {"F", 0}, {"B", 0}, {"H", 0}, {"S", 0}, {"G", 0}};
+  Json sum = {{"V", 0}, {"E", 0}, {"F", 0}, {"B", 0}, {"W", 0}, {"I", 0}, {"H", 0}, {"S", 0}, {"G", 0}};
   for (const Json& line : run.lines()) {
     if (!line.contains("delta")) continue;
     EXPECT_EQ(keys_of(line["delta"]), keys_of(sum));
     for (const auto& [term, by] : line["delta"].items()) sum[term] = int(sum[term]) + int(by);
   }
-  EXPECT_EQ(sum, (Json{{"V", 16}, {"E", 24}, {"F", 10}, {"B", 0}, {"H", 2}, {"S", 1}, {"G", 1}}));
+  EXPECT_EQ(sum, (Json{{"V", 16}, {"E", 24}, {"F", 10}, {"B", 0}, {"W", 0}, {"I", 0}, {"H", 2}, {"S", 1}, {"G", 1}}));
+}
+
+// The report: after a deletion the first half of an edge has no face.
+TEST(steps_command, asks_every_relation_of_one_sided_edges_after_a_deletion) {
+  const std::string mesh = std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/two.obj";
+  for (const char* const line :
+       {"edge_faces 1-2", "edge_faces 2-3", "edge_faces 1-3", "edge_edges 1-2", "edge_vertices 1-2", "face_faces f1",
+        "face_edges f1", "face_vertices f1", "vertex_faces v1", "vertex_edges v1", "vertex_vertices v1", "valence v1"})
+    EXPECT_EQ(run_program({"edit", mesh, "--do", std::string("delete f0; steps relation ") + line}).exit_code, 0)
+        << line;
+}
+
+TEST(steps_command, refuses_a_picture_under_the_name_of_another_format) {
+  TemporaryFolder folder;
+  const std::string file = folder.at("step.jpg");
+  const ProgramRun run = run_program({"steps", "build", asset("fan.obj"), "--at", "1", "-o", file, "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.lines().back()["messages"][0]["code"], "unknown_format") << run.out;
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST(steps_command, plays_a_script_of_a_file_on_a_mesh) {

@@ -169,7 +169,7 @@ TEST_F(StepsPanelTest, the_panel_leads_through_and_says_what_changes) {
   EXPECT_TRUE(has("Beforethefirststep."));
   for (int i = 0; i < 4; ++i) take(">");
   EXPECT_TRUE(has("4/14"));
-  EXPECT_TRUE(has("E+1,B-1,S-1"));
+  EXPECT_TRUE(has("E+1,W+1,I-2,S-1"));
   EXPECT_TRUE(has("none>h0"));
   EXPECT_TRUE(has("MakeEdge,figure4"));
   EXPECT_EQ(session.mesh().live().edges, 1u) << "the view shows the state";

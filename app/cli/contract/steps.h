@@ -27,8 +27,8 @@ inline constexpr Shape row_shape{"step_row", "A cell of a table that a step writ
 inline constexpr JsonKey step_source_keys[] = {
     {"text", "string", "The number of the source text.", "テキストの番号。"},
     {"listing", "object", "The listing, section or figure.", "リスト、節、または図。", objects(sentence_shape)},
-    {"line", "integer or null", "The line of the listing, from 1; null for no line.",
-     "リストの行（1 から）。行でないとき null。"},
+    {"line", "integer or null", "The line of the listing as printed, blank lines included, from 1; null for no line.",
+     "印刷されたリストの行（空行も数え、1 から）。行でないとき null。"},
 };
 inline constexpr Shape step_source_shape{"step_source", "Where a source text says what a step does.",
                                          "手順を述べているテキストの箇所。", step_source_keys};
@@ -37,7 +37,10 @@ inline constexpr JsonKey delta_keys[] = {
     {"V", "integer", "By how many vertices.", "頂点数の増減。"},
     {"E", "integer", "By how many edges.", "稜線数の増減。"},
     {"F", "integer", "By how many faces.", "面数の増減。"},
-    {"B", "integer", "By how many walks outside of the faces.", "面の外を回る輪の数の増減。"},
+    {"B", "integer or null", "By how many boundary loops; null where some boundary edges close to no loop.",
+     "境界ループの数の増減。閉じない境界があるとき null。"},
+    {"W", "integer", "By how many cycles along wires.", "稜線だけの輪の数の増減。"},
+    {"I", "integer", "By how many isolated points.", "稜線のない点の数の増減。"},
     {"H", "integer", "By how many rings.", "リング数の増減。"},
     {"S", "integer", "By how many parts.", "部分の数の増減。"},
     {"G", "integer or null", "By how many handles; null where there is no genus.", "種数の増減。種数がないとき null。"},

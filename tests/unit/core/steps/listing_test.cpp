@@ -104,7 +104,7 @@ int expect_promised(Sequence& sequence, std::string_view op_id, Halfedge h) {
     const Mesh before = sequence.mesh_at(i - 1);
     const Change change{step.delta->v, step.delta->e, step.delta->f,
                         step.delta->h, step.delta->s, step.delta->g.value_or(0),
-                        step.delta->b};
+                        *step.delta->b + step.delta->w + step.delta->i};
     const std::vector<Change> stated = law_of(Stated{before}, op_at(before, op_id, {h, 0.5}));
     EXPECT_TRUE(std::count(stated.begin(), stated.end(), change)) << op_id << ": " << step.caption.en;
     ++edits;

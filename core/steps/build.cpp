@@ -42,12 +42,12 @@ class BuildPlay {
 
   void add_vertex(Vertex v) {
     const std::string name = slot_name(v), place = place_text(mesh_.position(v));
-    Step& read = begin(1, 92, {"Coordinates are read: " + place, "座標を読む：" + place});
+    Step& read = begin(1, 111, {"Coordinates are read: " + place, "座標を読む：" + place});
     read.marks.push_back({Role::asked, v});
-    Step& made = begin(2, 93, {name + " is made; it has no halfedge yet.", name + " を作る。半稜線はまだない。"});
+    Step& made = begin(2, 112, {name + " is made; it has no halfedge yet.", name + " を作る。半稜線はまだない。"});
     made.marks.push_back({Role::created, v});
     made.rows = {{"vertices", name, "position", {}, place}, {"vertices", name, "halfedge", {}, {}}};
-    Step& added = begin(3, 94, {name + " is added to the model.", name + " をモデルに加える。"});
+    Step& added = begin(3, 113, {name + " is added to the model.", name + " をモデルに加える。"});
     added.marks.push_back({Role::changed, v});
     const std::string n = std::to_string(vertices_++);
     added.rows.push_back({"model", "vertices", n, {}, name});
@@ -61,10 +61,10 @@ class BuildPlay {
       halves.push_back(list_.sides[side].halfedge);
     });
     Step& read =
-        begin(4, 100, {"Indices are read: " + names_text(corners), "インデックスを読む：" + names_text(corners)});
+        begin(4, 120, {"Indices are read: " + names_text(corners), "インデックスを読む：" + names_text(corners)});
     mark_all(read, Role::asked, corners);
     Step& made =
-        begin(5, 67,
+        begin(5, 78,
               {"Halfedges begin at these vertices: " + names_text(halves) + "; their pair is not set, not even to none",
                "頂点を起点とする半稜線を作る：" + names_text(halves) + "。対は未設定（NULL でもない）"});
     mark_all(made, Role::created, halves);
@@ -74,21 +74,21 @@ class BuildPlay {
       if (first_.emplace(list_.sides[side].from, side).second)
         made.rows.push_back({"vertices", v, "halfedge", {}, list_.name(side)});
     });
-    Step& linked = begin(6, 70, {"next and prev link them round.", "next と prev で一周つなぐ。"});
+    Step& linked = begin(6, 82, {"next and prev link them round.", "next と prev で一周つなぐ。"});
     mark_all(linked, Role::changed, halves);
     for_each_side(f, [&](std::uint32_t side) {
       link(linked, side, "next", list_.name(list_.next(side)));
       link(linked, side, "prev", list_.name(list_.prev(side)));
     });
     Step& seen =
-        begin(7, 73, {face + " is made and links to one of them.", face + " を作り、そのうちの 1 つにリンクする。"});
+        begin(7, 86, {face + " is made and links to one of them.", face + " を作り、そのうちの 1 つにリンクする。"});
     seen.marks.push_back({Role::created, list_.faces[f]});
     seen.rows.push_back({"faces", face, "halfedge", {}, list_.name(list_.offsets[f])});
     link_rings(f);
-    Step& added = begin(8, 74, {face + " is added to the model.", face + " をモデルに加える。"});
+    Step& added = begin(8, 87, {face + " is added to the model.", face + " をモデルに加える。"});
     added.marks.push_back({Role::changed, list_.faces[f]});
     added.rows.push_back({"model", "faces", std::to_string(f), {}, face});
-    Step& faced = begin(9, 75, {"The halfedges link to " + face + ".", "半稜線から " + face + " にリンクする。"});
+    Step& faced = begin(9, 88, {"The halfedges link to " + face + ".", "半稜線から " + face + " にリンクする。"});
     mark_all(faced, Role::changed, halves);
     for_each_side(f, [&](std::uint32_t side) { link(faced, side, "face", face); });
   }
@@ -113,7 +113,7 @@ class BuildPlay {
     std::uint32_t found = 0;
     while (found < end && !list_.are_opposite(side, found)) ++found;
     const std::string name = list_.name(side), n = std::to_string(found < end ? found + 1 : end);
-    Step& step = begin(10, 54,
+    Step& step = begin(10, 63,
                        {"The pair of " + name + " is looked for in all faces, " + n + " comparisons: ",
                         name + " の対を全ての面から探す（比較 " + n + " 回）："});
     step.marks.push_back({Role::asked, list_.sides[side].halfedge});
@@ -149,7 +149,7 @@ class BuildPlay {
                          "マップ：(" + text(across) + ") がないので (" + text(key) + ") = -(" + h + " + 1) = " + v},
          {{Role::asked, list_.sides[side].halfedge}},
          {},
-         map_code(is_there ? 10 : 15),
+         map_code(is_there ? 11 : 16),
          {}});
     put(key, value);
     if (is_there) put(across, static_cast<std::int64_t>(side));

@@ -20,9 +20,10 @@ namespace {
 
 using forms::HalfedgeTable;
 
-// The pair of this halfedge was never set, and has been followed.
+// The pair of this halfedge was never set, and this line of the listing follows it.
 struct NotPaired {
   std::uint32_t at;
+  int line;
 };
 
 // The table, by slots of the mesh: its halfedges are corners.
@@ -44,58 +45,58 @@ class ListingPlay {
       (this->*code)();
       is_complete_ = true;
     } catch (const NotPaired& gap) {
-      show_gap(gap.at);
+      show_gap(gap);
     }
   }
 
   void collapse() {
-    const std::uint32_t lt = name(28, "heLT", pair(prev(he_)), "he->prev->pair", Role::l8);
-    const std::uint32_t rt = name(29, "heRT", pair(next(he_)), "he->next->pair", Role::l7);
-    const std::uint32_t lb = name(30, "heLB", pair(next(across(he_))), "he->pair->next->pair", Role::l9);
-    const std::uint32_t rb = name(31, "heRB", pair(prev(across(he_))), "he->pair->prev->pair", Role::l10);
+    const std::uint32_t lt = name(34, "heLT", pair(prev(he_)), "he->prev->pair", Role::l8);
+    const std::uint32_t rt = name(35, "heRT", pair(next(he_)), "he->next->pair", Role::l7);
+    const std::uint32_t lb = name(36, "heLB", pair(next(across(he_, 36))), "he->pair->next->pair", Role::l9);
+    const std::uint32_t rb = name(37, "heRB", pair(prev(across(he_, 37))), "he->pair->prev->pair", Role::l10);
     const std::uint32_t start = vertex(he_), end = vertex(next(he_));
-    Step& move = begin(33, {"The right vertex moves to the middle of both.", "右の頂点を両端の中点へ動かす。"});
+    Step& move = begin(40, {"The right vertex moves to the middle of both.", "右の頂点を両端の中点へ動かす。"});
     const glm::dvec3 middle = 0.5 * (table_.positions[end] + table_.positions[start]);
     move.rows.push_back(
         {"text_vertices", vertex_name(end), "position", place_text(table_.positions[end]), place_text(middle)});
     table_.positions[end] = middle;
     mark(move, Role::changed, Vertex(vertices_[end]));
-    set_halfedge(38, end, rb, {"The right vertex refers to (10)", "右の頂点から (10) を参照"});
-    set_halfedge(39, vertex(prev(he_)), rt, {"The upper vertex refers to (7)", "上の頂点から (7) を参照"});
-    set_halfedge(40, vertex(prev(across(he_))), lb, {"The lower vertex refers to (9)", "下の頂点から (9) を参照"});
+    set_halfedge(46, end, rb, {"The right vertex refers to (10)", "右の頂点から (10) を参照"});
+    set_halfedge(47, vertex(prev(he_)), rt, {"The upper vertex refers to (7)", "上の頂点から (7) を参照"});
+    set_halfedge(48, vertex(prev(across(he_, 48))), lb, {"The lower vertex refers to (9)", "下の頂点から (9) を参照"});
     turn_around(end);
-    const std::uint32_t other = across(he_);
-    join(49, rt, lt, next(he_), prev(he_), {"(7) and (8) become a pair", "(7) と (8) を対にする"});
-    join(50, lb, rb, next(other), prev(other), {"(9) and (10) become a pair", "(9) と (10) を対にする"});
-    Step& gone = begin(52, {"The left vertex is deleted.", "左の頂点を削除する。"});
+    const std::uint32_t other = across(he_, 60);
+    join(59, rt, lt, next(he_), prev(he_), {"(7) and (8) become a pair", "(7) と (8) を対にする"});
+    join(60, lb, rb, next(other), prev(other), {"(9) and (10) become a pair", "(9) と (10) を対にする"});
+    Step& gone = begin(63, {"The left vertex is deleted.", "左の頂点を削除する。"});
     gone.rows.push_back(
         {"text_vertices", vertex_name(start), "halfedge", halfedge_value(table_.vertex_halfedge[start]), {}});
     table_.vertex_halfedge[start] = no_index;
     mark(gone, Role::deleted, Vertex(vertices_[start]));
-    delete_face(53, across(he_), {"One face is deleted with its halfedges.", "一方の面を半稜線ごと削除する。"});
-    delete_face(54, he_, {"The other face is deleted with its halfedges.", "他方の面を半稜線ごと削除する。"});
+    delete_face(64, across(he_, 64), {"One face is deleted with its halfedges.", "一方の面を半稜線ごと削除する。"});
+    delete_face(65, he_, {"The other face is deleted with its halfedges.", "他方の面を半稜線ごと削除する。"});
   }
 
   void swap() {
-    const std::uint32_t lt = name(57, "heLT", pair(prev(he_)), "he->prev->pair", Role::l8);
-    const std::uint32_t rt = name(58, "heRT", pair(next(he_)), "he->next->pair", Role::l7);
-    const std::uint32_t lb = name(59, "heLB", pair(next(across(he_))), "he->pair->next->pair", Role::l9);
-    const std::uint32_t rb = name(60, "heRB", pair(prev(across(he_))), "he->pair->prev->pair", Role::l10);
-    const std::uint32_t other = across(he_);
-    set_halfedge(62, vertex(next(he_)), rb, {"The right vertex refers to (10)", "右の頂点から (10) を参照"});
-    set_halfedge(63, vertex(prev(he_)), rt, {"The upper vertex refers to (7)", "上の頂点から (7) を参照"});
-    set_halfedge(64, vertex(he_), lt, {"The left vertex refers to (8)", "左の頂点から (8) を参照"});
-    set_halfedge(65, vertex(prev(other)), lb, {"The lower vertex refers to (9)", "下の頂点から (9) を参照"});
-    set_vertex(67, he_, vertex_of(lb, next(other)), "(1)");
-    set_vertex(68, next(he_), vertex_of(rt, next(he_)), "(2)");
-    set_vertex(69, prev(he_), vertex_of(lt, prev(he_)), "(3)");
-    set_vertex(70, other, vertex_of(rt, next(he_)), "(4)");
-    set_vertex(71, next(other), vertex_of(lb, next(other)), "(5)");
-    set_vertex(72, prev(other), vertex_of(rb, prev(other)), "(6)");
-    join(74, lt, next(he_), prev(he_), next(he_), {"(8) and (2) become a pair", "(8) と (2) を対にする"});
-    join(75, lb, prev(he_), next(other), prev(he_), {"(9) and (3) become a pair", "(9) と (3) を対にする"});
-    join(76, rt, prev(other), next(he_), prev(other), {"(7) and (6) become a pair", "(7) と (6) を対にする"});
-    join(77, rb, next(other), prev(other), next(other), {"(10) and (5) become a pair", "(10) と (5) を対にする"});
+    const std::uint32_t lt = name(69, "heLT", pair(prev(he_)), "he->prev->pair", Role::l8);
+    const std::uint32_t rt = name(70, "heRT", pair(next(he_)), "he->next->pair", Role::l7);
+    const std::uint32_t lb = name(71, "heLB", pair(next(across(he_, 71))), "he->pair->next->pair", Role::l9);
+    const std::uint32_t rb = name(72, "heRB", pair(prev(across(he_, 72))), "he->pair->prev->pair", Role::l10);
+    const std::uint32_t other = across(he_, 71);
+    set_halfedge(75, vertex(next(he_)), rb, {"The right vertex refers to (10)", "右の頂点から (10) を参照"});
+    set_halfedge(76, vertex(prev(he_)), rt, {"The upper vertex refers to (7)", "上の頂点から (7) を参照"});
+    set_halfedge(77, vertex(he_), lt, {"The left vertex refers to (8)", "左の頂点から (8) を参照"});
+    set_halfedge(78, vertex(prev(other)), lb, {"The lower vertex refers to (9)", "下の頂点から (9) を参照"});
+    set_vertex(81, he_, vertex_of(lb, next(other), 81), "(1)");
+    set_vertex(82, next(he_), vertex_of(rt, next(he_), 82), "(2)");
+    set_vertex(83, prev(he_), vertex_of(lt, prev(he_), 83), "(3)");
+    set_vertex(84, other, vertex_of(rt, next(he_), 84), "(4)");
+    set_vertex(85, next(other), vertex_of(lb, next(other), 85), "(5)");
+    set_vertex(86, prev(other), vertex_of(rb, prev(other), 86), "(6)");
+    join(89, lt, next(he_), prev(he_), next(he_), {"(8) and (2) become a pair", "(8) と (2) を対にする"});
+    join(90, lb, prev(he_), next(other), prev(he_), {"(9) and (3) become a pair", "(9) と (3) を対にする"});
+    join(91, rt, prev(other), next(he_), prev(other), {"(7) and (6) become a pair", "(7) と (6) を対にする"});
+    join(92, rb, next(other), prev(other), next(other), {"(10) and (5) become a pair", "(10) と (5) を対にする"});
   }
 
   // The kernel's operator, and in which faces the two results differ.
@@ -133,13 +134,13 @@ class ListingPlay {
   std::uint32_t vertex(std::uint32_t h) const { return table_.halfedges[h].vertex; }
   std::uint32_t pair(std::uint32_t h) const { return table_.halfedges[h].pair; }
   // Where a halfedge begins that is the pair of one inside.
-  std::uint32_t vertex_of(std::uint32_t h, std::uint32_t inside) const {
-    if (h == no_index) throw NotPaired{inside};
+  std::uint32_t vertex_of(std::uint32_t h, std::uint32_t inside, int line) const {
+    if (h == no_index) throw NotPaired{inside, line};
     return vertex(h);
   }
   // The pair of h, to be followed.
-  std::uint32_t across(std::uint32_t h) const {
-    if (pair(h) == no_index) throw NotPaired{h};
+  std::uint32_t across(std::uint32_t h, int line) const {
+    if (pair(h) == no_index) throw NotPaired{h, line};
     return pair(h);
   }
 
@@ -168,8 +169,8 @@ class ListingPlay {
 
   // The figure before anything is done.
   void label_figure() {
-    Step& step = begin(27, {"The edge of the halfedges (1) and (4), as in the figure", "図の半稜線 (1) と (4) の稜線"});
-    step.source = Source{"000", "figures 12 and 13", "図 12・13"};
+    Step& step = begin(0, {"The edge of the halfedges (1) and (4), as in the figure", "図の半稜線 (1) と (4) の稜線"});
+    step.source = collapse_and_swap_figures;
     const auto label = [&](Role role, std::uint32_t h) {
       if (h != no_index) mark(step, role, slots_[h]);
     };
@@ -222,13 +223,13 @@ class ListingPlay {
   // Every halfedge that leaves the left vertex leaves the right one.
   void turn_around(std::uint32_t end) {
     std::uint32_t inside = prev(he_), he1 = pair(inside);
-    show_variable(43, "he1 = he->prev->pair = ", he1);
+    show_variable(52, "he1 = he->prev->pair = ", he1);
     do {
-      if (he1 == no_index) throw NotPaired{inside};
-      set_vertex(45, he1, end, "he1");
+      if (he1 == no_index) throw NotPaired{inside, 54};
+      set_vertex(54, he1, end, "he1");
       inside = prev(he1);
       he1 = pair(inside);
-      show_variable(46, "he1 = he1->prev->pair = ", he1);
+      show_variable(55, "he1 = he1->prev->pair = ", he1);
     } while (he1 != he_);
   }
   void show_variable(int line, const std::string& text, std::uint32_t h) {
@@ -239,10 +240,10 @@ class ListingPlay {
 
   // The one and the other, each of which is the pair of a halfedge inside.
   void join(int line, std::uint32_t h, std::uint32_t g, std::uint32_t inside_h, std::uint32_t inside_g, Text what) {
-    if (h == no_index) throw NotPaired{inside_h};
+    if (h == no_index) throw NotPaired{inside_h, line};
     Step& step = begin(line, std::move(what));
     set_pair(step, h, g);
-    if (g == no_index) throw NotPaired{inside_g};
+    if (g == no_index) throw NotPaired{inside_g, line};
     set_pair(step, g, h);
   }
   void set_pair(Step& step, std::uint32_t of, std::uint32_t to) {
@@ -264,26 +265,25 @@ class ListingPlay {
     }
   }
 
-  void show_gap(std::uint32_t h) {
+  void show_gap(const NotPaired& gap) {
     const std::size_t written =
         static_cast<std::size_t>(std::count_if(steps_.begin(), steps_.end(), [](const Step& step) {
           return std::any_of(step.rows.begin(), step.rows.end(),
                              [](const RowChange& row) { return row.table != "variables"; });
         }));
-    const std::string n = std::to_string(written), at = halfedge_name(h);
-    const int line = steps_.back().source ? steps_.back().source->line + 1 : 0;
-    Step& step =
-        begin(line, written == 0
-                        ? Text{at + " has no pair: here is the boundary. The code follows it all the same, which is "
-                                    "undefined; nothing is written by then.",
-                               at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。まだ何も書いていない。"}
-                        : Text{at +
-                                   " has no pair: here is the boundary. The code follows it all the same, which is "
-                                   "undefined; " +
-                                   n + " lines have written by then, and the model is left half done.",
-                               at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。" + n +
-                                   " 行が書き換え済みで、モデルは途中のまま。"});
-    mark(step, Role::missing, slots_[h]);
+    const std::string n = std::to_string(written), at = halfedge_name(gap.at);
+    Step& step = begin(
+        gap.line, written == 0
+                      ? Text{at + " has no pair: here is the boundary. The code follows it all the same, which is "
+                                  "undefined; nothing is written by then.",
+                             at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。まだ何も書いていない。"}
+                      : Text{at +
+                                 " has no pair: here is the boundary. The code follows it all the same, which is "
+                                 "undefined; " +
+                                 n + " lines have written by then, and the model is left half done.",
+                             at + " に対はない（境界）。コードはそれでもたどり、動作は未定義。" + n +
+                                 " 行が書き換え済みで、モデルは途中のまま。"});
+    mark(step, Role::missing, slots_[gap.at]);
   }
 
   // The faces of the table as corner lists from the smallest corner.

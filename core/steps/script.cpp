@@ -110,7 +110,7 @@ class ScriptPlay {
       Step step{{line + (holds ? ": it is so" : ": it is " + is), line + (holds ? "：そのとおり" : "：実際は " + is)},
                 {},
                 {{"terms", std::string(words[1]), "value", is, is}},
-                Source{"000", "section 2, the Euler-Poincare formula", "2 節 オイラー・ポアンカレの式"},
+                euler_text,
                 {}};
       add(std::move(step));
       const std::string claim = std::string(words[1]) + " " + std::string(words[2]);

@@ -26,8 +26,8 @@ constexpr std::array shown{
     Shown{"unite_edge", {"002", "section 5, UniteEdge, figure 7", "5 節 UniteEdge（図 7）"}},
     Shown{"make_ring", {"000", "section 2, H of the Euler-Poincare formula", "2 節 オイラー・ポアンカレの式の H"}},
     Shown{"unite_ring", {"000", "section 2, H of the Euler-Poincare formula", "2 節 オイラー・ポアンカレの式の H"}},
-    Shown{"collapse", {"000", "figure 12", "図 12"}},
-    Shown{"swap", {"000", "figure 13", "図 13"}},
+    Shown{"collapse", {"000", "section 5, figure 12", "5 節 図 12"}},
+    Shown{"swap", {"000", "section 5, figure 13", "5 節 図 13"}},
     Shown{"split", {"003", "edge split", "辺細分"}},
 };
 
@@ -44,8 +44,9 @@ constexpr std::array forms_shown{
     Shown{"halfedge_outside_edges", {"000", "section 3, table 6 with footnote 9", "3 節 表 6・脚注 9"}},
     Shown{"halfedge_loop", {"002", "section 4, states in a fixed number of steps", "4 節 形状状態参照"}},
     Shown{"opposite_map", {"003", "operations of halfedges", "半辺の操作"}},
-    Shown{"opposite_array", {"003", "operations of halfedges", "半辺の操作"}},
-    Shown{"dcel", {"004", "section 15.3, adjacent_faces", "15.3 節 adjacent_faces"}},
+    Shown{"opposite_array",
+          {"003", "operations of halfedges; the arrays are this program's", "半辺の操作（配列は本プログラムの追加）"}},
+    Shown{"dcel", {"004", "sections 15.2 and 15.3", "15.2・15.3 節"}},
 };
 
 std::optional<Source> source_in(std::span<const Shown> rows, std::string_view id) {

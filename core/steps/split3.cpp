@@ -135,7 +135,7 @@ class SplitPlay {
   Names look_up(Side side, std::uint32_t number, bool turns) {
     Names n{};
     n.is_boundary = opps_.at(side) < 0;
-    const int at = n.is_boundary ? 137 : 180;
+    const int at = n.is_boundary ? 154 : 206;
     n.fa = number_of(side) / 3;
     n.fb = n.is_boundary ? no_index : static_cast<std::uint32_t>(opps_.at(side)) / 3;
     n.fnew0 = static_cast<std::uint32_t>(faces_.size());
@@ -165,14 +165,14 @@ class SplitPlay {
         "h0 = " + std::to_string(n.h0) + ", h1 = " + std::to_string(n.h1) +
         (n.is_boundary ? std::string() : ", h2 = " + std::to_string(n.h2) + ", h3 = " + std::to_string(n.h3));
     Step& opposites =
-        begin({"The opposites around it: " + outer, "周りの反対辺：" + outer}, at + (n.is_boundary ? 3 : 5));
+        begin({"The opposites around it: " + outer, "周りの反対辺：" + outer}, at + (n.is_boundary ? 4 : 6));
     for (const Side& around : {prev(side), next(side)}) mark(opposites, Role::read, around);
     const auto v = [](std::uint32_t index) { return std::to_string(index); };
     const std::string vertices =
         n.is_boundary ? "v0 = " + v(n.v0) + ", v1 = " + v(n.v1) + ", v2 = " + v(n.v3) + ", vnew = " + v(n.vnew)
                       : "v0 = " + v(n.v0) + ", v1 = " + v(n.v1) + ", v2 = " + v(n.v2) + ", v3 = " + v(n.v3) +
                             ", vnew = " + v(n.vnew);
-    Step& corners = begin({"The vertices: " + vertices, "頂点：" + vertices}, at + (n.is_boundary ? 7 : 10));
+    Step& corners = begin({"The vertices: " + vertices, "頂点：" + vertices}, at + (n.is_boundary ? 9 : 12));
     for (const std::uint32_t corner : {n.v0, n.v1, n.v2, n.v3})
       if (corner < mesh_.vertex_slots()) corners.marks.push_back({Role::read, Vertex(corner)});
     return n;
@@ -183,51 +183,51 @@ class SplitPlay {
     const glm::dvec3 place = 0.5 * (positions_[side.first] + positions_[side.second]);
     Step& vertex = begin({"Vertex " + std::to_string(n.vnew) + " is added in the middle.",
                           "中点に頂点 " + std::to_string(n.vnew) + " を追加。"},
-                         n.is_boundary ? 149 : 196);
+                         n.is_boundary ? 169 : 225);
     vertex.rows.push_back({"text_vertices", "v" + std::to_string(n.vnew), "position", {}, place_text(place)});
     positions_.push_back(place);
     n.is_boundary ? rebuild_one(n) : rebuild_two(n);
-    show_dead_keys(n.is_boundary ? 173 : 240);
+    show_dead_keys(n.is_boundary ? 198 : 281);
     split_kernel(side);
   }
 
   // The text's v2 of a boundary side is v3 here, as the drawing has it.
   void rebuild_one(const Names& n) {
     const std::uint32_t a = 3 * n.fa, b = 3 * n.fnew0;
-    write_face(n.fa, {n.v0, n.v1, n.vnew}, 152, "fa");
-    write_face(n.fnew0, {n.v1, n.v3, n.vnew}, 156, "fnew");
-    write_kept({n.v0, n.v1}, n.h1, a, 159, "h1");
-    write({n.v1, n.vnew}, b + 2, 160, "fnew * 3 + 2");
-    write({n.vnew, n.v0}, -(static_cast<std::int64_t>(a) + 3), 161, "-(own number + 1)");
-    write_kept({n.v1, n.v3}, n.h0, b, 163, "h0");
-    write({n.v3, n.vnew}, -(static_cast<std::int64_t>(b) + 2), 164, "-(own number + 1)");
-    write({n.vnew, n.v1}, a + 1, 165, "fa * 3 + 1");
-    write_if_there({n.v1, n.v0}, a, 167);
-    write_if_there({n.v3, n.v1}, b, 170);
+    write_face(n.fa, {n.v0, n.v1, n.vnew}, 173, "fa");
+    write_face(n.fnew0, {n.v1, n.v3, n.vnew}, 178, "fnew");
+    write_kept({n.v0, n.v1}, n.h1, a, 182, "h1");
+    write({n.v1, n.vnew}, b + 2, 183, "fnew * 3 + 2");
+    write({n.vnew, n.v0}, -(static_cast<std::int64_t>(a) + 3), 184, "-(own number + 1)");
+    write_kept({n.v1, n.v3}, n.h0, b, 187, "h0");
+    write({n.v3, n.vnew}, -(static_cast<std::int64_t>(b) + 2), 188, "-(own number + 1)");
+    write({n.vnew, n.v1}, a + 1, 189, "fa * 3 + 1");
+    write_if_there({n.v1, n.v0}, a, 192);
+    write_if_there({n.v3, n.v1}, b, 195);
   }
 
   void rebuild_two(const Names& n) {
     const std::uint32_t a = 3 * n.fa, b = 3 * n.fb, c = 3 * n.fnew0, d = 3 * n.fnew1;
-    write_face(n.fa, {n.v0, n.v1, n.vnew}, 199, "fa");
-    write_face(n.fb, {n.v2, n.v0, n.vnew}, 203, "fb");
-    write_face(n.fnew0, {n.v1, n.v3, n.vnew}, 207, "fnew0");
-    write_face(n.fnew1, {n.v3, n.v2, n.vnew}, 209, "fnew1");
-    write_kept({n.v0, n.v1}, n.h1, a, 212, "h1");
-    write({n.v1, n.vnew}, c + 2, 213, "fnew0 * 3 + 2");
-    write({n.vnew, n.v0}, b + 1, 214, "fb * 3 + 1");
-    write_kept({n.v2, n.v0}, n.h2, b, 216, "h2");
-    write({n.v0, n.vnew}, a + 2, 217, "fa * 3 + 2");
-    write({n.vnew, n.v2}, d + 1, 218, "fnew1 * 3 + 1");
-    write_kept({n.v1, n.v3}, n.h0, c, 220, "h0");
-    write({n.v3, n.vnew}, d + 2, 221, "fnew1 * 3 + 2");
-    write({n.vnew, n.v1}, a + 1, 222, "fa * 3 + 1");
-    write_kept({n.v3, n.v2}, n.h3, d, 224, "h3");
-    write({n.v2, n.vnew}, b + 2, 225, "fb * 3 + 2");
-    write({n.vnew, n.v3}, c + 1, 226, "fnew0 * 3 + 1");
-    write_if_there({n.v1, n.v0}, a, 228);
-    write_if_there({n.v0, n.v2}, b, 231);
-    write_if_there({n.v2, n.v3}, d, 234);
-    write_if_there({n.v3, n.v1}, c, 237);
+    write_face(n.fa, {n.v0, n.v1, n.vnew}, 229, "fa");
+    write_face(n.fb, {n.v2, n.v0, n.vnew}, 234, "fb");
+    write_face(n.fnew0, {n.v1, n.v3, n.vnew}, 239, "fnew0");
+    write_face(n.fnew1, {n.v3, n.v2, n.vnew}, 242, "fnew1");
+    write_kept({n.v0, n.v1}, n.h1, a, 246, "h1");
+    write({n.v1, n.vnew}, c + 2, 247, "fnew0 * 3 + 2");
+    write({n.vnew, n.v0}, b + 1, 248, "fb * 3 + 1");
+    write_kept({n.v2, n.v0}, n.h2, b, 251, "h2");
+    write({n.v0, n.vnew}, a + 2, 252, "fa * 3 + 2");
+    write({n.vnew, n.v2}, d + 1, 253, "fnew1 * 3 + 1");
+    write_kept({n.v1, n.v3}, n.h0, c, 256, "h0");
+    write({n.v3, n.vnew}, d + 2, 257, "fnew1 * 3 + 2");
+    write({n.vnew, n.v1}, a + 1, 258, "fa * 3 + 1");
+    write_kept({n.v3, n.v2}, n.h3, d, 261, "h3");
+    write({n.v2, n.vnew}, b + 2, 262, "fb * 3 + 2");
+    write({n.vnew, n.v3}, c + 1, 263, "fnew0 * 3 + 1");
+    write_if_there({n.v1, n.v0}, a, 266);
+    write_if_there({n.v0, n.v2}, b, 270);
+    write_if_there({n.v2, n.v3}, d, 274);
+    write_if_there({n.v3, n.v1}, c, 278);
   }
 
   // Keys of the map that are no side of a face.

@@ -1,6 +1,7 @@
 // The halfedges of a mesh built step by step are those of table 5 and the map of text 003.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -53,6 +54,24 @@ TEST(build_steps, end_with_the_halfedges_of_table_5_and_the_map_of_text_003) {
           tables["opps"].at(std::to_string(map.from(h)) + "," + std::to_string(map.from(map.next(h)))).at("value"),
           std::to_string(map.coded_opposite(h)));
   }
+}
+
+// The lines of program code 2, and of the listing of text 003 that fills opps, as printed, blank lines included, by hand.
+TEST(build_steps, cite_the_lines_of_the_printed_listings) {
+  const auto sequence = played("build", asset_mesh("figures/003-image22.obj"), {});
+  std::map<std::string, std::set<int>> lines;
+  for (std::size_t i = 1; i <= sequence->size(); ++i) {
+    const Step step = sequence->at(i);
+    ASSERT_TRUE(step.source);
+    const std::string number = step.caption.en.substr(0, step.caption.en.find(')') + 1);
+    lines[step.source->text == "003" ? "map" : number].insert(step.source->line);
+    EXPECT_EQ(step.source->listing_en,
+              step.source->text == "003" ? "building the halfedges, the listing that fills opps" : "program code 2");
+  }
+  const std::map<std::string, std::set<int>> by_hand{{"(1)", {111}}, {"(2)", {112}}, {"(3)", {113}},   {"(4)", {120}},
+                                                     {"(5)", {78}},  {"(6)", {82}},  {"(7)", {86}},    {"(8)", {87}},
+                                                     {"(9)", {88}},  {"(10)", {63}}, {"map", {11, 16}}};
+  EXPECT_EQ(lines, by_hand);
 }
 
 }  // namespace

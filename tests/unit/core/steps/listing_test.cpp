@@ -15,6 +15,7 @@
 #include "core/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
+#include "tests/support/core/shapes.h"
 #include "tests/support/core/stated_changes.h"
 #include "tests/support/core/step_checks.h"
 
@@ -102,8 +103,12 @@ int expect_promised(Sequence& sequence, std::string_view op_id, Halfedge h) {
     const Step step = sequence.at(i);
     if (!step.delta) continue;
     const Mesh before = sequence.mesh_at(i - 1);
-    const Change change{step.delta->v, step.delta->e, step.delta->f,
-                        step.delta->h, step.delta->s, step.delta->g.value_or(0),
+    const Change change{step.delta->v,
+                        step.delta->e,
+                        step.delta->f,
+                        step.delta->h,
+                        step.delta->s,
+                        step.delta->g.value_or(0),
                         *step.delta->b + step.delta->w + step.delta->i};
     const std::vector<Change> stated = law_of(Stated{before}, op_at(before, op_id, {h, 0.5}));
     EXPECT_TRUE(std::count(stated.begin(), stated.end(), change)) << op_id << ": " << step.caption.en;
@@ -125,6 +130,56 @@ TEST(listing_steps, change_the_terms_as_their_operators_promise) {
     }
   }
   EXPECT_GT(edits, 40);
+}
+
+// The lines of program code 4 as it is printed, blank lines included, counted by hand.
+TEST(listing_steps, cite_the_lines_of_the_printed_listing) {
+  const Mesh mesh = asset_mesh("figures/000-12.obj");
+  const std::vector<std::pair<const char*, std::vector<int>>> cited{
+      {"collapse", {34, 35, 36, 37, 40, 46, 47, 48, 52, 54, 55, 59, 60, 63, 64, 65}},
+      {"swap", {69, 70, 71, 72, 75, 76, 77, 78, 81, 82, 83, 84, 85, 86, 89, 90, 91, 92}}};
+  for (const auto& [id, lines] : cited) {
+    const auto sequence = played(id, mesh, {"0-1"});
+    std::set<int> found;
+    for (std::size_t i = 1; i <= sequence->size(); ++i)
+      if (const auto source = sequence->at(i).source; source && source->line > 0) {
+        EXPECT_EQ(source->text, "000");
+        EXPECT_EQ(source->listing_en, "program code 4");
+        found.insert(source->line);
+      }
+    EXPECT_EQ(std::vector<int>(found.begin(), found.end()), lines) << id;
+  }
+}
+
+// Two triangles, 0 1 2 and 1 0 3, with more of them around. The pair that was never set is followed where he1 is written to
+// (54), where heRT and heLT or heLB and heRB are joined (59, 60), where he->pair leads on (36, 71), or where a vertex is
+// read from beyond (81 to 86).
+TEST(listing_steps, end_in_the_line_that_follows_a_link_never_set) {
+  struct Gap {
+    const char* id;
+    Polygons faces;
+    int line;
+  };
+  const Polygons::value_type left_top{0, 2, 4}, left_bottom{3, 0, 5}, right_top{2, 1, 6}, right_bottom{1, 3, 7};
+  const Gap gaps[] = {
+      {"collapse", {{0, 1, 2}}, 36},
+      {"swap", {{0, 1, 2}}, 71},
+      {"collapse", {{0, 1, 2}, {1, 0, 3}}, 54},
+      {"collapse", {{0, 1, 2}, {1, 0, 3}, right_top, right_bottom}, 54},
+      {"collapse", {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {0, 4, 3}}, 59},
+      {"collapse", {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {0, 4, 3}, right_top}, 60},
+      {"swap", {{0, 1, 2}, {1, 0, 3}}, 81},
+      {"swap", {{0, 1, 2}, {1, 0, 3}, left_bottom}, 82},
+      {"swap", {{0, 1, 2}, {1, 0, 3}, left_bottom, right_top}, 83},
+      {"swap", {{0, 1, 2}, {1, 0, 3}, left_bottom, right_top, left_top}, 86},
+  };
+  for (const Gap& gap : gaps) {
+    const auto sequence = played(gap.id, make_mesh(gap.faces), {"0-1"});
+    const Step last = sequence->at(sequence->size() - 1);
+    EXPECT_NE(last.caption.en.find("has no pair"), std::string::npos) << gap.line << ": " << last.caption.en;
+    ASSERT_TRUE(last.source) << gap.line;
+    EXPECT_EQ(last.source->line, gap.line) << gap.id << ": " << last.caption.en;
+  }
 }
 
 }  // namespace

@@ -77,5 +77,26 @@ TEST(split3_steps, split_a_boundary_side) {
   expect_plays(*split);
 }
 
+std::vector<int> cited_lines(const Mesh& mesh, const std::string& number) {
+  const auto sequence = played("split3", mesh, {number});
+  std::vector<int> lines;
+  for (std::size_t i = 1; i < sequence->size(); ++i) {
+    const steps::Source source = *sequence->at(i).source;
+    EXPECT_EQ(source.text, "003");
+    EXPECT_NE(source.listing_en.find("whole source code"), std::string_view::npos) << "not the two halves before it";
+    lines.push_back(source.line);
+  }
+  return lines;
+}
+
+// Of the whole source code as it is printed, blank lines included, counted by hand: at a boundary first.
+TEST(split3_steps, cite_the_lines_of_the_printed_source_code) {
+  EXPECT_EQ(cited_lines(asset_mesh("figures/003-image36.obj"), "0"),
+            (std::vector{154, 158, 163, 169, 173, 178, 182, 183, 184, 187, 188, 189, 192, 195, 198}));
+  EXPECT_EQ(cited_lines(asset_mesh("figures/003-image32.obj"), "0"),
+            (std::vector{206, 212, 218, 225, 229, 234, 239, 242, 246, 247, 248, 251, 252,
+                         253, 256, 257, 258, 261, 262, 263, 266, 270, 274, 278, 281}));
+}
+
 }  // namespace
 }  // namespace ryosen

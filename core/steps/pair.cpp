@@ -45,10 +45,10 @@ std::string element_across(const SideList& list, std::uint32_t side) {
 }
 
 constexpr std::array tables{
-    PairTable{"brute_force", "faces", "halfedges", code_2(54), nullptr, nullptr},
+    PairTable{"brute_force", "faces", "halfedges", code_2(63), nullptr, nullptr},
     PairTable{"vertex_lists", "vertex_lists", "halfedges", vertex_lists_text, start_vertex, end_vertex},
     PairTable{"hash_16", "hash", "halfedges", code_3(7), key_16, key_16},
-    PairTable{"hash", "hash", "halfedges", code_3(7), key_of_both, key_of_both},
+    PairTable{"hash", "hash", "halfedges", hash_text, key_of_both, key_of_both},
     PairTable{"sparse_matrix", "matrix", "halfedges", matrix_text, element_at, element_across},
 };
 
@@ -97,6 +97,7 @@ class PairPlay {
                                                                           : place->second;
     std::size_t compared = 0;
     std::uint32_t found = no_index;
+    bool is_own = false;  // among the candidates
     Step& step = begin({});
     step.marks.push_back({Role::asked, list_.sides[side].halfedge});
     for (const std::uint32_t other : candidates) {
@@ -105,7 +106,10 @@ class PairPlay {
         found = other;
         break;
       }
-      if (step.marks.size() < most_marks) step.marks.push_back({Role::compared, list_.sides[other].halfedge});
+      // The table holds the side itself, too, which stays what the step is about.
+      is_own |= other == side;
+      if (other != side && step.marks.size() < most_marks)
+        step.marks.push_back({Role::compared, list_.sides[other].halfedge});
     }
     const std::string before_count = std::to_string(comparisons_);
     comparisons_ += compared;
@@ -113,9 +117,10 @@ class PairPlay {
     const std::string from = std::to_string(list_.sides[side].from), to = std::to_string(list_.sides[side].to),
                       n = std::to_string(compared);
     const std::string where = table_.sought ? std::string(table_.table) + " " + table_.sought(list_, side) + ": " : "";
-    step.caption = Text{name + " (" + from + " to " + to + ") is compared with " + n + ": ",
-                        name + "（" + from + " から " + to + "）を " + n + " 本と比べる："} +
-                   Text{where, where};
+    const Text own = is_own ? Text{", itself among them", "（自身を含む）"} : Text();
+    step.caption = Text{name + " (" + from + " to " + to + ") is compared with " + n,
+                        name + "（" + from + " から " + to + "）を " + n + " 本と比べる"} +
+                   own + Text{": " + where, "：" + where};
     if (found == no_index) {
       step.caption = step.caption + Text{"no pair yet", "対はまだない"};
       return;

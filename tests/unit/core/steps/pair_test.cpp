@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/forms/all.h"
@@ -150,6 +152,37 @@ TEST(pair_steps, count_the_comparisons) {
   EXPECT_EQ(told_comparisons(*played("pair", mesh, {"sparse_matrix"})), mesh.live().edges);
   EXPECT_LT(told_comparisons(*played("pair", mesh, {"hash"})),
             told_comparisons(*played("pair", mesh, {"vertex_lists"})));
+}
+
+// The table holds the side that looks for its pair, too: it is not among those that it is compared with.
+TEST(pair_steps, tell_what_a_step_is_about_from_what_it_is_compared_with) {
+  for (const char* const name : {"tetrahedron.off", "fan.obj", "cube.obj", "moebius.off", "figures/000-3.obj"})
+    for (const char* const method : {"brute_force", "vertex_lists", "hash_16", "hash", "sparse_matrix"}) {
+      const auto sequence = played("pair", asset_mesh(name), {method});
+      for (std::size_t i = 1; i <= sequence->size(); ++i) {
+        std::map<Element, std::set<steps::Role>> roles;
+        const Step step = sequence->at(i);
+        for (const steps::Mark& mark : step.marks) roles[mark.element].insert(mark.role);
+        for (const auto& [element, of] : roles) EXPECT_EQ(of.size(), 1u) << name << " " << method << ", step " << i;
+      }
+    }
+  const std::string first = played("pair", asset_mesh("tetrahedron.off"), {"hash"})->at(2).caption.en;
+  EXPECT_NE(first.find("is compared with 1, itself among them: "), std::string::npos) << first;
+}
+
+// Code 3 packs two numbers of 16 bits into its key, in line 7; a key with both in full is only spoken of.
+TEST(pair_steps, cite_code_3_for_its_own_key_alone) {
+  const std::map<std::string, std::pair<std::string, int>> cited{
+      {"brute_force", {"program code 2", 63}},
+      {"vertex_lists", {"section 4, links from vertices", 0}},
+      {"hash_16", {"program code 3", 7}},
+      {"hash", {"section 4, a hash", 0}},
+      {"sparse_matrix", {"section 4, a matrix", 0}}};
+  for (const auto& [method, place] : cited) {
+    const steps::Source source = *played("pair", asset_mesh("tetrahedron.off"), {method})->at(2).source;
+    EXPECT_EQ(source.text, "000");
+    EXPECT_EQ(std::pair(std::string(source.listing_en), source.line), place) << method;
+  }
 }
 
 TEST(pair_steps, play_the_first_faces_of_a_large_mesh) {

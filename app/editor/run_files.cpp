@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "core/base/enum_table.h"
 
@@ -47,6 +48,27 @@ Failure taken_by_results(const std::filesystem::path& path) {
   return make_failure(ExitCode::usage, "flags_exclude",
                       {name + " is where --json writes; choose another output, or leave --json out.",
                        name + " には --json の結果を書き出します。別の出力先にするか、--json を外してください。"});
+}
+
+// The extension by which a name claims another format than PNG; empty for none. Digits alone are a number, as in shot.001.
+std::string claimed_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  const auto is = [](int (*kind)(int)) { return [kind](unsigned char c) { return kind(c) != 0; }; };
+  if (extension.size() < 2 || std::none_of(extension.begin(), extension.end(), is(std::isalpha)) ||
+      !std::all_of(extension.begin() + 1, extension.end(), is(std::isalnum)))
+    return {};
+  std::string lower = extension;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == ".png" ? std::string() : extension;
+}
+
+Failure another_format(const std::filesystem::path& path, const std::string& extension) {
+  const std::string name = path.string();
+  return make_failure(
+      ExitCode::usage, "unknown_format",
+      {name + ": pictures are PNG files, so the name cannot end in " + extension + "; let it end in .png.",
+       name + "：画像は PNG で書き出すため、名前の末尾を " + extension + " にはできません。.png にしてください。"});
 }
 
 }  // namespace
@@ -95,7 +117,8 @@ Status RunFiles::may_write(const std::filesystem::path& path, FileRole role) con
                         is.is_read ? Code("input_would_be_replaced") : Code("output_would_be_replaced"),
                         std::move(text));
   }
-  return success();
+  const std::string extension = role_row(role).is_picture ? claimed_format(path) : std::string();
+  return extension.empty() ? success() : Status(another_format(path, extension));
 }
 
 void RunFiles::writes(const std::filesystem::path& path, FileRole role) {

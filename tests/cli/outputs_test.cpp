@@ -31,11 +31,13 @@ TEST(outputs, a_script_never_turns_what_the_run_reads_into_a_picture) {
   }
   folder.write("s", "shot in.off\n");
   EXPECT_EQ(run_program({"shot", "in.off", "--script", "s", "-o", "s"}, folder.path()).exit_code, 5);
-  EXPECT_EQ(
-      run_program({"shot", "in.off", "--script", "s", "--overwrite", "-o", "out.png", "--size", "32x32"}, folder.path())
-          .exit_code,
-      0);
-  EXPECT_TRUE(read_file(folder.at("in.off")).starts_with("\x89PNG"));
+  const std::vector<std::string> overwrite{"shot", "in.off",  "--script", "s",    "--overwrite",
+                                           "-o",   "out.png", "--size",   "32x32"};
+  EXPECT_EQ(run_program(overwrite, folder.path()).exit_code, 2) << "a picture under the name of a mesh";
+  EXPECT_EQ(read_file(folder.at("in.off")), tetrahedron);
+  folder.write("s", "shot s\n");
+  EXPECT_EQ(run_program(overwrite, folder.path()).exit_code, 0);
+  EXPECT_TRUE(read_file(folder.at("s")).starts_with("\x89PNG"));
 }
 
 TEST(outputs, a_reference_stays_what_the_picture_is_compared_with) {

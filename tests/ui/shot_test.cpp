@@ -1,6 +1,8 @@
 // The flags and exit codes of `shot`.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "render/image.h"
 #include "tests/support/app/program.h"
 
@@ -46,6 +48,29 @@ TEST(shot, every_flag_changes_the_picture) {
     EXPECT_EQ(shot(mesh, folder.at("other.png"), flags), 0) << flags[0];
     EXPECT_TRUE(test::read_file(folder.at("other.png")) != plain) << flags[0];
   }
+}
+
+// Pictures are PNG files: no other name is written to, by a flag or by a line of a script.
+TEST(shot, refuses_names_that_end_in_another_format) {
+  const test::TemporaryFolder folder;
+  for (const char* const name : {"x.jpg", "x.JPG", "x.svg", "x.webp", "x.tiff", "x.off"}) {
+    const std::string file = folder.at(name), right = folder.at("right.png");
+    const auto expect_refused = [&](const std::vector<std::string>& line) {
+      const test::ProgramRun run = run_program(line);
+      EXPECT_EQ(run.exit_code, 2) << line.back() << run.err;
+      EXPECT_NE(run.err.find(".png"), std::string::npos) << run.err;
+      EXPECT_FALSE(std::filesystem::exists(file)) << line.back();
+    };
+    expect_refused({"shot", asset("fin.obj"), "--size", "32x32", "-o", file});
+    expect_refused({"shot", asset("fin.obj"), "--size", "32x32", "--overwrite", "-o", file});
+    ASSERT_EQ(shot(asset("fin.obj"), right, {"--overwrite"}), 0);
+    expect_refused({"shot", asset("cube.obj"), "--size", "320x240", "--compare", right, "--diff", file});
+    const std::string script = folder.write("s.txt", "shot " + file + "\n");
+    expect_refused({"shot", asset("fin.obj"), "--size", "32x32", "-o", folder.at("o.png"), "--script", script});
+    expect_refused({"edit", asset("fin.obj"), "--do", "shot " + file});
+  }
+  EXPECT_EQ(shot(asset("fin.obj"), folder.at("UPPER.PNG"), {}), 0);
+  EXPECT_EQ(shot(asset("fin.obj"), folder.at("no_extension"), {}), 0);
 }
 
 // A cube of side 2 s around the origin.

@@ -39,7 +39,29 @@ TEST(run_files, what_is_read_is_not_written_under_any_name) {
   EXPECT_EQ(code(files.may_write("/dev/null", FileRole::saved)), "");
   RunFiles may(Policy::overwrite);
   may.reads(in, FileRole::mesh);
-  EXPECT_EQ(code(may.may_write(in, FileRole::picture)), "");
+  EXPECT_EQ(code(may.may_write(in, FileRole::saved)), "");
+  EXPECT_EQ(code(may.may_write(folder.at("hard.png"), FileRole::picture)), "");
+}
+
+// A picture is a PNG file: under the name of another format every viewer would take it for that.
+TEST(run_files, no_picture_takes_the_name_of_another_format) {
+  const TemporaryFolder folder;
+  for (const Policy policy : {Policy::keep, Policy::by_kind, Policy::overwrite}) {
+    const RunFiles files(policy);
+    for (const FileRole role : {FileRole::picture, FileRole::difference}) {
+      for (const char* const name :
+           {"x.jpg", "x.JPEG", "x.svg", "x.webp", "x.gif", "x.bmp", "x.pdf", "x.obj", "a.png.jpg", "x.jp2", "x.png2"}) {
+        const Status status = files.may_write(folder.at(name), role);
+        ASSERT_EQ(code(status), "unknown_format") << name;
+        EXPECT_EQ(status.failure().exit_code, ExitCode::usage);
+        EXPECT_NE(status.failure().message.text.en.find(".png"), std::string::npos);
+      }
+      for (const char* const name : {"x.png", "x.PNG", "x.jpg.png", "x", ".png", "shot.001", "v1.2", "two words.a b"})
+        EXPECT_EQ(code(files.may_write(folder.at(name), role)), "") << name;
+    }
+    EXPECT_EQ(code(files.may_write(folder.at("x.obj"), FileRole::result)), "");
+  }
+  EXPECT_EQ(code(RunFiles(Policy::keep).may_write("/dev/null", FileRole::picture)), "");
 }
 
 TEST(run_files, both_roles_are_named_in_both_languages) {

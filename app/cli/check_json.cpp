@@ -4,6 +4,7 @@
 #include "app/cli/check_report.h"
 #include "app/cli/contract/check.h"
 #include "app/cli/contract/record.h"
+#include "core/analysis/boundary_loops.h"
 
 namespace ryosen::cli {
 
@@ -31,10 +32,16 @@ Json bounds(const CheckReport& report) {
   return box ? Json::array({to_json((*box)[0]), to_json((*box)[1])}) : Json();
 }
 
-Json kind_reason(const CheckReport& report) {
+Json sentence(const Text& text) {
   Record<sentence_shape> json;
-  json.put(report.kind.reason);
+  json.put(text);
   return std::move(json).json();
+}
+
+Json kind_reason(const CheckReport& report) { return sentence(report.kind.reason); }
+
+Json open_boundary(const CheckReport& report) {
+  return report.figures.open_boundary ? sentence(no_loop_count) : Json();
 }
 
 // Without the names and the pairs; empty arrays are the placeholders.
@@ -95,8 +102,12 @@ constexpr CheckRow rows_before_counts[] = {
     {{"rings", "integer", "Inner loops of faces.", "面の穴（リング）の数。"},
      {figure<&Figures::rings>, 11, "rings", "面の穴"}},
     {.value = {nullptr, 6, "boundary edges", "境界稜線"}, .kind = ProblemKind::boundary_loop},
-    {{"boundary_loops", "integer", "Boundary loops.", "境界ループの数。"},
+    {{"boundary_loops", "integer", "Boundary loops, of the edges that close to one.",
+      "境界ループの数（輪になる境界だけ）。"},
      {figure<&Figures::boundary_loops>, 7, "boundary loops", "境界ループ"}},
+    {{"open_boundary", "object or null", "Why some boundary edges close to no loop; null where all do.",
+      "輪にならない境界がある理由。ないとき null。", objects(sentence_shape)},
+     {open_boundary}},
     {.kind = ProblemKind::nonmanifold_edge},
     {{"max_edge_faces", "integer", "The most faces at one edge.", "一本の稜線に接する面の最大数。"},
      {figure<&Figures::max_edge_faces>}},

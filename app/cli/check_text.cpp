@@ -8,6 +8,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/check.h"
 #include "app/cli/visible.h"
+#include "core/analysis/boundary_loops.h"
 #include "core/analysis/surface_name.h"
 #include "core/ops/op.h"
 
@@ -48,7 +49,10 @@ std::string table_text(const CheckReport& report, const Console& console) {
     if (row.value.cell < 0) continue;
     const Json value = row.print(report);
     if (!is_absent(row, value)) shown.insert(row.value.cell / 3);
-    const std::string label(console.text(row.value.en, row.value.ja)), text = value_text(value, console);
+    // A number beside boundary edges that close to no loop would be read as that of all.
+    const bool is_no_count = row.key.id == "boundary_loops" && report.figures.open_boundary;
+    const std::string label(console.text(row.value.en, row.value.ja)),
+        text = value_text(is_no_count ? Json() : value, console);
     lines[row.value.cell / 3] += "  " + label + spaces(20, display_width(label) + display_width(text)) + text + "  ";
   }
   std::string all;
@@ -62,6 +66,8 @@ std::string table_text(const CheckReport& report, const Console& console) {
 std::string figures_text(const CheckReport& report, const Console& console) {
   const Figures& f = report.figures;
   std::string text = table_text(report, console);
+  if (f.open_boundary)
+    text += "  " + std::string(console.text("boundary ", "境界 ")) + std::string(console.text(no_loop_count)) + "\n";
   if (const auto name = surface_name(f))
     text += "  " + std::string(console.text("surface ", "曲面 ")) + std::string(console.text(*name)) + "\n";
   if (f.bounds)

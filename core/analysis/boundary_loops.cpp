@@ -39,6 +39,7 @@ BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundar
       loops.offsets.push_back(static_cast<std::uint32_t>(loops.halfedges.size()));
     } else {
       follow(around, {inside, false}, left, chain);  // removes the other half of the open chain
+      loops.has_open_chain = true;
     }
   });
   return loops;

@@ -7,6 +7,7 @@
 
 #include "core/analysis/index_set.h"
 #include "core/analysis/neighbourhood.h"
+#include "core/base/message.h"
 
 namespace ryosen {
 
@@ -15,6 +16,7 @@ namespace ryosen {
 struct BoundaryLoops {
   std::vector<Halfedge> halfedges;
   std::vector<std::uint32_t> offsets{0};  // loops + 1 entries
+  bool has_open_chain = false;            // some boundary edges belong to no loop
 
   std::size_t size() const { return offsets.size() - 1; }
   std::span<const Halfedge> operator[](std::size_t loop) const {
@@ -23,7 +25,11 @@ struct BoundaryLoops {
 };
 
 // `boundary` holds the edges with one face on points (the set of ProblemKind::boundary_loop). A chain that ends at a
-// non-manifold edge is not a loop. Cost: the boundary edges, plus the fans at points with copies.
+// non-manifold edge is not a loop: then the loops are no number of holes (no_loop_count). Cost: the boundary edges, plus the fans at points with copies.
 BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundary);
+
+// Why a mesh with an open chain has no number of boundary loops.
+inline const Text no_loop_count{"Some boundary edges end at an edge of three or more faces and close to no loop.",
+                                "三つ以上の面が接する稜線で途切れ、輪にならない境界があります。"};
 
 }  // namespace ryosen

@@ -156,7 +156,9 @@ void count_the_rest(Neighbourhood& around, const ProblemSets& sets, Figures& fig
   count_vertices(around, sets, figures);
   count_isolated(around, sets, figures);
   count_edges(around, figures);
-  figures.boundary_loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size();
+  const BoundaryLoops loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop));
+  figures.boundary_loops = loops.size();
+  figures.open_boundary = loops.has_open_chain;
   figures.orientable = sets.count(ProblemKind::misoriented_edge) == 0 || is_orientable(around);
 }
 

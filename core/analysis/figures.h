@@ -34,6 +34,7 @@ struct Figures {
   bool manifold = true;
   bool closed = false;
   bool orientable = true;
+  bool open_boundary = false;  // some boundary edges close to no loop: boundary_loops is no number of holes
 
   // Of the faces with finite coordinates.
   std::optional<std::array<glm::dvec3, 2>> bounds;  // smallest and largest coordinates

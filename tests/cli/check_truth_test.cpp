@@ -147,6 +147,8 @@ TEST(check_truth, assets) {
       {"hanging_pair.obj", 4, 5, 3, 2, 0, {"nonmanifold_edge", "nonmanifold_vertex", "duplicate_face", "hanging_pair"}},
       {"isolated_vertex.obj", 4, 3, 1, 1, 1, {"isolated_vertex"}},
       {"torus.off", 48, 144, 96, 0, 0, {}},
+      {"figures/000-5a.obj", 15, 22, 8, 1, 1, {}},
+      {"figures/000-5b.obj", 18, 27, 10, 1, 0, {"nonmanifold_edge", "nonmanifold_vertex"}},
   };
   for (const AssetFigures& known : assets) {
     const Json report = run_program({"check", asset(known.name), "--json"}).line();
@@ -155,11 +157,30 @@ TEST(check_truth, assets) {
     EXPECT_EQ(report["faces"], known.faces) << known.name;
     EXPECT_EQ(report["euler_characteristic"], known.euler) << known.name;
     EXPECT_EQ(report["boundary_loops"], known.boundary_loops) << known.name;
+    // Chains of boundary edges end at edges of three faces alone.
+    if (report["nonmanifold_edges"] == 0) {
+      EXPECT_TRUE(report["open_boundary"].is_null()) << known.name;
+    }
     std::vector<std::string> problems;
     for (const Json& problem : report["problems"])
       if (problem["severity"] == "problem") problems.push_back(problem["kind"]);
     EXPECT_EQ(problems, known.problems) << known.name;
   }
+}
+
+// 16 boundary edges, but no 0 beside them.
+TEST(check_truth, says_why_there_is_no_number_of_boundary_loops) {
+  const std::string text = run_program({"check", asset("figures/000-5b.obj")}).out;
+  EXPECT_NE(text.find("boundary edges    16    boundary loops     -"), text.npos) << text;
+  EXPECT_NE(text.find("  boundary Some boundary edges end at an edge of three or more faces and close to no loop.\n"),
+            text.npos)
+      << text;
+  const Json line = run_program({"check", asset("figures/000-5b.obj"), "--json"}).line();
+  EXPECT_NE(line["open_boundary"]["en"], "");
+  EXPECT_NE(line["open_boundary"]["ja"], "");
+  const std::string whole = run_program({"check", asset("figures/000-5a.obj")}).out;
+  EXPECT_NE(whole.find("boundary loops     1"), whole.npos) << whole;
+  EXPECT_EQ(whole.find("close to no loop"), whole.npos) << whole;
 }
 
 }  // namespace

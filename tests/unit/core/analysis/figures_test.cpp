@@ -72,6 +72,7 @@ TEST(figures, of_three_faces_on_an_edge) {
   EXPECT_EQ(f[ProblemKind::misoriented_edge], 0u);
   EXPECT_EQ(f[ProblemKind::boundary_loop], 6u);
   EXPECT_EQ(f.boundary_loops, 0u) << "a chain that ends at a non-manifold edge is no loop";
+  EXPECT_TRUE(f.open_boundary) << "so that there is no number of them";
   EXPECT_FALSE(f.manifold);
   EXPECT_FALSE(f.genus);
   EXPECT_FALSE(f.volume);

@@ -33,16 +33,17 @@ constexpr Figure figure_rows[] = {
      "本文にある最初の頂点は (-70, 0, 0) を中心とする半径 30 の円を 16 等分した点。448 頂点から Y "
      "軸のまわりに 28 個、最初の面から回る向きが決まる。"},
     {"000-12", "Figure 12: the edge 0-1 collapses", "図12：稜線削除（0-1）",
-     "From listing 4: the halfedges (1) to (3) and (4) to (6) are the first two faces, (7) to (10) lie around them; "
+     "From program code 4: the halfedges (1) to (3) and (4) to (6) are the first two faces, (7) to (10) lie around "
+     "them; "
      "each "
      "end has six neighbours.",
      "プログラムコード 4 から。半稜線 (1)〜(3) と (4)〜(6) が最初の二面、(7)〜(10) がその外側。両端の次数は 6。"},
     {"000-13", "Figure 13: the edge 0-1 is swapped", "図13：稜線交換（0-1）", "As figure 12.", "図12 と同じ。"},
     {"000-14", "Figure 14: the edge 0-1 may not collapse", "図14：稜線削除で問題が生じる稜線（0-1）",
-     "The rule below it: three vertices are neighbours of both ends. The third, v2, lies outside the triangle that "
+     "The rule above it: three vertices are neighbours of both ends. The third, v2, lies outside the triangle that "
      "holds "
      "v3, so that two triangles would hang on one edge.",
-     "図の下の規則から。両端に共通する隣接頂点が三つあり、三つ目の v2 は v3 "
+     "図の上の規則から。両端に共通する隣接頂点が三つあり、三つ目の v2 は v3 "
      "のある三角形の外側。削除すると二つの三角形が一つの稜線にぶら下がる。"},
     {"000-15", "Figure 15: the edge 0-1 may not be swapped", "図15：稜線交換で問題が生じる稜線（0-1）",
      "The rule above it: the new ends, v2 and v3, are joined by an edge already.",
@@ -53,8 +54,10 @@ constexpr Figure figure_rows[] = {
     {"002-sample", "The sample program's triangle", "サンプルプログラムの三角形",
      "Its coordinates stand in the listing.", "座標はプログラムにある。"},
     {"003-image22", "image22: two faces", "image22：二つの面",
-     "The text gives five edges, six halfedges, and a vertical edge in the middle.",
-     "本文の稜線 5、半稜線 6、中央の縦線から。"},
+     "The text gives five edges, six halfedges, and a vertical edge in the middle. Faces run clockwise in this text: "
+     "they "
+     "are seen from behind.",
+     "本文の稜線 5、半稜線 6、中央の縦線から。このテキストの面は時計回りなので、裏から見ることになる。"},
     {"003-image24", "image24: the halfedges 11 and 21", "image24：半稜線 11 と 21",
      "The faces 3 and 7 lie side by side, and the opposite of 11 is 21; the faces beside them are ours.",
      "面 3 と 7 が隣り合い、11 の対が 21。残りの面は補った。"},

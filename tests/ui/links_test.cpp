@@ -61,16 +61,17 @@ TEST_F(LinksTest, lie_inside_their_faces_and_beside_their_twins) {
     open(name, {"view front", "links all"});
     const Mesh& m = session_.mesh();
     ASSERT_EQ(arrows().size(), 2 * m.live().edges) << name;
+    const double turn = std::string_view(name).starts_with("figures/003") ? -1 : 1;  // these run clockwise
     for (const LinkArrow& arrow : arrows()) {
       const Halfedge h = arrow.halfedge;
       const glm::dvec3 &p = m.position(m.from(h)), &q = m.position(m.to(h));
       EXPECT_GT(glm::dot(q - p, arrow.to - arrow.from), 0.1 * glm::dot(q - p, q - p)) << "along its edge";
       EXPECT_NEAR(glm::length(glm::cross(q - p, arrow.to - arrow.from)), 0, 1e-12) << "and parallel to it";
       for (const glm::dvec3& end : {arrow.from, arrow.to}) {
-        EXPECT_GT(side(p, q, end), 0) << name << " h" << h.index << ": left of it";
+        EXPECT_GT(turn * side(p, q, end), 0) << name << " h" << h.index << ": on its own side";
         if (!m.face(h)) continue;
         for (const Halfedge k : loop(m, h))
-          EXPECT_GT(side(m.position(m.from(k)), m.position(m.to(k)), end), 0) << name << " h" << h.index;
+          EXPECT_GT(turn * side(m.position(m.from(k)), m.position(m.to(k)), end), 0) << name << " h" << h.index;
       }
     }
   }

@@ -38,8 +38,8 @@ void GrowthPanel::begin(PanelContext& context, const Mesh* mesh) {
 void GrowthPanel::draw_buttons(PanelContext& context) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::Button(context.text("Tori", "トーラス"), {width, 0})) begin(context, nullptr);
-  tip(context.text("Measures on tori of growing size, as the textbook's figure 11.",
-                   "教科書の図 11 のようなトーラスを大きくしながら測ります。"));
+  tip(context.text("Measures on tori of growing size, as text 000's figure 11.",
+                   "テキスト 000 の図 11 のようなトーラスを大きくしながら測ります。"));
   ImGui::SameLine();
   const Mesh& mesh = context.session.mesh();
   ImGui::BeginDisabled(mesh.live().faces == 0);

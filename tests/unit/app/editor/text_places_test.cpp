@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <set>
+#include <vector>
 
+#include "app/editor/labels.h"
 #include "app/editor/playing.h"
 #include "app/editor/script.h"
 #include "app/editor/session.h"
+#include "core/mesh/circulate.h"
 
 namespace ryosen {
 namespace {
@@ -38,6 +42,87 @@ TEST(text_places, are_each_shown_by_their_lines) {
   EXPECT_EQ(rows.size(), 4u);
   EXPECT_TRUE(std::is_sorted(text_places().begin(), text_places().end(),
                              [](const TextPlace& a, const TextPlace& b) { return a.text < b.text; }));
+}
+
+// What an entry's lines show in a new window.
+std::unique_ptr<Session> shown(const TextPlace& place) {
+  auto session = std::make_unique<Session>(std::make_unique<Document>());
+  session->place_view({1280, 720}, {0, 0});
+  for (const ScriptLine& line : split_script(place.lines)) EXPECT_TRUE(session->run(line.text).done()) << line.text;
+  return session;
+}
+
+// Twice the area that a face has in the picture, whose y runs down: above 0 where it runs counter-clockwise there.
+double area_seen(const Session& session, Face f) {
+  const Mesh& mesh = session.mesh();
+  double area = 0;
+  for (const Halfedge h : loop(mesh, mesh.halfedge(f))) {
+    const glm::dvec2 a = project(session.camera, session.view, mesh.position(mesh.from(h)))->pixel,
+                     b = project(session.camera, session.view, mesh.position(mesh.to(h)))->pixel;
+    area += a.y * b.x - a.x * b.y;
+  }
+  return area;
+}
+
+std::vector<Face> faces_of(const Mesh& mesh, Element element) {
+  if (element.kind == Element::Kind::face) return {element.face()};
+  if (element.kind == Element::Kind::halfedge) return {mesh.face(element.halfedge())};
+  return {mesh.face(halfedge(element.edge(), 0)), mesh.face(halfedge(element.edge(), 1))};
+}
+
+// An element on the far side has its labels hidden, and what is said of it is nowhere to be seen.
+TEST(text_places, select_what_faces_the_viewer_with_all_its_labels) {
+  std::size_t selections = 0, labels = 0;
+  for (const TextPlace& place : text_places()) {
+    if (place.lines.find("; select ") == std::string_view::npos) continue;
+    const std::unique_ptr<Session> session = shown(place);
+    ASSERT_FALSE(session->selection.empty()) << place.lines;
+    ++selections;
+    // Text 003 runs its faces clockwise, so that they are seen from behind.
+    const double turn = place.text == "003" ? -1 : 1;
+    for (const Face f : faces_of(session->mesh(), session->selection.back())) {
+      ASSERT_TRUE(f) << place.lines;
+      EXPECT_GT(turn * area_seen(*session, f), 0.02 * session->view.width * session->view.height) << place.lines;
+    }
+    if (const Element element = session->selection.back(); element.kind == Element::Kind::halfedge) {
+      EXPECT_TRUE(session->mesh().face(twin(element.halfedge()))) << place.lines << ": its pair is shown, too";
+    }
+    if (!session->links.is_on(*session)) continue;
+    const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 16}; };
+    std::multiset<std::string> wanted, placed;
+    for (const LinkArrow& arrow : session->links.of(*session))
+      if (!arrow.label.en.empty()) wanted.insert(arrow.label.en);
+    for (const PlacedLabel& label : placed_labels(*session, size_of, 1)) placed.insert(label.text);
+    for (const std::string& text : wanted) EXPECT_TRUE(placed.contains(text)) << place.lines << ": " << text;
+    labels += wanted.size();
+  }
+  EXPECT_GE(selections, 9u);
+  EXPECT_GE(labels, 30u);
+}
+
+TEST(text_places, show_the_faces_of_text_003_clockwise_as_there_and_the_others_not) {
+  std::size_t faces = 0;
+  for (const TextPlace& place : text_places()) {
+    const bool is_clockwise = place.text == "003" && place.lines.starts_with("figure ");
+    const bool is_flat = place.lines.starts_with("figure 000-1") && !place.lines.starts_with("figure 000-11");
+    if (!is_clockwise && !is_flat) continue;
+    const std::unique_ptr<Session> session = shown(place);
+    for (std::uint32_t i = 0; i < session->mesh().face_slots(); ++i) {
+      if (!session->mesh().is_alive(Face(i))) continue;
+      EXPECT_LT((is_clockwise ? 1 : -1) * area_seen(*session, Face(i)), 0) << place.lines << " f" << i;
+      ++faces;
+    }
+  }
+  EXPECT_GT(faces, 80u);
+}
+
+// Memory is spoken of in text 002, section 2.3; text 000 has no such section.
+TEST(text_places, cite_sections_by_the_text_that_has_them) {
+  for (const TextPlace& place : text_places()) {
+    const auto names = [&](const char* section) { return place.place_en.find(section) != std::string_view::npos; };
+    EXPECT_TRUE(place.text == "002" || !(names("2.1") || names("2.2") || names("2.3"))) << place.place_en;
+    EXPECT_TRUE(place.text == "004" || !names("15.")) << place.place_en;
+  }
 }
 
 }  // namespace

@@ -48,10 +48,11 @@ std::string hash_text(const Mesh& mesh) {
 namespace {
 
 // The value of a term, or why it has none.
-Text found_text(Session& session, std::optional<std::int64_t> value) {
-  if (value) return {std::to_string(*value), std::to_string(*value)};
-  const Text why = why_no_genus(session.mesh(), session.euler_terms());
-  return {"none, " + why.en, "種数なし、" + why.ja};
+Text found_text(Session& session, const EulerTerm& term) {
+  const EulerPoincare& terms = session.euler_terms();
+  if (const auto value = term.value(terms)) return {std::to_string(*value), std::to_string(*value)};
+  const Text why = why_no_value(session.mesh(), terms, term);
+  return {"none, " + why.en, std::string(term.ja) + "なし、" + why.ja};
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
   for (const EulerTerm& term : euler_letters()) {
     if (what != std::string_view(&term.letter, 1)) continue;
     const auto found = term.value(session.euler_terms());
-    return found == number ? Outcome() : not_so(std::string(what) + " " + expected, found_text(session, found));
+    return found == number ? Outcome() : not_so(std::string(what) + " " + expected, found_text(session, term));
   }
   return usage;
 }

@@ -173,7 +173,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
         is_trial ? std::string_view() : std::string_view(document_->history()[transaction].command);
     const OpInfo* op = find_op(line.substr(0, line.find(' ')));
     const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
-                         follow_operator(*euler_, m, highlights_->problems(), boundary_loops_->count());
+                         follow_operator(*euler_, m, highlights_->problems(), *boundary_loops_);
     if (!is_kept) euler_.reset();
   }
   if (change == Document::Change::made) {

@@ -79,6 +79,12 @@ BoundaryLoopCount::Links BoundaryLoopCount::links_at(std::span<const Edge> edges
   return links;
 }
 
+std::uint32_t BoundaryLoopCount::stops_in(const Links& links) {
+  std::uint32_t stops = 0;
+  for (const auto& [end, next] : links) stops += next == stop;
+  return stops;
+}
+
 BoundaryLoopCount::Part BoundaryLoopCount::part_of(const Links& links) {
   Part part;
   std::unordered_set<End> seen;  // always both ends of an edge
@@ -129,8 +135,13 @@ void BoundaryLoopCount::search(Neighbourhood& around, const IndexSet& boundary) 
     stop_if_interrupted(static_cast<std::uint32_t>(i));
     links_[i] = none;
   }
-  boundary.for_each(
-      [&](std::uint32_t i) { put_links(around, Edge(i), [&](End end, End next) { links_[end] = next; }); });
+  stops_ = 0;
+  boundary.for_each([&](std::uint32_t i) {
+    put_links(around, Edge(i), [&](End end, End next) {
+      links_[end] = next;
+      stops_ += next == stop;
+    });
+  });
   count_ = count_loops(boundary);
   ++revision_;
 }
@@ -155,6 +166,7 @@ void BoundaryLoopCount::update(Neighbourhood& around, const IndexSet& boundary, 
     const Joints outside = joints_outside(part_before, before);
     count_ += loops_of(part_after.joints, outside) - loops_of(part_before.joints, outside);
   }
+  stops_ += stops_in(after) - stops_in(before);
   for (const auto& [end, next] : before) links_[end] = none;
   for (const auto& [end, next] : after) links_[end] = next;
   ++revision_;

@@ -26,6 +26,8 @@ class BoundaryLoopCount {
   void update(Neighbourhood& around, const IndexSet& boundary, std::span<const Edge> edges);
 
   std::uint32_t count() const { return count_; }
+  // Whether some boundary edges belong to no loop: their chain ends at a non-manifold edge.
+  bool has_open_chain() const { return stops_ > 0; }
   // Changes whenever the loops may consist of other edges.
   std::uint64_t revision() const { return revision_; }
 
@@ -46,12 +48,14 @@ class BoundaryLoopCount {
   static void put_links(Neighbourhood& around, Edge e, Put put);
   std::uint32_t count_loops(const IndexSet& boundary) const;
   Links links_at(std::span<const Edge> edges) const;
+  static std::uint32_t stops_in(const Links& links);
   static Part part_of(const Links& links);
   // The joints through the complement of the part with the links `inside`.
   Joints joints_outside(const Part& part, const Links& inside) const;
 
   std::vector<End> links_;  // by end: where the boundary continues, or stop, or none
   std::uint32_t count_ = 0;
+  std::uint32_t stops_ = 0;  // ends that are linked to a stop
   std::uint64_t revision_ = 0;
 };
 

@@ -25,7 +25,7 @@ constexpr EulerTerm letters[] = {
      [](const Terms& t) -> Value { return t.faces; }},
     {'B', "boundary loops", "境界ループ", "Closed walks along edges with a face on one side only: the rims of holes.",
      "片側だけに面がある稜線をたどって一周する輪、つまり穴の縁の数です。",
-     [](const Terms& t) -> Value { return t.boundary_loops; }},
+     [](const Terms& t) -> Value { return t.open_chain ? Value() : t.boundary_loops; }},
     {'W', "cycles along wires", "稜線だけの輪", "Closed walks outside the faces that go along edges without any face.",
      "面のない稜線を通って面の外を一周する輪の数です。", [](const Terms& t) -> Value { return t.wire_cycles; }, true},
     {'I', "isolated points", "稜線のない点", "Points that no edge and no face uses.",
@@ -40,13 +40,15 @@ constexpr EulerTerm letters[] = {
 
 Edge first_edge(const ProblemSets& sets, ProblemKind kind) { return Edge(sets.of(kind).nth(0)); }
 
-void take_counts(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::size_t boundary_loops) {
+void take_counts(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::size_t boundary_loops,
+                 bool open_chain) {
   const ElementCounts counts = sets.counts_on_points(mesh);
   terms.vertices = counts.vertices;
   terms.edges = counts.edges;
   terms.faces = counts.faces;
   terms.rings = mesh.live().rings;
   terms.boundary_loops = static_cast<std::int64_t>(boundary_loops);
+  terms.open_chain = open_chain;
   terms.isolated = sets.points_without_edge();
 }
 
@@ -225,7 +227,7 @@ EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets) {
   Neighbourhood around(mesh, Neighbourhood::Reach::whole);
   EulerPoincare terms;
   const BoundaryLoops loops = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop));
-  take_counts(terms, mesh, sets, loops.size());
+  take_counts(terms, mesh, sets, loops.size(), loops.has_open_chain);
   terms.wire_cycles = count_wire_cycles(mesh, sets, loops);
   const WireEnds wires(mesh, sets);
   find_what_hinders(terms, around, sets, wires);
@@ -240,9 +242,10 @@ EulerPoincare euler_poincare(const Mesh& mesh, const ProblemSets& sets) {
 
 EulerPoincare euler_poincare(const Mesh& mesh) { return euler_poincare(mesh, ProblemSets(mesh)); }
 
-bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::uint32_t boundary_loops) {
+bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets,
+                     const BoundaryLoopCount& boundary_loops) {
   EulerPoincare now = terms;
-  take_counts(now, mesh, sets, boundary_loops);
+  take_counts(now, mesh, sets, boundary_loops.count(), boundary_loops.has_open_chain());
   now.no_genus = NoGenus::none;
   find_nonmanifold(now, sets);
   // Other reasons may have changed their element; a sum that does not hold is computed again.
@@ -266,6 +269,11 @@ Text why_no_genus(const Mesh& mesh, const EulerPoincare& terms) {
     default:
       return {"not manifold at " + name, name + " で多様体ではありません"};
   }
+}
+
+Text why_no_value(const Mesh& mesh, const EulerPoincare& terms, const EulerTerm& term) {
+  if (term.value(terms)) return {};
+  return term.letter == 'B' ? no_loop_count : why_no_genus(mesh, terms);
 }
 
 }  // namespace ryosen

@@ -1,6 +1,6 @@
 // The terms of V - E + F + (B + W + I) - H = 2(S - G), on points and undirected edges.
 //
-// B + W + I counts the closed walks outside the faces; the sample program and the operators (core/ops) call the sum B.
+// B + W + I counts the closed walks outside the faces; the headers of the operators (core/ops) call the sum B.
 // On a manifold, orientable mesh the kernel has B + W cycles of outside halfedges.
 //
 // A bridge (an edge with the same face on both sides) is an ordinary edge until make_ring replaces it by a ring. Files
@@ -14,6 +14,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/analysis/boundary_loop_count.h"
 #include "core/analysis/problem_sets.h"
 #include "core/base/element.h"
 #include "core/base/message.h"
@@ -45,7 +46,8 @@ struct EulerPoincare {
   // of the faces and outside walks. It does not use the other terms, so the sum is a check.
   std::optional<std::int64_t> genus;
   NoGenus no_genus = NoGenus::none;
-  Element at;  // where, if there is none
+  bool open_chain = false;  // some boundary edges close to no loop: boundary_loops is no B
+  Element at;               // where, if there is none
 
   std::int64_t outside() const { return boundary_loops + wire_cycles + isolated; }
   std::int64_t left() const { return vertices - edges + faces + outside() - rings; }
@@ -54,7 +56,7 @@ struct EulerPoincare {
   friend bool operator==(const EulerPoincare&, const EulerPoincare&) = default;
 };
 
-// A term of the sum by its letter; `value` is empty for G where there is none.
+// A term of the sum by its letter; `value` is empty for G, or B, where there is none.
 struct EulerTerm {
   char letter;
   std::string_view en, ja;
@@ -72,9 +74,12 @@ EulerPoincare euler_poincare(const Mesh& mesh);
 
 // Updates the terms after an operator that keeps W, S and G (Topology::kept). False if they must be computed anew.
 // O(1).
-bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets, std::uint32_t boundary_loops);
+bool follow_operator(EulerPoincare& terms, const Mesh& mesh, const ProblemSets& sets,
+                     const BoundaryLoopCount& boundary_loops);
 
 // "not manifold at 0-1"; empty where there is a G.
 Text why_no_genus(const Mesh& mesh, const EulerPoincare& terms);
+// The reason why a term has no value; empty where it has one.
+Text why_no_value(const Mesh& mesh, const EulerPoincare& terms, const EulerTerm& term);
 
 }  // namespace ryosen

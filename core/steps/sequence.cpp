@@ -37,12 +37,13 @@ Delta difference(const EulerPoincare& was, const EulerPoincare& is) {
   Delta delta{.v = is.vertices - was.vertices,
               .e = is.edges - was.edges,
               .f = is.faces - was.faces,
-              .b = is.boundary_loops - was.boundary_loops,
+              .b = {},
               .w = is.wire_cycles - was.wire_cycles,
               .i = is.isolated - was.isolated,
               .h = is.rings - was.rings,
               .s = is.parts - was.parts,
               .g = {}};
+  if (!was.open_chain && !is.open_chain) delta.b = is.boundary_loops - was.boundary_loops;
   if (was.genus && is.genus) delta.g = *is.genus - *was.genus;
   return delta;
 }

@@ -106,7 +106,10 @@ TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_ope
         ASSERT_EQ(anew.parts, before.parts);
         ASSERT_EQ(anew.outside(), before.outside());
         EulerPoincare followed = before;
-        if (follow_operator(followed, after, sets, static_cast<std::uint32_t>(anew.boundary_loops))) {
+        BoundaryLoopCount loops;
+        if (Neighbourhood around(after); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
+        ASSERT_EQ(loops.has_open_chain(), anew.open_chain);
+        if (follow_operator(followed, after, sets, loops)) {
           ASSERT_EQ(followed, anew);
         }
       }

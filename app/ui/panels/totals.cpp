@@ -3,6 +3,7 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "core/analysis/boundary_loops.h"
 
 namespace ryosen {
 
@@ -17,7 +18,7 @@ void tip_of_row(const char* text, float top_px) {
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect({panel.x, top_px}, last, false)) tip_shown(text);
 }
 
-void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::int64_t> value) {
+void draw_term(PanelContext& context, const EulerTerm& term, const EulerPoincare& terms) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const float top = ImGui::GetCursorScreenPos().y;
@@ -29,11 +30,14 @@ void draw_term(PanelContext& context, const EulerTerm& term, std::optional<std::
   fitted_text(context.text(term.en, term.ja), ImGui::GetContentRegionAvail().x);
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();
-  const std::string figure = figure_text(value);
+  const std::string figure = figure_text(term.value(terms));
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize(figure.c_str()).x);
   ImGui::TextUnformatted(figure.c_str());
-  tip_of_row(context.text(term.help_en, term.help_ja), top);
+  const Text why_none = why_no_value(context.session.mesh(), terms, term);
+  std::string tip = context.text(term.help_en, term.help_ja);
+  if (!why_none.en.empty()) tip += "\n" + why_none.in(context.language());
+  tip_of_row(tip.c_str(), top);
 }
 
 // Parts of a line, each as a whole on the next one where there is no room left.
@@ -75,6 +79,7 @@ void draw_sum(PanelContext& context, const EulerPoincare& terms) {
   const std::string reason = std::string(context.text(UiText::no_genus)) + ": " +
                              why_no_genus(context.session.mesh(), terms).in(context.language());
   coloured_text(context.colours().warning, reason.c_str());
+  if (terms.open_chain) coloured_text(context.colours().warning, no_loop_count.in(context.language()).c_str());
 }
 
 // What the mesh is, in the word of `check`; the reason is its tooltip.
@@ -124,7 +129,7 @@ void draw_totals(PanelContext& context) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, widest + 4 * context.scale);
     for (const EulerTerm& term : euler_letters())
-      if (const auto value = term.value(terms); !term.is_rare || value != 0) draw_term(context, term, value);
+      if (!term.is_rare || term.value(terms) != 0) draw_term(context, term, terms);
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();

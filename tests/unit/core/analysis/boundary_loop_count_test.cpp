@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/analysis/boundary_loops.h"
 #include "core/analysis/problem_sets.h"
 #include "core/mesh/circulate.h"
 #include "core/ops/all.h"
@@ -54,6 +55,25 @@ TEST(boundary_loop_count, is_that_of_named_shapes) {
   EXPECT_EQ(count(moebius_strip()), 1u);
   EXPECT_EQ(count(bow_tie()), 2u);
   EXPECT_EQ(count(fin()), 0u) << "chains that stop at a non-manifold edge are no loops";
+}
+
+// A fin with a hole beside it has both: a loop, and chains that are none.
+TEST(boundary_loop_count, knows_of_chains_that_close_to_no_loop) {
+  const auto has_open_chain = [](const Polygons& faces) {
+    const Mesh mesh = make_mesh(faces);
+    const ProblemSets sets(mesh);
+    Neighbourhood around(mesh);
+    const bool is_open = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).has_open_chain;
+    EXPECT_EQ(counted(mesh, sets).has_open_chain(), is_open);
+    return is_open;
+  };
+  Polygons fin_and_triangle = fin();
+  fin_and_triangle.push_back({10, 11, 12});
+  for (const Polygons& faces :
+       {torus_grid(4, 4), two_quads(), moebius_strip(), bow_tie(), closed_fan(5), cube(), two_tetrahedra_on_an_edge()})
+    EXPECT_FALSE(has_open_chain(faces));
+  EXPECT_TRUE(has_open_chain(fin()));
+  EXPECT_TRUE(has_open_chain(fin_and_triangle));
 }
 
 TEST(boundary_loop_count, an_edit_at_the_border_does_not_look_at_other_loops) {

@@ -43,6 +43,23 @@ void apply_lines(Mesh& mesh, std::initializer_list<const char*> lines) {
   }
 }
 
+TEST(euler_poincare, has_no_boundary_loops_where_boundary_edges_close_to_none_and_says_so) {
+  const EulerTerm& b = euler_letters()[3];
+  ASSERT_EQ(b.letter, 'B');
+  for (const Polygons& faces : {cube(), two_quads(), bow_tie(), moebius_strip()}) {
+    const Mesh mesh = make_mesh(faces);
+    const EulerPoincare terms = euler_poincare(mesh);
+    EXPECT_EQ(b.value(terms), terms.boundary_loops);
+    EXPECT_EQ(why_no_value(mesh, terms, b).en, "");
+  }
+  const Mesh mesh = make_mesh(fin());
+  const EulerPoincare terms = euler_poincare(mesh);
+  EXPECT_FALSE(b.value(terms));
+  EXPECT_NE(why_no_value(mesh, terms, b).en.find("three or more faces"), std::string::npos);
+  EXPECT_NE(why_no_value(mesh, terms, b).ja, "");
+  EXPECT_EQ(why_no_value(mesh, terms, euler_letters().back()).en, "not manifold at 0-1") << "that of G";
+}
+
 TEST(euler_poincare, of_surfaces) {
   expect(make_mesh(cube()), {8, 12, 6, 0, 0, 0, 0, 1, 0});
   expect(make_mesh(torus_grid(4, 5)), {20, 60, 40, 0, 0, 0, 0, 1, 1});

@@ -117,8 +117,9 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
       const std::uint32_t loops_before = loops.count();
       const std::uint64_t revision_before = loops.revision();
       loops.update(around, sets.of(ProblemKind::boundary_loop), sets.edges_asked());
-      ASSERT_EQ(loops.count(), find_boundary_loops(around, sets.of(ProblemKind::boundary_loop)).size())
-          << "seed " << seed << " step " << step;
+      const BoundaryLoops found = find_boundary_loops(around, sets.of(ProblemKind::boundary_loop));
+      ASSERT_EQ(loops.has_open_chain(), found.has_open_chain) << "seed " << seed << " step " << step;
+      ASSERT_EQ(loops.count(), found.size()) << "seed " << seed << " step " << step;
       other_loops += loops.count() != loops_before;
       kept_loops += loops.count() > 0 && loops.revision() == revision_before;
       // What is listed leads from the sets before to those after.

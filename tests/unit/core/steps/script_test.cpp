@@ -110,6 +110,15 @@ TEST(script_steps, tell_boundary_loops_walks_along_wires_and_points_apart) {
   }
 }
 
+// Where boundary edges close to no loop there is no B, before or after.
+TEST(script_steps, tell_no_boundary_loops_where_chains_stay_open) {
+  const auto sequence = play(make_mesh(fin()), {"delete f2", "expect B 1"});
+  ASSERT_TRUE(sequence.ok());
+  ASSERT_EQ((*sequence)->size(), 2u);
+  EXPECT_FALSE((*sequence)->at(1).delta->b);
+  EXPECT_EQ((*sequence)->at(1).caption.en.find(" B "), std::string::npos) << (*sequence)->at(1).caption.en;
+}
+
 TEST(script_steps, go_forth_and_back) {
   for (const char* const name : {"triangle", "cube_with_hole"}) {
     const auto sequence =

@@ -99,8 +99,9 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
       add(h, LinkRole::trail);
       drawn.push_back(h);
     }
-  if (shown == LinksShown::all)
-    for (const Halfedge h : halfedges_in_view(session)) add(h, LinkRole::all);
+  if (shown == LinksShown::all || shown == LinksShown::faces)
+    for (const Halfedge h : halfedges_in_view(session))
+      if (shown == LinksShown::all || session.mesh().face(h)) add(h, LinkRole::all);
   return arrows_;
 }
 

@@ -20,7 +20,7 @@ namespace ryosen {
 class Session;
 
 // When they are drawn, in the order of the switch `links`.
-enum class LinksShown : std::uint8_t { in_mode, selection, all, off };
+enum class LinksShown : std::uint8_t { in_mode, selection, all, faces, off };
 
 // What an arrow is to the selected element; `all` to none.
 enum class LinkRole : std::uint8_t { all, trail, itself, next, prev, twin, vertex, face, around, wing, ring, normal };
@@ -41,14 +41,14 @@ std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfe
 // Kept by the session.
 class DrawnLinks {
  public:
-  // At most so many halfedges are drawn by `all`: the longest on the screen, each at least so many pixels long.
+  // At most so many halfedges are drawn by `all` and `faces`: the longest on the screen, each at least so many pixels long.
   static constexpr std::size_t most = 2000;
   static constexpr double least_px = 26;
 
   LinksShown shown = LinksShown::in_mode;
 
   bool is_on(const Session& session) const;
-  // As the session is now; kept until it changes. Cost: with `all` the edges, else those around the selection.
+  // As the session is now; kept until it changes. Cost: with `all` and `faces` the edges, else those around the selection.
   const std::vector<LinkArrow>& of(const Session& session);
   // The arrow of a halfedge that is drawn within a few pixels of a pixel of the view: neither cut off nor hidden by the
   // surface there. Null where there is none; valid until of() is asked again.

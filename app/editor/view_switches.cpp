@@ -131,12 +131,13 @@ std::vector<ViewSwitch>& switch_rows() {
        .menu_ja = "番号"},
       {.id = "links",
        .help_en = "draws links as arrows inside the faces: of what is selected, in halfedge mode or always, or all "
-                  "halfedges in view; a click on an arrow selects its halfedge",
-       .help_ja = "リンクを面の内側の矢印で表示する（半稜線モードの選択、常に選択、画面内のすべて）。"
+                  "halfedges in view, or those of faces alone; a click on an arrow selects its halfedge",
+       .help_ja = "リンクを面の内側の矢印で表示する（半稜線モードの選択、常に選択、画面内のすべて、面のあるものだけ）。"
                   "矢印をクリックするとその半稜線を選択する",
        .values = {{"mode", "Links in halfedge mode", "半稜線モードでリンクを表示"},
                   {"selection", "Links of the selection", "選択のリンクを常に表示"},
                   {"all", "All halfedges as arrows", "すべての半稜線を矢印で表示"},
+                  {"faces", "Halfedges of faces as arrows", "面のある半稜線を矢印で表示"},
                   {"off", "No links", "リンクを表示しない"}},
        .value = [](const Session& session) { return static_cast<std::size_t>(session.links.shown); },
        .set = [](Session& session, std::size_t value) { session.links.shown = static_cast<LinksShown>(value); },

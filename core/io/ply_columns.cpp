@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/geometry/single_precision.h"
+#include "core/geometry/decimal_of_single.h"
 #include "core/io/byte_colours.h"
 #include "core/io/vertex_values.h"
 
@@ -29,21 +29,6 @@ bool type_holds(NumberType type, double value) {
     const auto most = static_cast<double>(std::numeric_limits<Number>::max());
     return value >= least && value <= most;
   });
-}
-
-// In text a decimal stands for a float if the float, printed with as many digits, gives it.
-bool is_decimal_of_single(double value) {
-  if (type_holds(NumberType::f32, value)) return true;
-  if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
-  char text[32];
-  char* const end = text + sizeof text;
-  const char* stop = std::to_chars(text, end, std::abs(value), std::chars_format::scientific).ptr;
-  const std::ptrdiff_t before_exponent = std::find(static_cast<const char*>(text), stop, 'e') - text;
-  const auto decimals = static_cast<int>(std::max<std::ptrdiff_t>(before_exponent - 2, 0));
-  stop = std::to_chars(text, end, to_single(value), std::chars_format::scientific, decimals).ptr;
-  double printed = 0;
-  std::from_chars(text, stop, printed);
-  return printed == value;
 }
 
 // Where reading makes floats, if it is how the float is printed: with its shortest digits.

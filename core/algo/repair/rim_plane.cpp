@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/geometry/decimal_of_single.h"
 #include "core/geometry/exact_sum.h"
 #include "core/geometry/polygon_normal.h"
 #include "core/geometry/single_precision.h"
@@ -28,6 +29,17 @@ double height(const glm::dvec3& n, const glm::dvec3& p, const glm::dvec3& at) {
     sum.add_product(-n[axis], at[axis]);
   }
   return sum.rounded();
+}
+
+bool holds_floats(std::span<const glm::dvec3> rim) {
+  std::size_t decimals = 0;
+  for (const glm::dvec3& p : rim)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (to_single(p[axis]) == p[axis]) continue;
+      if (!is_decimal_of_single(p[axis])) return false;
+      ++decimals;
+    }
+  return decimals == 0 || 2 * decimals >= 3 * rim.size();
 }
 
 glm::dvec3 mean_of(std::span<const glm::dvec3> places) {
@@ -74,7 +86,7 @@ std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double lar
   if (!(largest > 0)) return std::nullopt;
   RimPlane plane;
   plane.exponent_ = std::ilogb(largest);
-  plane.is_single_ = are_all_floats(rim);
+  plane.is_single_ = holds_floats(rim);
   plane.box_ = box_of(rim);
   std::vector<glm::dvec3> places;
   for (const glm::dvec3& p : rim) places.push_back(scaled(p, -plane.exponent_));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "core/geometry/single_precision.h"
@@ -74,6 +76,32 @@ TEST(rim_plane, allows_four_units_in_the_last_place) {
   EXPECT_TRUE(plane_of(in_doubles(3)));
   EXPECT_FALSE(plane_of(in_doubles(6)));
   EXPECT_TRUE(RimPlane::of(in_doubles(6), 2)) << "the largest coordinate of the mesh counts";
+}
+
+// Floats as a text holds them, with so many digits.
+Places printed(Places places, int digits) {
+  for (glm::dvec3& p : places)
+    for (int axis = 0; axis < 3; ++axis) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.*g", digits, to_single(p[axis]));
+      p[axis] = std::strtod(text, nullptr);
+    }
+  return places;
+}
+
+TEST(rim_plane, is_that_of_floats_where_they_were_printed) {
+  for (std::uint32_t corners = 5; corners <= 48; ++corners)
+    for (const int digits : {8, 9, 12, 17}) {
+      const Places rim = printed(rim_of(turned(tube(corners, 1.3, 1))), digits);
+      EXPECT_TRUE(plane_of(rim)) << corners << " corners, " << digits << " digits";
+    }
+}
+
+TEST(rim_plane, of_a_few_decimals_is_that_of_doubles) {
+  Places rim{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  EXPECT_TRUE(plane_of(rim));
+  rim[2].z = 1.0000001;
+  EXPECT_FALSE(plane_of(rim)) << "a decimal of a float, but the rest are whole numbers";
 }
 
 TEST(rim_plane, does_not_exist_for_rims_without_area) {

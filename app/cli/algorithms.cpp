@@ -119,10 +119,21 @@ class AlgorithmRun {
   // One with a goal is asked for the goal, every other for what is left.
   bool falls_short() const { return account() ? !account()->is_reached : has_problem_; }
 
-  // "weld_close=0.001" as --kinds has it, or the line of a script.
+  // "weld_close=0.001" as --kinds has it, without initial values, or the line of a script.
   std::string name_of(const Call& call) const {
-    const std::string values = call.values.line(by_repair_);
-    return std::string(call.row->id) + (values.empty() ? "" : (by_repair_ ? "=" : " ") + values);
+    std::string name(call.row->id);
+    if (!by_repair_) {
+      const std::string values = call.values.line();
+      return name + (values.empty() ? "" : " " + values);
+    }
+    char between = '=';
+    for (const ParameterRow& row : call.row->parameters) {
+      const std::string text = call.values.text(row.id);
+      if (text.empty() || text == row.initial) continue;
+      name += between + (&row == &call.row->parameters[0] ? text : std::string(row.id) + "=" + text);
+      between = ' ';
+    }
+    return name;
   }
 
   // Gives the call the values on this mesh.

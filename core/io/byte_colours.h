@@ -1,5 +1,5 @@
-// Colours as bytes: the numbers that mean one, and the colours in OFF text files, which range over 0..255 or 0..1: vertex
-// colours are bytes if any component exceeds 1; face colours are decided per face.
+// Colours as bytes: the numbers that mean one, and the colours in OFF text files, which range over 0..255 or 0..1:
+// vertex colours are bytes if any component exceeds 1; face colours are decided per face.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ inline constexpr double byte_scale = 255.0;
 
 // The byte-scale number that reading converts back to the same component, integral if possible.
 double as_byte(double component);
-// The byte n that a component from 0 to 1 means: n / 255, printed with the decimals of the component, at least four, gives
-// the component again.
+// The byte n that a component from 0 to 1 means: n / 255, printed with the decimals of the component, at least four,
+// gives the component again.
 std::optional<std::uint8_t> byte_meant(double component);
 // Whether the vertex colours must be written as bytes to be read back: because a component exceeds 1, or because the
 // file had bytes and they are still recognisable. O(colours).

@@ -20,8 +20,8 @@ std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, std::span<const
 // IndexedMesh may have been moved into from_indexed; `tables` are those of that list. O(file).
 MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables& tables);
 
-// Leaves out the texture coordinates and normals that no corner uses, faces set aside and lines included: what edits left
-// over. Values of isolated vertices stay. O(file).
+// Leaves out the texture coordinates and normals that no corner uses, faces set aside and lines included: what edits
+// left over. Values of isolated vertices stay. O(file).
 void drop_unused_values(MeshFile& file);
 
 }  // namespace ryosen

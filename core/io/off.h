@@ -10,8 +10,8 @@
 
 namespace ryosen {
 
-// The per-vertex data declared by the first word of an OFF file, whose letters may have any order: the numbers of a vertex
-// are its place, normal, colour and texture coordinate.
+// The per-vertex data declared by the first word of an OFF file, whose letters may have any order: the numbers of a
+// vertex are its place, normal, colour and texture coordinate.
 struct OffKind {
   bool has_texcoords = false;        // ST
   bool has_colours = false;          // C
@@ -27,10 +27,10 @@ std::string_view off_count_behind(std::string_view word);
 
 // Reads an OFF file, text or binary. The counts in its header are checked against the size of the file. Unreadable
 // numbers, lines with too few numbers and an early end are errors, unless reading by words succeeds (see
-// read_off_words); unusable faces are quarantined, lines beyond the counts are ignored, colours that stand before normals
-// are recognised (see OffOrder): each with a warning. Per-vertex
-// values go to the corner pools, one entry per vertex. A face colour ranges over 0..255 if all its numbers are written
-// as integers or one exceeds 1, else over 0..1. `path` is not used. Cost: O(bytes).
+// read_off_words); unusable faces are quarantined, lines beyond the counts are ignored, colours that stand before
+// normals are recognised (see OffOrder): each with a warning. Per-vertex values go to the corner pools, one entry per
+// vertex. A face colour ranges over 0..255 if all its numbers are written as integers or one exceeds 1, else over 0..1.
+// `path` is not used. Cost: O(bytes).
 Result<MeshFile> read_off(std::string_view bytes, const std::filesystem::path& path);
 
 // Whether it starts with the keyword of the format.

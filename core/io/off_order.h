@@ -1,12 +1,12 @@
-// Which comes first behind the place of an OFF vertex, its normal or its colour.
+// The order of normal and colour behind the place of an OFF vertex.
 #pragma once
 
 #include <cstddef>
 
 namespace ryosen {
 
-// The format says the normal. Some programs write the colour first; the numbers tell, since normals have the length 1 (to
-// 0.01) and colours lie in 0..255.
+// The format says the normal. Some programs write the colour first; the numbers tell, since normals have the length 1
+// (to 0.01) and colours lie in 0..255.
 class OffOrder {
  public:
   // The numbers of a vertex behind its place: the three of a normal and `colours` of a colour, 3 or 4.

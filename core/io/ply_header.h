@@ -32,8 +32,8 @@ struct PlyHeader {
   Failure explained(Failure failure) const;
 };
 
-// How the lines of a header end, as the first one does. Only CR, and LF CR, say it of the others: LF and CR LF are taken
-// for each other.
+// How the lines of a header end, as the first one does. Only CR, and LF CR, say it of the others: LF and CR LF are
+// taken for each other.
 enum class PlyLineEnd { lf, cr, lf_cr };
 PlyLineEnd ply_line_end(std::string_view bytes);
 // The bytes with LF in place of LF CR.

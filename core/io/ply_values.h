@@ -14,9 +14,9 @@ namespace ryosen {
 std::optional<Failure> read_ply_text(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
 std::optional<Failure> read_ply_binary(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
 
-// Passes the numbers of an ascii file to the builder as they come, whatever lines they stand on. Returns whether the file
-// has exactly as many as its header announces, and every face three or more corners that all exist; where it has not, the
-// builder must not be used any more.
+// Passes the numbers of an ascii file to the builder as they come, whatever lines they stand on. Returns whether the
+// file has exactly as many as its header announces, and every face three or more corners that all exist; where it has
+// not, the builder must not be used any more.
 bool read_ply_words(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
 
 // The failure for a count too large for the file's size.

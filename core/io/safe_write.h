@@ -21,8 +21,8 @@ namespace ryosen {
 // is_in_place). A file system without sync support is not a failure.
 Status safe_write(const std::filesystem::path& path, std::string_view bytes);
 
-// The files that safe_write() has put in place in this process, as they were named, each once, in the order of their first
-// time.
+// The files that safe_write() has put in place in this process, as they were named, each once, in the order of their
+// first time.
 std::vector<std::string> files_put_in_place();
 
 // The failure of a file that cannot be written, with this errno value.

@@ -24,8 +24,8 @@ bool is_of_numbers(std::string_view text) {
   return std::find(std::begin(words), std::end(words), take_word(text)) != std::end(words);
 }
 
-// The length of a line without the backslash that joins it with the next one, and blanks behind that; all of it if it has
-// none.
+// The length of a line without the backslash that joins it with the next one, and blanks behind that; all of it if it
+// has none.
 std::size_t length_before_joint(std::string_view text, bool allows_blanks) {
   const std::size_t last = allows_blanks ? text.find_last_not_of(" \t") : text.size() - 1;
   return last < text.size() && text[last] == '\\' ? last : text.size();

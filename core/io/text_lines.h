@@ -22,8 +22,8 @@ struct TextLine {
 };
 
 // A single pass over a text. With `join_continuations` a line that ends in a backslash is joined with the next one by a
-// space, unless its first character is #. A line of numbers (v, vt, vn, f, l, p) may have blanks behind its backslash; in
-// a name they end it. Cost: O(bytes), no allocation for ordinary lines.
+// space, unless its first character is #. A line of numbers (v, vt, vn, f, l, p) may have blanks behind its backslash;
+// in a name they end it. Cost: O(bytes), no allocation for ordinary lines.
 class TextLines {
  public:
   // `lines_before`: number of lines of the file before these bytes; a byte order mark is only allowed at the start of

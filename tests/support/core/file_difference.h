@@ -151,7 +151,8 @@ inline double colour_in_ply(double value) {
   return byte ? *byte / 255.0 : in_ply(value);
 }
 
-// The file as PLY says it: floats and their shortest decimals mean the same, and so do bytes and what they are printed as.
+// The file as PLY says it: floats and their shortest decimals mean the same, and so do bytes and what they are printed
+// as.
 inline MeshFile as_in_ply(MeshFile file) {
   const auto each = [](auto& vectors, const auto& change) {
     for (auto& vector : vectors)

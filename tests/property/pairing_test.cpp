@@ -55,9 +55,9 @@ Loop loop_of(const Mesh& m, Face f) {
   return loop;
 }
 
-Loop loop_of(const std::vector<GridPoint>& face) {
+Loop loop_of(const std::vector<LatticePoint>& face) {
   Loop loop;
-  for (const GridPoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
+  for (const LatticePoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   return loop;
 }

@@ -119,9 +119,9 @@ std::vector<Class> classes_of(const Mesh& m, std::vector<Face>& of_other_loops) 
 }
 
 // Decides which members of the classes go.
-class Choice {
+class LoopChoice {
  public:
-  Choice(const Mesh& m, const std::vector<Class>& classes)
+  LoopChoice(const Mesh& m, const std::vector<Class>& classes)
       : m_(m), classes_(classes), pairing_(pair_faces(m)), goes_(m.face_slots(), false) {}
 
   void choose() {
@@ -197,7 +197,7 @@ EqualLoops find_equal_loops(const Mesh& mesh) {
   EqualLoops found;
   const std::vector<Class> classes = classes_of(mesh, found.of_other_loops);
   if (classes.empty()) return found;
-  Choice choice(mesh, classes);
+  LoopChoice choice(mesh, classes);
   choice.choose();
   std::vector<bool> is_alike(mesh.face_slots(), false);
   for (const Class& members : classes) {

@@ -10,7 +10,7 @@ namespace ryosen {
 
 namespace {
 
-using Rim = std::span<const glm::dvec3>;
+using RimPlaces = std::span<const glm::dvec3>;
 
 // Axes at three corners of a rim, in which rims are compared.
 struct Frame {
@@ -38,7 +38,7 @@ std::uint32_t highest(std::size_t n, Height height) {
 }
 
 // The corner, the one farthest from it, and the one farthest from the line through both.
-FrameCorners frame_corners(Rim rim, std::uint32_t first) {
+FrameCorners frame_corners(RimPlaces rim, std::uint32_t first) {
   const auto from_first = [&](std::uint32_t i) { return glm::distance(rim[i], rim[first]); };
   const std::uint32_t second = highest(rim.size(), from_first);
   const double length = from_first(second);
@@ -47,7 +47,7 @@ FrameCorners frame_corners(Rim rim, std::uint32_t first) {
   return {first, second, highest(rim.size(), from_line)};
 }
 
-std::optional<Frame> frame_of(Rim rim, const FrameCorners& corners, bool is_mirrored) {
+std::optional<Frame> frame_of(RimPlaces rim, const FrameCorners& corners, bool is_mirrored) {
   const glm::dvec3 &a = rim[corners[0]], &b = rim[corners[1]], &c = rim[corners[2]];
   const double length = glm::distance(a, b);
   if (!(length > 0)) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<Frame> frame_of(Rim rim, const FrameCorners& corners, bool is_mirr
 // A rim with what tells it from others.
 class KnownRim {
  public:
-  explicit KnownRim(Rim rim) : rim_(rim) {
+  explicit KnownRim(RimPlaces rim) : rim_(rim) {
     glm::dvec3 mean(0.0);
     for (const glm::dvec3& p : rim) mean += p / static_cast<double>(rim.size());
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -110,7 +110,7 @@ class KnownRim {
     return true;
   }
 
-  Rim rim_;
+  RimPlaces rim_;
   std::vector<double> reaches_;  // by corner: how far it is from the mean of all
   double length_ = 0;
   std::uint32_t farthest_ = 0;
@@ -151,7 +151,8 @@ HolePatch patch_like(const HolePatch& other, const EqualRim& equal, const HoleLo
   const FrameCorners here = frame_corners(hole.places, 0);
   FrameCorners there;
   for (std::size_t k = 0; k < 3; ++k) there[k] = equal.corner_of(here[k], n);
-  const auto from = frame_of(Rim(other.places).first(n), there, false), to = frame_of(hole.places, here, equal.is_mirrored);
+  const auto from = frame_of(RimPlaces(other.places).first(n), there, false);
+  const auto to = frame_of(hole.places, here, equal.is_mirrored);
   for (std::uint32_t v = n; v < other.places.size(); ++v) patch.places.push_back(to->place(from->local(other.places[v])));
   const auto renumbered = [&](const CornerTriangle& t) {
     if (t[0] == no_index) return t;

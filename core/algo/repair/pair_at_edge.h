@@ -18,8 +18,9 @@ class EdgePairer {
   EdgePairer(const Mesh& mesh, std::vector<Halfedge>& across) : mesh_(mesh), across_(across) {}
 
   // All sides run between the same two points, as many in each direction. Around the edge a face is paired with the
-  // first face of the other direction through its inside, which lies behind it, opposite its normal; where faces lie at one angle, a face that ends an inside comes before one that begins one, and the lowest
-  // face is the nearest. Exact; O(k log k) for k sides, and a triangulation of the faces that are no triangles.
+  // first face of the other direction through its inside, which lies behind it, opposite its normal. Where faces lie at
+  // one angle, a face that ends an inside comes before one that begins one, and then the lowest face is the nearest.
+  // Exact. Cost: O(k log k) for k sides, and a triangulation of the faces that are no triangles.
   void pair(std::span<const Halfedge> sides);
 
  private:

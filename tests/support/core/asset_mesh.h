@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "core/indexed/indexed.h"
 #include "core/mesh/mesh.h"
 
 namespace ryosen::test {
@@ -11,5 +12,7 @@ namespace ryosen::test {
 Mesh asset_mesh(const std::string& name);
 // What a file of tests/data/reports holds.
 Mesh report_mesh(const std::string& name);
+// The polygon list of such a file.
+IndexedMesh report_list(const std::string& name);
 
 }  // namespace ryosen::test

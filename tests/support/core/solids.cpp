@@ -8,40 +8,30 @@ namespace ryosen::test {
 
 namespace {
 
-using Vector = std::array<std::int64_t, 3>;
+LatticePoint random_point(Dice& dice, int size) { return {dice.below(size), dice.below(size), dice.below(size)}; }
 
-Vector minus(const GridPoint& a, const GridPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-Vector cross(const Vector& u, const Vector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+bool has_area(const std::array<LatticePoint, 3>& t) {
+  return cross(minus(t[1], t[0]), minus(t[2], t[0])) != LatticeVector{0, 0, 0};
 }
 
-std::int64_t dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-GridPoint random_point(Dice& dice, int size) { return {dice.below(size), dice.below(size), dice.below(size)}; }
-
-bool has_area(const std::array<GridPoint, 3>& t) {
-  return cross(minus(t[1], t[0]), minus(t[2], t[0])) != Vector{0, 0, 0};
-}
-
-void add_triangle(SolidBuilder& to, const std::array<GridPoint, 3>& t) {
+void add_triangle(SolidBuilder& to, const std::array<LatticePoint, 3>& t) {
   if (has_area(t)) to.add_face({t[0], t[1], t[2]});
 }
 
 }  // namespace
 
-std::int64_t volume_six(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
+std::int64_t volume_six(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
   return dot(cross(minus(b, a), minus(c, a)), minus(d, a));
 }
 
-void SolidBuilder::add_cube(const GridPoint& lowest, bool triangles) {
+void SolidBuilder::add_cube(const LatticePoint& lowest, bool triangles) {
   const auto corner = [&](unsigned i) {
-    return GridPoint{lowest[0] + static_cast<int>(i & 1u), lowest[1] + static_cast<int>(i >> 1 & 1u),
-                     lowest[2] + static_cast<int>(i >> 2)};
+    return LatticePoint{lowest[0] + static_cast<int>(i & 1u), lowest[1] + static_cast<int>(i >> 1 & 1u),
+                        lowest[2] + static_cast<int>(i >> 2)};
   };
   const unsigned squares[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& s : squares) {
-    std::vector<GridPoint> face;
+    std::vector<LatticePoint> face;
     for (const unsigned i : s) face.push_back(corner(i));
     if (!triangles) {
       add_face(face);
@@ -55,7 +45,7 @@ void SolidBuilder::add_cube(const GridPoint& lowest, bool triangles) {
   }
 }
 
-bool SolidBuilder::add_tetrahedron(std::array<GridPoint, 4> p) {
+bool SolidBuilder::add_tetrahedron(std::array<LatticePoint, 4> p) {
   const std::int64_t volume = test::volume_six(p[0], p[1], p[2], p[3]);
   if (volume == 0) return false;
   if (volume < 0) std::swap(p[0], p[1]);
@@ -84,9 +74,9 @@ std::int64_t SolidBuilder::volume_six() const {
 
 IndexedMesh SolidBuilder::indexed() const {
   IndexedMesh mesh;
-  std::map<GridPoint, std::uint32_t> number;
+  std::map<LatticePoint, std::uint32_t> number;
   for (const auto& face : faces_) {
-    for (const GridPoint& p : face) {
+    for (const LatticePoint& p : face) {
       const auto [at, is_new] = number.try_emplace(p, static_cast<std::uint32_t>(mesh.positions.size()));
       if (is_new) mesh.positions.push_back({p[0], p[1], p[2]});
       mesh.corners.push_back(at->second);
@@ -101,13 +91,13 @@ SolidBuilder random_union(std::uint64_t seed) {
   SolidBuilder built;
   const int size = 2 + dice.below(2);
   const bool triangles = dice.one_in(2);
-  std::set<GridPoint> cells;
+  std::set<LatticePoint> cells;
   for (int i = dice.below(9); i >= 0; --i)
-    if (const GridPoint cell = random_point(dice, size); cells.insert(cell).second) built.add_cube(cell, triangles);
-  std::set<std::set<GridPoint>> tetrahedra;
+    if (const LatticePoint cell = random_point(dice, size); cells.insert(cell).second) built.add_cube(cell, triangles);
+  std::set<std::set<LatticePoint>> tetrahedra;
   for (int i = dice.below(7); i > 0; --i) {
-    const std::array<GridPoint, 4> p{random_point(dice, size + 1), random_point(dice, size + 1),
-                                     random_point(dice, size + 1), random_point(dice, size + 1)};
+    const std::array<LatticePoint, 4> p{random_point(dice, size + 1), random_point(dice, size + 1),
+                                        random_point(dice, size + 1), random_point(dice, size + 1)};
     if (tetrahedra.insert({p.begin(), p.end()}).second) built.add_tetrahedron(p);
   }
   built.shuffle(dice);
@@ -128,12 +118,12 @@ SolidBuilder random_solids_and_sheets(std::uint64_t seed) {
     if (dice.one_in(5)) built.turn(first);
   }
   for (int i = dice.below(5); i > 0; --i) {
-    const std::vector<std::vector<GridPoint>> faces = built.faces();
+    const std::vector<std::vector<LatticePoint>> faces = built.faces();
     if (faces.empty() || dice.one_in(4)) {
       add_triangle(built, {point(), point(), point()});
       continue;
     }
-    std::vector<GridPoint> face = faces[static_cast<std::size_t>(dice.below(static_cast<int>(faces.size())))];
+    std::vector<LatticePoint> face = faces[static_cast<std::size_t>(dice.below(static_cast<int>(faces.size())))];
     if (dice.one_in(2)) std::reverse(face.begin(), face.end());
     if (dice.one_in(2)) face[static_cast<std::size_t>(dice.below(3))] = point();
     add_triangle(built, {face[0], face[1], face[2]});
@@ -145,7 +135,7 @@ SolidBuilder random_solids_and_sheets(std::uint64_t seed) {
 SolidBuilder random_triangles(std::uint64_t seed) {
   Dice dice(seed * 2862933555777941757u + 3);
   SolidBuilder built;
-  std::vector<GridPoint> points;
+  std::vector<LatticePoint> points;
   for (int i = 4 + dice.below(4); i > 0; --i) points.push_back(random_point(dice, 4));
   const auto point = [&] { return points[static_cast<std::size_t>(dice.below(static_cast<int>(points.size())))]; };
   for (int i = 2 + dice.below(14); i > 0; --i) add_triangle(built, {point(), point(), point()});

@@ -8,31 +8,23 @@ namespace ryosen::test {
 
 namespace {
 
-using Faces = std::vector<std::vector<GridPoint>>;
-using Vector = std::array<std::int64_t, 3>;
-
-Vector minus(const GridPoint& a, const GridPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& u, const Vector& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-std::int64_t dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
+using Faces = std::vector<std::vector<LatticePoint>>;
 struct EdgeSide {
   std::size_t face;
   bool is_forward;  // from the smaller to the larger point
-  GridPoint apex;
+  LatticePoint apex;
 };
 
 struct EdgeOfAll {
-  GridPoint low, high;
+  LatticePoint low, high;
   std::vector<EdgeSide> sides;
 };
 
 std::vector<EdgeOfAll> edges_of(const Faces& faces) {
-  std::map<std::pair<GridPoint, GridPoint>, EdgeOfAll> edges;
+  std::map<std::pair<LatticePoint, LatticePoint>, EdgeOfAll> edges;
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
-      const GridPoint a = faces[f][i], b = faces[f][(i + 1) % 3];
+      const LatticePoint a = faces[f][i], b = faces[f][(i + 1) % 3];
       EdgeOfAll& edge = edges[std::minmax(a, b)];
       edge.low = std::min(a, b);
       edge.high = std::max(a, b);
@@ -61,19 +53,20 @@ class Sets {
 
 // The angle from one half-plane counter-clockwise around the edge to another, as something to compare: a whole turn where
 // they are one. Of two in the same part of the turn the one comes first from which the other is counter-clockwise.
-int part_of_turn(const EdgeOfAll& edge, const GridPoint& from, const GridPoint& to) {
-  const Vector u = minus(edge.high, edge.low), v = minus(from, edge.low), w = minus(to, edge.low);
+int part_of_turn(const EdgeOfAll& edge, const LatticePoint& from, const LatticePoint& to) {
+  const LatticeVector u = minus(edge.high, edge.low), v = minus(from, edge.low), w = minus(to, edge.low);
   const std::int64_t turn = dot(u, cross(v, w));
   if (turn != 0) return turn > 0 ? 1 : 3;
   return dot(cross(u, v), cross(u, w)) > 0 ? 4 : 2;
 }
-bool comes_first(const EdgeOfAll& edge, const GridPoint& from, const GridPoint& a, const GridPoint& b, bool backwards) {
-  const auto part = [&](const GridPoint& p) {
+bool comes_first(const EdgeOfAll& edge, const LatticePoint& from, const LatticePoint& a, const LatticePoint& b,
+                 bool backwards) {
+  const auto part = [&](const LatticePoint& p) {
     return backwards ? part_of_turn(edge, p, from) : part_of_turn(edge, from, p);
   };
   if (part(a) != part(b)) return part(a) < part(b);
   if (part(a) == 4 || part(a) == 2) return false;
-  const Vector u = minus(edge.high, edge.low);
+  const LatticeVector u = minus(edge.high, edge.low);
   const std::int64_t turn = dot(u, cross(minus(a, edge.low), minus(b, edge.low)));
   return backwards ? turn < 0 : turn > 0;
 }
@@ -110,8 +103,8 @@ void pair_around(const EdgeOfAll& edge, const std::vector<bool>& is_free, Sets& 
   for (const EdgeSide* side : left) is_open[side->face] = true;
 }
 
-double area_of(const std::vector<GridPoint>& face) {
-  const Vector n = cross(minus(face[1], face[0]), minus(face[2], face[0]));
+double area_of(const std::vector<LatticePoint>& face) {
+  const LatticeVector n = cross(minus(face[1], face[0]), minus(face[2], face[0]));
   return std::sqrt(static_cast<double>(dot(n, n))) / 2;
 }
 

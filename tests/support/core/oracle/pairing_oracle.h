@@ -15,6 +15,6 @@ struct PairedList {
   std::size_t boundary = 0;              // edges of one face
 };
 
-PairedList pair_by_asking_all(const std::vector<std::vector<GridPoint>>& faces);
+PairedList pair_by_asking_all(const std::vector<std::vector<LatticePoint>>& faces);
 
 }  // namespace ryosen::test

@@ -21,6 +21,7 @@
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 
@@ -290,12 +291,8 @@ TEST(Planar, holes_become_rings_and_materials_stay_apart) {
   EXPECT_EQ(run_algorithm(bent, journal, "unite_planar angle=0.001 distance=0").changed, 0u);
 }
 
-Mesh reported(const std::string& name) {
-  return from_indexed(read_mesh_file(std::filesystem::path(RYOSEN_SOURCE_DIR) / "tests/data/reports" / name)->mesh);
-}
-
 TEST(Planar, corners_on_straight_edges_are_dropped_where_asked) {
-  Mesh box = reported("box_2x2.off"), kept = box;
+  Mesh box = report_mesh("box_2x2.off"), kept = box;
   Journal journal;
   run_algorithm(kept, journal, "unite_planar");
   EXPECT_EQ(kept.live().vertices, 20u);

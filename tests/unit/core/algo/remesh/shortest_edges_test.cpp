@@ -66,7 +66,7 @@ double shortest(const std::vector<Segment>& edges) {
   return least;
 }
 
-Mesh remeshed_by(const Mesh& mesh, const std::string& words) {
+Mesh remeshing_of(const Mesh& mesh, const std::string& words) {
   Mesh made = mesh;
   Journal journal;
   const AlgorithmResult result = run_algorithm(made, journal, "remesh " + words);
@@ -86,8 +86,8 @@ void expect_no_short_edges(const Mesh& mesh, double share, std::size_t rounds) {
   const double length = share * diagonal(mesh), before = shortest(segments_of(mesh, [](Edge) { return true; }));
   const double least = std::min(0.8 * length / 8, before) * rounding;
   const std::string words = "rounds=" + std::to_string(rounds) + " length=" + std::to_string(100 * share) + "%";
-  EXPECT_GE(shortest(made_edges(mesh, remeshed_by(mesh, words + " adaptive=on"))), least) << words;
-  EXPECT_GE(shortest(made_edges(mesh, remeshed_by(mesh, words))), least) << words;
+  EXPECT_GE(shortest(made_edges(mesh, remeshing_of(mesh, words + " adaptive=on"))), least) << words;
+  EXPECT_GE(shortest(made_edges(mesh, remeshing_of(mesh, words))), least) << words;
 }
 
 Mesh with_places(const Mesh& mesh, const std::function<glm::dvec3(const glm::dvec3&)>& change) {
@@ -98,7 +98,7 @@ Mesh with_places(const Mesh& mesh, const std::function<glm::dvec3(const glm::dve
 
 TEST(RemeshShortest, of_a_flat_tetrahedron_and_what_is_like_it) {
   const Mesh flat = report_mesh("flat_tetra.obj");
-  const Mesh made = remeshed_by(flat, "length=35% adaptive=on rounds=1");
+  const Mesh made = remeshing_of(flat, "length=35% adaptive=on rounds=1");
   EXPECT_LT(made.live().faces, 2000u);
   const double c = std::cos(0.7), s = std::sin(0.7);
   const std::vector<Mesh> all{
@@ -149,7 +149,7 @@ TEST(RemeshShortest, even_edges_are_even) {
       SCOPED_TRACE(shape);
       const Mesh mesh = made_by(shape);
       const std::vector<Segment> edges =
-          made_edges(mesh, remeshed_by(mesh, "length=" + std::to_string(100 * share) + "%"));
+          made_edges(mesh, remeshing_of(mesh, "length=" + std::to_string(100 * share) + "%"));
       const double length = share * diagonal(mesh);
       const auto is_short = [&](const Segment& edge) { return edge.length() < 0.8 * length * rounding; };
       EXPECT_LE(std::count_if(edges.begin(), edges.end(), is_short), std::ptrdiff_t(0.03 * double(edges.size())))

@@ -9,12 +9,13 @@
 #include "core/analysis/self_intersections.h"
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/open_shapes.h"
 
 namespace ryosen::test {
 namespace {
 
-AlgorithmResult fill(Mesh& mesh, std::string_view crossing = "refuse") {
+AlgorithmResult filled_across(Mesh& mesh, std::string_view crossing = "refuse") {
   const AlgorithmRow& row = *find_algorithm("fill_holes");
   AlgorithmInput input{ParameterValues(row.parameters), {}, 0};
   EXPECT_FALSE(input.values.set("crossing", crossing, "crossing"));
@@ -23,10 +24,6 @@ AlgorithmResult fill(Mesh& mesh, std::string_view crossing = "refuse") {
   const AlgorithmResult result = row.run(edit, input, unheard);
   edit.commit();
   return result;
-}
-
-IndexedMesh report(const std::string& name) {
-  return read_mesh_file(RYOSEN_SOURCE_DIR "/tests/data/reports/" + name).value().mesh;
 }
 
 using Change = IndexedMesh (*)(IndexedMesh);
@@ -62,9 +59,9 @@ constexpr Change changes[] = {as_it_is, mirrored, scaled, on_its_side, shuffled}
 
 TEST(fill_obstacles, faces_without_area_at_the_rim_are_mended_first) {
   for (const Change change : changes) {
-    Mesh mesh = from_indexed(change(report("degenerate_rim.off")));
+    Mesh mesh = from_indexed(change(report_list("degenerate_rim.off")));
     const double scale = change == scaled ? 0x1p-90 : 1;
-    const AlgorithmResult result = fill(mesh);
+    const AlgorithmResult result = filled_across(mesh);
     EXPECT_EQ(result.left, 0u) << result.text.en;
     EXPECT_NE(result.text.en.find("one face without area at a rim was removed first"), std::string::npos)
         << result.text.en;
@@ -74,13 +71,13 @@ TEST(fill_obstacles, faces_without_area_at_the_rim_are_mended_first) {
     EXPECT_EQ(figures[ProblemKind::degenerate_area], 0u);
     EXPECT_NEAR(std::abs(figures.volume.value_or(0)) / scale, 9, 1e-6);
     EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
-    EXPECT_EQ(fill(mesh).changed, 0u);
+    EXPECT_EQ(filled_across(mesh).changed, 0u);
   }
 }
 
 // An open box of 3 with so many flat triangles in a chain along one side of its rim.
 IndexedMesh box_with_flat_chain(std::uint32_t flat) {
-  IndexedMesh list = report("degenerate_rim.off");
+  IndexedMesh list = report_list("degenerate_rim.off");
   list.positions.resize(8);
   list.corners = {0, 4, 5, 1, 1, 5, 6, 2, 2, 6, 7, 3, 3, 7, 4, 0, 7, 6, 5, 4};
   list.face_offsets = {0, 4, 8, 12, 16, 20};
@@ -96,7 +93,7 @@ IndexedMesh box_with_flat_chain(std::uint32_t flat) {
 TEST(fill_obstacles, chains_of_faces_without_area_at_the_rim_are_mended) {
   for (const std::uint32_t flat : {1u, 2u, 5u, 30u, 200u}) {
     Mesh mesh = from_indexed(box_with_flat_chain(flat));
-    const AlgorithmResult result = fill(mesh);
+    const AlgorithmResult result = filled_across(mesh);
     EXPECT_EQ(result.left, 0u) << result.text.en;
     const Figures figures = compute_figures(mesh);
     EXPECT_TRUE(figures.closed) << flat;
@@ -106,22 +103,22 @@ TEST(fill_obstacles, chains_of_faces_without_area_at_the_rim_are_mended) {
 }
 
 TEST(fill_obstacles, a_face_without_area_elsewhere_stays) {
-  IndexedMesh list = report("degenerate_rim.off");
+  IndexedMesh list = report_list("degenerate_rim.off");
   for (const glm::dvec3& p : {glm::dvec3(9, 0, 0), glm::dvec3(10, 0, 0), glm::dvec3(11, 0, 0)})
     list.positions.push_back(p);
   for (const std::uint32_t corner : {9u, 10u, 11u}) list.corners.push_back(corner);
   list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
   Mesh mesh = from_indexed(list);
-  fill(mesh);
+  filled_across(mesh);
   EXPECT_EQ(compute_figures(mesh)[ProblemKind::degenerate_area], 1u);
 }
 
 TEST(fill_obstacles, what_crosses_is_named_and_crossing_allow_fills_anyway) {
   for (const Change change : changes) {
-    const IndexedMesh list = change(report("pierced_hole.off"));
+    const IndexedMesh list = change(report_list("pierced_hole.off"));
     const bool is_shuffled = change == shuffled;
     Mesh mesh = from_indexed(list);
-    const AlgorithmResult refused = fill(mesh);
+    const AlgorithmResult refused = filled_across(mesh);
     EXPECT_EQ(refused.changed, 0u);
     const std::string named = is_shuffled ? "f0" : "f3";
     EXPECT_NE(refused.text.en.find("crosses the surface or itself at " + named + ", crossing=allow fills anyway"),
@@ -129,14 +126,14 @@ TEST(fill_obstacles, what_crosses_is_named_and_crossing_allow_fills_anyway) {
         << refused.text.en;
     EXPECT_NE(refused.text.ja.find("（" + named + "）、crossing=allow でふさげます"), std::string::npos)
         << refused.text.ja;
-    const AlgorithmResult allowed = fill(mesh, "allow");
+    const AlgorithmResult allowed = filled_across(mesh, "allow");
     EXPECT_EQ(allowed.changed, 1u) << allowed.text.en;
     EXPECT_EQ(allowed.crossings, std::optional<std::size_t>(1));
     EXPECT_NE(allowed.text.en.find("; one patch crosses something"), std::string::npos) << allowed.text.en;
     const Figures figures = compute_figures(mesh);
     EXPECT_EQ(figures[ProblemKind::boundary_loop], 3u) << "that of the triangle alone";
     EXPECT_EQ(figures[ProblemKind::duplicate_face], 0u);
-    EXPECT_EQ(fill(mesh, "allow").changed, 0u);
+    EXPECT_EQ(filled_across(mesh, "allow").changed, 0u);
   }
 }
 
@@ -155,8 +152,8 @@ TEST(fill_obstacles, pierced_cups_of_all_sizes_are_filled_where_that_is_allowed)
   for (const std::uint32_t corners : {3u, 4u, 7u, 16u, 60u, 310u})
     for (const Change change : {Change(as_it_is), Change(turned), Change(as_floats)}) {
       Mesh mesh = from_indexed(change(pierced_cup(corners)));
-      EXPECT_EQ(fill(mesh).changed, 0u);
-      const AlgorithmResult allowed = fill(mesh, "allow");
+      EXPECT_EQ(filled_across(mesh).changed, 0u);
+      const AlgorithmResult allowed = filled_across(mesh, "allow");
       EXPECT_EQ(allowed.changed, 1u) << allowed.text.en;
       EXPECT_GT(allowed.crossings.value_or(0), 0u);
       EXPECT_EQ(compute_figures(mesh)[ProblemKind::boundary_loop], 3u);
@@ -165,8 +162,8 @@ TEST(fill_obstacles, pierced_cups_of_all_sizes_are_filled_where_that_is_allowed)
 
 TEST(fill_obstacles, what_need_not_cross_does_not_where_crossing_is_allowed) {
   Mesh plain = from_indexed(cup(16, 1.5, 1)), allowed = plain;
-  fill(plain);
-  EXPECT_EQ(fill(allowed, "allow").crossings, std::nullopt);
+  filled_across(plain);
+  EXPECT_EQ(filled_across(allowed, "allow").crossings, std::nullopt);
   EXPECT_EQ(plain.hash(), allowed.hash());
 }
 

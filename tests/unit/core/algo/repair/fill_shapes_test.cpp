@@ -13,6 +13,7 @@
 #include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/open_shapes.h"
 #include "tests/support/core/shapes.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 using Values = std::vector<std::pair<std::string_view, std::string_view>>;
 
-AlgorithmResult fill(Mesh& mesh, const Values& values = {}) {
+AlgorithmResult filled_by(Mesh& mesh, const Values& values = {}) {
   const AlgorithmRow& row = *find_algorithm("fill_holes");
   AlgorithmInput input{ParameterValues(row.parameters), {}, 0};
   for (const auto& [id, text] : values) EXPECT_FALSE(input.values.set(id, text, id));
@@ -30,10 +31,6 @@ AlgorithmResult fill(Mesh& mesh, const Values& values = {}) {
   const AlgorithmResult result = row.run(edit, input, unheard);
   edit.commit();
   return result;
-}
-
-IndexedMesh report(const std::string& name) {
-  return read_mesh_file(RYOSEN_SOURCE_DIR "/tests/data/reports/" + name).value().mesh;
 }
 
 bool is_told(const AlgorithmResult& result, std::string_view en) {
@@ -76,7 +73,7 @@ void expect_flat_lid(const RimCase& rim) {
   if (rim.is_turned) up = turned(std::move(up));
   if (rim.is_single) list = as_floats(std::move(list));
   Mesh mesh = from_indexed(list);
-  const AlgorithmResult result = fill(mesh);
+  const AlgorithmResult result = filled_by(mesh);
   EXPECT_EQ(result.changed, 1u);
   EXPECT_TRUE(is_told(result, ": flat (shape=fair continues the surface)")) << result.text.en;
   double largest = 0;
@@ -108,8 +105,8 @@ TEST(fill_shapes, cups_are_closed_flat) {
 }
 
 TEST(fill_shapes, the_cup_of_the_report_gets_a_flat_lid) {
-  Mesh mesh = from_indexed(report("planar_hole.off"));
-  EXPECT_EQ(fill(mesh).changed, 1u);
+  Mesh mesh = from_indexed(report_list("planar_hole.off"));
+  EXPECT_EQ(filled_by(mesh).changed, 1u);
   EXPECT_NEAR(compute_figures(mesh).volume.value_or(0), 2.3776, 1e-4);
   for (std::uint32_t i = 10; i < mesh.vertex_slots(); ++i) EXPECT_EQ(mesh.position(Vertex(i)).z, 1.0);
 }
@@ -142,7 +139,7 @@ TEST(fill_shapes, a_box_keeps_its_volume_however_fine_its_rim_is) {
     for (const bool is_turned : {false, true}) {
       const IndexedMesh list = box_with_a_fine_rim(parts);
       Mesh mesh = from_indexed(is_turned ? as_floats(turned(list)) : list);
-      const AlgorithmResult result = fill(mesh);
+      const AlgorithmResult result = filled_by(mesh);
       EXPECT_EQ(result.changed, 1u) << result.text.en;
       const Figures figures = compute_figures(mesh);
       EXPECT_TRUE(figures.closed);
@@ -158,7 +155,7 @@ TEST(fill_shapes, the_shape_that_is_asked_for_is_made) {
                               });
   const auto told_on = [](const IndexedMesh& list, std::string_view shape) {
     Mesh mesh = from_indexed(list);
-    return fill(mesh, {{"shape", shape}}).text.en;
+    return filled_by(mesh, {{"shape", shape}}).text.en;
   };
   for (const auto& [list, shape, told] :
        {std::tuple(&sphere, "auto", ": flat (shape=fair continues the surface)."),
@@ -190,7 +187,7 @@ TEST(fill_shapes, a_fair_patch_continues_a_sphere) {
         if (is_single) list = as_floats(std::move(list));
         Mesh mesh = from_indexed(list);
         const std::size_t faces = mesh.face_slots();
-        EXPECT_EQ(fill(mesh, {{"shape", "fair"}}).changed, 1u);
+        EXPECT_EQ(filled_by(mesh, {{"shape", "fair"}}).changed, 1u);
         const Figures figures = compute_figures(mesh);
         EXPECT_TRUE(figures.closed && figures.manifold);
         EXPECT_EQ(figures[ProblemKind::degenerate_area], 0u);
@@ -210,7 +207,7 @@ TEST(fill_shapes, a_rim_of_hundreds_of_edges_gets_an_even_patch) {
       Mesh mesh = from_indexed(
           sphere_with_hole(n, n / 4, [&](std::uint32_t k) { return height * std::sin(2 * M_PI * k / n); }));
       const std::size_t faces = mesh.face_slots();
-      const AlgorithmResult result = fill(mesh, {{"shape", "fair"}});
+      const AlgorithmResult result = filled_by(mesh, {{"shape", "fair"}});
       EXPECT_TRUE(result.text.en.ends_with(": fair.")) << result.text.en;
       EXPECT_LT(share_of_small_angles(mesh, added(mesh, faces)), 0.06);
       EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
@@ -226,7 +223,7 @@ TEST(fill_shapes, a_patch_that_could_not_be_fair_is_told) {
   for (const std::uint32_t corner : {48u, 49u, 50u}) list.corners.push_back(corner);
   list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
   Mesh mesh = from_indexed(list);
-  const AlgorithmResult result = fill(mesh);
+  const AlgorithmResult result = filled_by(mesh);
   EXPECT_EQ(result.changed, 1u);
   EXPECT_TRUE(is_told(result, ": not fair since no fair patch is sound;")) << result.text.en;
   EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
@@ -283,7 +280,7 @@ TEST(fill_shapes, both_ends_of_a_tube_get_as_many_triangles) {
           if (is_single) list = as_floats(std::move(list));
           Mesh mesh = from_indexed(list);
           const std::size_t faces = mesh.face_slots();
-          EXPECT_EQ(fill(mesh, {{"shape", shape}}).changed, 2u);
+          EXPECT_EQ(filled_by(mesh, {{"shape", shape}}).changed, 2u);
           const std::vector<std::size_t> sizes = sizes_of_patches(mesh, faces);
           ASSERT_EQ(sizes.size(), 2u);
           EXPECT_EQ(sizes[0], sizes[1]);
@@ -309,7 +306,7 @@ TEST(fill_shapes, equal_rims_whose_fair_patches_would_meet_both_get_others) {
   for (const double height : {0.02, 0.1, 0.3}) {
     Mesh mesh = from_indexed(wheel(height));
     const std::size_t faces = mesh.face_slots();
-    const AlgorithmResult result = fill(mesh, {{"shape", "fair"}});
+    const AlgorithmResult result = filled_by(mesh, {{"shape", "fair"}});
     EXPECT_TRUE(is_told(result, ": not fair since no fair patch is sound.")) << result.text.en;
     const std::vector<std::size_t> sizes = sizes_of_patches(mesh, faces);
     ASSERT_EQ(sizes.size(), 2u);
@@ -317,7 +314,7 @@ TEST(fill_shapes, equal_rims_whose_fair_patches_would_meet_both_get_others) {
     EXPECT_TRUE(find_self_intersections(mesh).pairs.empty());
   }
   Mesh mesh = from_indexed(wheel(4));
-  EXPECT_TRUE(is_told(fill(mesh, {{"shape", "fair"}}), ": fair.")) << "far enough apart";
+  EXPECT_TRUE(is_told(filled_by(mesh, {{"shape", "fair"}}), ": fair.")) << "far enough apart";
 }
 
 }  // namespace

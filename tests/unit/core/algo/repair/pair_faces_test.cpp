@@ -8,6 +8,7 @@
 #include "core/analysis/figures.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/recipe_checks.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/solids.h"
@@ -30,10 +31,6 @@ Figures repaired(const Mesh& mesh) {
   const Figures figures = compute_figures(result.mesh);
   EXPECT_TRUE(figures.manifold);
   return figures;
-}
-
-IndexedMesh report(const std::string& name) {
-  return read_mesh_file(std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/" + name)->mesh;
 }
 
 // The mesh as it is, its faces from the last to the first, each from another corner, mirrored, turned and scaled, and
@@ -69,7 +66,7 @@ std::vector<IndexedMesh> variations(const IndexedMesh& mesh) {
 }
 
 TEST(pair_faces, two_tetrahedra_on_a_wall_become_two_closed_ones) {
-  const IndexedMesh source = report("touching_tets.off");
+  const IndexedMesh source = report_list("touching_tets.off");
   const FacePairing paired = pair_faces(from_indexed(source));
   EXPECT_EQ(std::count(paired.is_closed.begin(), paired.is_closed.end(), true), 8);
   EXPECT_EQ(std::count(paired.part.begin(), paired.part.end(), 0u), 4);
@@ -85,7 +82,7 @@ TEST(pair_faces, two_tetrahedra_on_a_wall_become_two_closed_ones) {
 }
 
 TEST(pair_faces, fins_come_off_a_solid_that_stays_closed) {
-  const IndexedMesh source = report("two_fins.off");
+  const IndexedMesh source = report_list("two_fins.off");
   const FacePairing paired = pair_faces(from_indexed(source));
   for (std::size_t f = 0; f < 6; ++f) {
     EXPECT_EQ(paired.is_closed[f], f < 4) << f;
@@ -99,7 +96,7 @@ TEST(pair_faces, fins_come_off_a_solid_that_stays_closed) {
   }
 }
 
-SolidBuilder block(const GridPoint& size, bool triangles) {
+SolidBuilder block(const LatticePoint& size, bool triangles) {
   SolidBuilder built;
   for (int x = 0; x < size[0]; ++x)
     for (int y = 0; y < size[1]; ++y)
@@ -108,7 +105,7 @@ SolidBuilder block(const GridPoint& size, bool triangles) {
 }
 
 TEST(pair_faces, cubes_that_share_faces_stay_closed_each) {
-  for (const GridPoint& size : {GridPoint{2, 1, 1}, {1, 1, 3}, {2, 2, 1}, {2, 2, 2}, {3, 2, 2}})
+  for (const LatticePoint& size : {LatticePoint{2, 1, 1}, {1, 1, 3}, {2, 2, 1}, {2, 2, 2}, {3, 2, 2}})
     for (const bool triangles : {false, true})
       for (const IndexedMesh& mesh : variations(block(size, triangles).indexed())) {
         const std::uint64_t cubes = static_cast<std::uint64_t>(size[0] * size[1] * size[2]);
@@ -123,14 +120,14 @@ TEST(pair_faces, cubes_that_share_faces_stay_closed_each) {
 TEST(pair_faces, a_solid_that_comes_back_to_itself_in_a_face_keeps_the_wall) {
   // Eight cubes around the middle of a square, without the walls between them but for one: a bar bent to a ring.
   SolidBuilder ring;
-  const std::vector<GridPoint> cells{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
+  const std::vector<LatticePoint> cells{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
                                      {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
-  for (const GridPoint& cell : cells) ring.add_cube(cell);
-  const auto key = [](std::vector<GridPoint> face) {
+  for (const LatticePoint& cell : cells) ring.add_cube(cell);
+  const auto key = [](std::vector<LatticePoint> face) {
     std::sort(face.begin(), face.end());
     return face;
   };
-  const std::vector<GridPoint> kept{{0, 1, 0}, {0, 1, 1}, {1, 1, 0}, {1, 1, 1}};  // between the first cube and the last
+  const std::vector<LatticePoint> kept{{0, 1, 0}, {0, 1, 1}, {1, 1, 0}, {1, 1, 1}};  // between the first cube and the last
   SolidBuilder c;
   for (const auto& face : ring.faces()) {
     const auto walls = std::count_if(ring.faces().begin(), ring.faces().end(),
@@ -153,7 +150,7 @@ TEST(pair_faces, a_bar_whose_middle_is_a_chequerboard_stays_closed) {
       for (int y : {0, 1}) bar.add_cube({x, y, z});
   bar.add_cube({0, 0, 1});
   bar.add_cube({1, 1, 1});
-  const auto key = [](std::vector<GridPoint> face) {
+  const auto key = [](std::vector<LatticePoint> face) {
     std::sort(face.begin(), face.end());
     return face;
   };
@@ -212,7 +209,7 @@ TEST(pair_faces, a_face_that_is_there_twice_goes_without_a_hole) {
     built.add_cube({0, 0, 0}, true);
     for (const std::size_t i : {0u, 5u, 6u}) {
       const std::size_t first = built.faces().size();
-      built.add_face(std::vector<GridPoint>(built.faces()[i]));
+      built.add_face(std::vector<LatticePoint>(built.faces()[i]));
       if (turned) built.turn(first);
     }
     for (const IndexedMesh& mesh : variations(built.indexed())) {

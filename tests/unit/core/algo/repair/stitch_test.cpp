@@ -11,6 +11,7 @@
 #include "core/analysis/invariants.h"
 #include "core/indexed/from_indexed.h"
 #include "core/io/formats.h"
+#include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/recipe_checks.h"
 #include "tests/support/core/run_algorithm.h"
@@ -18,10 +19,6 @@
 
 namespace ryosen::test {
 namespace {
-
-IndexedMesh reported(const std::string& name) {
-  return read_mesh_file(std::filesystem::path(RYOSEN_SOURCE_DIR) / "tests/data/reports" / name)->mesh;
-}
 
 const std::string usual = "remove_duplicates,weld_equal,stitch,orient,detach_nonmanifold";
 
@@ -100,7 +97,7 @@ void expect_closed(const Mesh& mesh, double volume) {
 
 TEST(stitch, the_reported_box_is_closed_by_the_default_repairs) {
   for (const std::string kinds : {usual + ",weld_close=0.001,fill_holes", std::string("stitch")}) {
-    const RecipeResult result = *run_recipe(from_indexed(reported("t_junction.off")), recipe_of(kinds).steps, {});
+    const RecipeResult result = *run_recipe(from_indexed(report_list("t_junction.off")), recipe_of(kinds).steps, {});
     expect_closed(result.mesh, 2);
     EXPECT_EQ(compute_figures(result.mesh).vertices, 10u) << "no point is added";
     EXPECT_EQ(result.boundary_edges_after, 0u);

@@ -81,7 +81,8 @@ constexpr std::array size_claims{
         "半稜線はポリゴンセットよりメモリ効率が良い",
         "Per side both take 24 bytes. Beside these a polygon takes 24 for its list, halfedges take 4 for a loop and "
         "32 for a vertex: less in a closed mesh with under 5 vertices to 8 faces, as of triangles.",
-        "半稜線一本あたりではどちらも 24 バイト。ほかにポリゴンはリストに 24 バイト、半稜線はループに 4 バイト、頂点に 32 "
+        "半稜線一本あたりではどちらも 24 バイト。ほかにポリゴンはリストに 24 バイト、半稜線はループに 4 バイト、頂点に "
+        "32 "
         "バイト要り、閉じた三角形メッシュのように面 8 に対し頂点が 5 未満なら半稜線の方が小さくなります。"},
     SizeClaim{"indexed_face_set", "halfedge_loop", "halfedges take more memory than an indexed face set",
               "半稜線はインデックスフェースセットよりメモリ効率が悪い",

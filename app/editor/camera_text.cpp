@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> keys{"eye", "target", "up", "fov_y_deg", "ortho_height"};
 
+// Many times what a camera needs. Longer JSON could be nested deeper than the stack is, or have keys without end.
+constexpr std::size_t most_bytes = 4096;
+
 constexpr std::string_view form = R"({"eye":[x,y,z],"target":[x,y,z],"up":[x,y,z],"fov_y_deg":35,"ortho_height":null})";
 
 std::string shown(const Json& json) {
@@ -110,6 +113,12 @@ Text not_json(const Json::exception& error) {
 }  // namespace
 
 std::optional<Camera> camera_from_json(std::string_view text, const Camera& base, Text& error) {
+  if (text.size() > most_bytes) {
+    const std::string most = std::to_string(most_bytes);
+    error = {"it is longer than " + most + " characters, expected " + std::string(form),
+             most + " 文字を超えています。" + std::string(form) + " の形で指定してください"};
+    return std::nullopt;
+  }
   CameraReader reader(base);
   try {
     const Json json = Json::parse(text);

@@ -35,6 +35,30 @@ std::optional<Pointer> read_move(Words arguments) {
   return read_pointer(arguments.subspan(has_button));
 }
 
+// A key that is bound to `key` presses another one; bound in a circle they would never come to an end.
+class PressedKey {
+ public:
+  PressedKey() { ++depth; }
+  PressedKey(const PressedKey&) = delete;
+  PressedKey& operator=(const PressedKey&) = delete;
+  ~PressedKey() { --depth; }
+
+  bool is_too_deep() const { return depth > most; }
+
+  static constexpr int most = 8;
+
+ private:
+  static thread_local int depth;
+};
+thread_local int PressedKey::depth = 0;
+
+Outcome keys_press_each_other(std::string_view chord) {
+  const std::string name(chord), most = std::to_string(PressedKey::most);
+  return failed(ExitCode::refused,
+                {"key " + name + ": keys press each other in a circle, or more than " + most + " in a row",
+                 "key " + name + "：キー同士が循環しているか、" + most + " 回を超えて続いています"});
+}
+
 }  // namespace
 
 Outcome run_press(Session& session, Words arguments, std::string_view) {
@@ -104,6 +128,8 @@ std::optional<Text> fault_of_key(Words arguments, const std::string&) {
 
 Outcome run_key(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("key");
+  const PressedKey pressed;
+  if (pressed.is_too_deep()) return keys_press_each_other(arguments[0]);
   return session.input().key(std::string(arguments[0]));
 }
 

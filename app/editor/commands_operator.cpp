@@ -208,13 +208,13 @@ std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
   return not_of_syntax(words.back(), std::string(selected_word) + " | " + std::string(op.syntax));
 }
 
+}  // namespace
+
 std::vector<std::string> alternatives(std::string_view whole) {
   std::vector<std::string> lines;
   for (const std::string_view line : split_list(whole, '|')) lines.emplace_back(without_blanks(line));
   return lines;
 }
-
-}  // namespace
 
 CommandRow row_of(const OpInfo& op, std::string_view called) {
   const std::string word(called);

@@ -6,6 +6,7 @@
 #include "app/editor/commands.h"
 #include "app/editor/script.h"
 #include "app/editor/view_switches.h"
+#include "app/editor/words.h"
 
 namespace ryosen {
 
@@ -136,6 +137,23 @@ std::optional<Text> prefer(Session& session, std::string_view id, std::string_vi
   return std::nullopt;
 }
 
+namespace {
+
+bool says_bind(std::string_view command) {
+  const std::vector<std::string_view> words = split_words(command);
+  return !words.empty() && words[0] == "bind";
+}
+
+// Whether the command binds a key, or one of those does that `either` tries.
+bool binds_a_key(std::string_view command) {
+  const std::vector<std::string_view> words = split_words(command);
+  if (words.empty() || words[0] != "either") return says_bind(command);
+  const std::vector<std::string> lines = alternatives(behind_word(command));
+  return std::any_of(lines.begin(), lines.end(), says_bind);
+}
+
+}  // namespace
+
 std::optional<Text> fault_of_binding(std::string_view chord, const std::string& command) {
   const std::string name(chord);
   const auto key = chord_from(chord);
@@ -146,6 +164,7 @@ std::optional<Text> fault_of_binding(std::string_view chord, const std::string& 
     return Text{"Escape always leaves what was begun; choose another key",
                 "Escape は常に中止に使います。別のキーにしてください"};
   if (command.empty() || command == "none" || command == "initial") return std::nullopt;
+  if (binds_a_key(command)) return Text{"a key cannot bind another key", "キーに bind を割り当てることはできません"};
   return fault_of_command(command);
 }
 

@@ -122,6 +122,7 @@ TEST(edit, a_line_that_does_not_parse_is_found_before_anything_is_written) {
                             "repair nothing",
                             "show bondary",
                             "camera {\"eye\":1}",
+                            "bind Ctrl+K bind Ctrl+L undo",
                             "key NoKey",
                             "select 0-",
                             "tool knife",

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "app/editor/view_switches.h"
 
 namespace ryosen {
@@ -74,6 +76,46 @@ TEST(preferences, a_bound_key_does_its_command_in_scripts) {
   EXPECT_EQ(session.run("key Ctrl+K").exit_code, ExitCode::usage);
   ASSERT_TRUE(session.run("bind Ctrl+K theme light").done());
   ASSERT_TRUE(session.run("key Ctrl+K").done());
+  EXPECT_EQ(session.settings.theme, Theme::light);
+}
+
+// Nested, bind was read again from each bind on, and deeper than the stack is.
+TEST(preferences, a_key_binds_no_other_key_however_deep) {
+  Session session(std::make_unique<Document>());
+  const auto nested = [](std::size_t depth) {
+    std::string line;
+    for (std::size_t i = 0; i < depth; ++i) line += "bind Ctrl+K ";
+    return line + "undo";
+  };
+  const auto start = std::chrono::steady_clock::now();
+  for (const std::size_t depth : {2u, 3u, 100u, 7000u, 300000u}) {
+    const Outcome outcome = session.run(nested(depth));
+    EXPECT_EQ(outcome.exit_code, ExitCode::usage) << depth;
+    EXPECT_EQ(outcome.sentence.en, "bind: a key cannot bind another key") << depth;
+    EXPECT_NE(outcome.sentence.ja.find("bind"), std::string::npos) << depth;
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  for (const char* line : {"bind Ctrl+K bind G none", "bind Ctrl+K bind all initial", "bind Ctrl+K bind",
+                           "bind Ctrl+K either undo | bind G none", "bind Ctrl+K either bind G undo | redo"})
+    EXPECT_EQ(session.run(line).exit_code, ExitCode::usage) << line;
+  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_TRUE(session.run("bind Ctrl+K either undo | redo").done());
+}
+
+TEST(preferences, keys_that_press_each_other_in_a_circle_are_refused) {
+  Session session(std::make_unique<Document>());
+  for (const char* line :
+       {"bind F5 key F5", "bind F6 key F7", "bind F7 either undo | key F6", "bind F8 key F9", "bind F9 theme light"})
+    ASSERT_TRUE(session.run(line).done()) << line;
+  for (const char* line : {"key F5", "key F6", "key F7"}) {
+    const Outcome outcome = session.run(line);
+    EXPECT_EQ(outcome.exit_code, ExitCode::refused) << line;
+    // Of several refusals `either` tells the first.
+    EXPECT_NE(outcome.sentence.en.find(line == std::string("key F5") ? "in a circle" : "nothing to undo"),
+              std::string::npos)
+        << outcome.sentence.en;
+  }
+  EXPECT_TRUE(session.run("key F8").done()) << "one key may press another";
   EXPECT_EQ(session.settings.theme, Theme::light);
 }
 

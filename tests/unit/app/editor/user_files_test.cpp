@@ -89,6 +89,10 @@ TEST_F(KeptByUser, broken_lines_of_every_kind_are_told_with_their_place) {
     write("preferences", std::string("# remark\n") + line + "\n");
     EXPECT_NE(open({}).en.find("preferences:2: "), std::string::npos) << line;
   }
+  std::string nested;
+  for (int i = 0; i < 7000; ++i) nested += "bind Ctrl+K ";
+  write("preferences", nested + "undo\n");
+  EXPECT_NE(open({}).en.find("preferences:1: bind: a key cannot bind another key"), std::string::npos);
   write("preferences", "");
   for (const char* line : {"split 0-1", "panel nonsense on", "columns left 9999", "columns"}) {
     write("layout", std::string("panel tools fold\n") + line + "\n");

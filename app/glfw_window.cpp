@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/lost_window_manager.h"
 #include "app/window_keys.h"
 #include "render/gl/api.h"
 
@@ -46,6 +47,7 @@ const Glfw& glfw() { return *load_glfw(); }
 Result<std::unique_ptr<GlfwWindow>> GlfwWindow::make() {
   if (!load_glfw()) return no_window("libglfw.so.3 is missing");
   std::unique_ptr<GlfwWindow> made(new GlfwWindow);
+  forget_lost_window_manager();
   made->is_up_ = glfw().init() == GLFW_TRUE;
   if (!made->is_up_) return no_window(glfw_error());
   glfw().window_hint(GLFW_CONTEXT_VERSION_MAJOR, 3);

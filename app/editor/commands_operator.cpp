@@ -161,11 +161,11 @@ std::string line_without_refused(const Elements& selection, const EachResult& re
 }
 
 Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
-  const Elements selected = session.selection;
+  const Elements selected = worked_on(session, op, words.subspan(1));
   Outcome outcome;
   outcome.performed = line_of(op, words);
-  outcome.selecting = session.select_line();
-  const auto result = session.document().apply_to_each(op, session.selection, words.subspan(1), outcome.performed,
+  outcome.selecting = selected == session.selection ? session.select_line() : "select" + slot_ranges(selected);
+  const auto result = session.document().apply_to_each(op, selected, words.subspan(1), outcome.performed,
                                                        session.strict, session.on_progress);
   if (!result) return cancelled();
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
@@ -189,7 +189,8 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
 
 Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
   if (session.selection.empty()) return nothing_selected(op);
-  const std::vector<std::string> names = names_taken(session, op, words.subspan(1));
+  const Elements selected = worked_on(session, op, words.subspan(1));
+  const std::vector<std::string> names = names_taken(session, op, selected, words.subspan(1));
   std::vector<std::string_view> arguments(names.begin(), names.end());
   arguments.insert(arguments.end(), words.begin() + 1, words.end());
   if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);

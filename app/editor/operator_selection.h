@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "core/ops/all.h"
+#include "core/selection/spread.h"
 
 namespace ryosen {
 
 class Session;
 
-// The names of the selected elements that it takes with these arguments behind each, in their order; of all of them where
+// The elements that an operator works on where it is told `selected`: the selection; where it takes none of that and all
+// that is seen of some kind is selected, all that is seen of the kind that it takes, faces before edges before vertices.
+// O(selection), and O(mesh) only in the second case.
+Elements worked_on(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments);
+
+// The names of these elements that it takes with these arguments behind each, in their order; of all of them where
 // one alone is not enough.
-std::vector<std::string> names_taken(const Session& session, const OpInfo& op,
+std::vector<std::string> names_taken(const Session& session, const OpInfo& op, const Elements& elements,
                                      std::span<const std::string_view> arguments);
 
 // Whether what is selected, or a part of it, can be what an operator works on with these arguments behind each.

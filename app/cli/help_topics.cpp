@@ -151,10 +151,14 @@ std::string recovery_topic(Language language) {
                     " のスクリプトに記録されます。\n"
                     "  次にエディタを開くと復元するか尋ねます（ファイルメニューの「復元...」でも開けます）。\n"
                     "  画面なしでは：ryosen edit --new --do \"recover list\"、--do \"recover 1\" -o OUT\n"
+                    "  元のファイルが変更されていれば先に知らせます：recover 1 as_was は当時のメッシュに復元し、\n"
+                    "  ファイルはそのまま残します。recover 1 as_is は今のファイルに対してやり直します。\n"
               : "  Every edit that is not saved yet is kept in a script in " + place +
-                    ".\n"
+                    ", beside a copy of the file.\n"
                     "  The editor offers it at its next start, and under Recover... in the menu File.\n"
-                    "  Without a window: ryosen edit --new --do \"recover list\", --do \"recover 1\" -o OUT\n");
+                    "  Without a window: ryosen edit --new --do \"recover list\", --do \"recover 1\" -o OUT\n"
+                    "  Where the file has changed since, that is said first: recover 1 as_was recovers the mesh as it\n"
+                    "  was and leaves the file alone; recover 1 as_is does the edits again on the file as it is now.\n");
 }
 
 std::string script_commands_topic(Language language) {

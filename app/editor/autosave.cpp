@@ -16,9 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string hex(std::uint64_t number) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
+  return digits;
+}
+
 fs::path whole(const fs::path& path) {
   std::error_code ignored;
   return path.empty() ? path : fs::absolute(path, ignored);
+}
+
+// What the document's file was like, and a hash of its content as long as it is that.
+std::string file_remark(const Document& document) {
+  const FileState& known = document.known_file();
+  if (!known.is_known()) return {};
+  const auto is_as_known = [&] { return document.change_on_disk() == FileState::Change::none; };
+  std::optional<std::uint64_t> content;
+  if (is_as_known()) content = content_hash(document.path());
+  if (content && !is_as_known()) content.reset();
+  return "# file " + known.text() + (content ? " " + hex(*content) : std::string()) + "\n";
 }
 
 std::string original_remark(const fs::path& path) { return "# original " + file_argument(path.string()) + "\n"; }
@@ -26,7 +43,7 @@ std::string original_remark(const fs::path& path) { return "# original " + file_
 }  // namespace
 
 void Autosave::begin(const Document& document) {
-  begin(document, {whole(document.path()), {}, document.mesh().hash()});
+  begin(document, {whole(document.path()), {}, document.mesh().hash(), document.known_file()});
 }
 
 void Autosave::begin(const Document& document, SessionStart start) {
@@ -36,6 +53,11 @@ void Autosave::begin(const Document& document, SessionStart start) {
   file_.swap(file);
   unsaved_ = {};
   has_failed_ = false;
+}
+
+std::optional<Text> Autosave::begin_anew(const Session& session, SessionStart start) {
+  begin(session.document(), std::move(start));
+  return open_script(session);
 }
 
 void Autosave::go_on(OwnedScript script, const Document& document, const LostSession& lost) {
@@ -72,20 +94,33 @@ std::optional<Text> Autosave::append(const std::string& text) {
   return give_up({reason.en + ".", reason.ja + "。"});
 }
 
-// Copies a file that is about to be replaced.
-std::optional<Text> Autosave::keep_original(const fs::path& file) {
+std::error_code Autosave::copy_as_original(const fs::path& file) {
   const fs::path& start = start_.file;
   const std::string packing = has_gzip_name(start) ? start.extension().string() : "";
   const fs::path copy = script_->companion(without_gzip(start).extension().string() + packing);
   std::error_code error;
   fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
   if (!error) fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);
-  if (error) {
-    const Text reason = system_reason(error.value());
-    return give_up({reason.en + ".", reason.ja + "。"});
-  }
-  start_.original = copy;
-  return std::nullopt;
+  if (!error) start_.original = copy;
+  return error;
+}
+
+// Copies a file that is about to be replaced.
+std::optional<Text> Autosave::keep_original(const fs::path& file) {
+  const std::error_code error = copy_as_original(file);
+  if (!error) return std::nullopt;
+  const Text reason = system_reason(error.value());
+  return give_up({reason.en + ".", reason.ja + "。"});
+}
+
+// Copies the file that the session began with while it is as it was read, so that its edits come back whatever becomes of
+// that file. Without a copy they begin with the file itself.
+void Autosave::keep_start() {
+  const auto is_as_read = [&] {
+    return start_.state.is_known() && start_.state.since(start_.file) == FileState::Change::none;
+  };
+  if (!is_as_read() || copy_as_original(start_.file)) return;
+  if (!is_as_read()) start_.original.clear();  // the copy goes with the script
 }
 
 std::optional<Text> Autosave::open_script(const Session& session) {
@@ -95,16 +130,16 @@ std::optional<Text> Autosave::open_script(const Session& session) {
   Result<OwnedScript> script = OwnedScript::create(folder_);
   if (!script) return give_up(script.failure().message.text);
   script_ = std::move(script).value();
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(start_.hash));
-  std::string text = "# ryosen session 1\n# mesh " + std::string(hash) + "\n";
+  std::string text = "# ryosen session 1\n# mesh " + hex(start_.hash) + "\n";
   text += start_.file.empty() ? "new\n" : "open " + file_argument(start_.file.string()) + "\n";
   std::optional<Text> warning;
-  if (!start_.original.empty()) {  // it is a companion of the lost script and would be deleted with it
+  if (start_.original.empty())
+    keep_start();
+  else  // it is a companion of the lost script and would be deleted with it
     warning = keep_original(start_.original);
-    text += original_remark(start_.original);
-  }
+  if (!start_.original.empty()) text += original_remark(start_.original);
   if (file_ != start_.file) text += saved_remark();
+  text += file_remark(session.document());
   // A recovery may already have applied some edits.
   std::size_t lines = 0;
   for (const std::string& line : session.log()) {
@@ -130,17 +165,28 @@ std::optional<Text> Autosave::note(const Session& session, const std::string& li
   }
   if (edits && !script_) return open_script(session);
   if (!script_ || !(edits || saves)) return std::nullopt;
-  return append((edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, session.document()));
+  std::string text = (edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, session.document());
+  if (saves) text += file_remark(session.document());
+  return append(text);
 }
 
 std::optional<Text> Autosave::before_save(const Session& session, const fs::path& target) {
   std::error_code error;
-  if (has_failed_ || start_.file.empty() || !start_.original.empty() || !fs::equivalent(target, start_.file, error))
-    return std::nullopt;
-  std::optional<Text> warning = script_ ? std::nullopt : open_script(session);
-  if (!script_ || has_failed_) return warning;
-  warning = keep_original(start_.file);
-  return warning || has_failed_ ? warning : append(original_remark(start_.original));
+  std::optional<Text> warning;
+  const bool replaces_start = !start_.file.empty() && fs::equivalent(target, start_.file, error);
+  if (!has_failed_ && replaces_start && start_.original.empty()) {
+    if (!script_) warning = open_script(session);
+    if (script_ && !has_failed_ && start_.original.empty()) {
+      warning = keep_original(start_.file);
+      if (!has_failed_) warning = append(original_remark(start_.original));
+    }
+  }
+  if (script_ && !has_failed_ && !warning) warning = append("# saving " + file_argument(whole(target).string()) + "\n");
+  return warning;
+}
+
+void Autosave::note_document(const Document& document) {
+  if (script_ && !has_failed_) append(remark_behind(0, document) + file_remark(document));
 }
 
 void Autosave::finish() {

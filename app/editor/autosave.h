@@ -5,13 +5,15 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "app/editor/owned_script.h"
 #include "app/editor/recovery.h"
 
 namespace ryosen {
 
-// Called by the session. An edit costs one short write. If writing fails, the edit itself stands: the user is told
+// Called by the session. An edit costs one short write, the first one behind the opening of a file a copy of that file,
+// and a save that the file is read once more. If writing fails, the edit itself stands: the user is told
 // once, and recording stops for this document.
 class Autosave {
  public:
@@ -22,14 +24,19 @@ class Autosave {
   void begin(const Document& document);
   // For a partially recovered document; uses a new script, the lost one is kept.
   void begin(const Document& document, SessionStart start);
+  // The same at once, with what the session has done to it. Returns a message if that fails.
+  std::optional<Text> begin_anew(const Session& session, SessionStart start);
   // For a fully recovered document; continues the lost script.
   void go_on(OwnedScript script, const Document& document, const LostSession& lost);
 
   // After a line was executed and appended to the log. Returns a message if recording has just failed.
   std::optional<Text> note(const Session& session, const std::string& line);
-  // Before a file is written. If the session started from that file, a copy is kept first, because the edits refer to
-  // its elements.
+  // Before a file is written. If the session started from that file, there is a copy of it first, because the edits refer
+  // to its elements.
   std::optional<Text> before_save(const Session& session, const std::filesystem::path& target);
+
+  // The document counts as saved or unsaved, or knows its file as another one, without a line that says so.
+  void note_document(const Document& document);
 
   // No further edit of this document is recorded, for one found no memory; the next note says so.
   void stop() noexcept { has_failed_ = lacked_memory_ = true; }
@@ -42,7 +49,9 @@ class Autosave {
  private:
   std::optional<Text> open_script(const Session& session);
   std::optional<Text> append(const std::string& text);
+  std::error_code copy_as_original(const std::filesystem::path& file);
   std::optional<Text> keep_original(const std::filesystem::path& file);
+  void keep_start();
   std::optional<Text> give_up(const Text& reason);
   std::string saved_remark() const;
   // What the script has to say of the document behind so many new lines; empty where these say it.

@@ -200,7 +200,7 @@ const std::vector<CommandRow>& first_rows() {
        .is_long = true,
        .fault = fault_of_would},
       {.id = "recover",
-       .syntax = "[list|N|discard N]",
+       .syntax = "[list|N [as_was|as_is]|discard N]",
        .help_en = "brings back what a crash left unsaved: lists it, or does its edits again",
        .help_ja = "異常終了で保存されなかった編集を一覧表示、復元、破棄する",
        .effect = Effect::replaces,

@@ -143,6 +143,8 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
   Outcome outcome;
   for (const ScriptLine& line : split_script(find_exercise(arguments[0])->script))
     if (outcome = session.run(line.text); !outcome.done()) return outcome;
+  session.document().count_as_made();
+  if (session.autosave) session.autosave->note_document(session.document());
   session.frame_all();
   outcome.performed.clear();
   outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
@@ -165,6 +167,7 @@ Outcome run_figure(Session& session, Words arguments, std::string_view) {
   if (!file) return failed(file.failure());
   const std::string line = "figure " + std::string(figure.id);
   session.document().append(std::move(file).value(), line);
+  session.document().count_as_made();
   session.frame_all();
   Outcome outcome = performed(line);
   outcome.sentence = {std::string(figure.name_en) + ".", std::string(figure.name_ja) + "。"};
@@ -188,6 +191,7 @@ Outcome run_keep_mine(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("keep_mine");
   session.document().take_file_as_known();
   session.document().mark_unsaved();  // no file holds this mesh
+  if (session.autosave) session.autosave->note_document(session.document());
   session.look_at_disk();
   return {};
 }
@@ -232,8 +236,28 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
 
 namespace {
 
-bool is_list(Words arguments) { return arguments.empty() || (arguments.size() == 1 && arguments[0] == "list"); }
-bool is_discard(Words arguments) { return !arguments.empty() && arguments[0] == "discard"; }
+struct RecoverCall {
+  enum class Kind { list, recover, discard };
+  Kind kind = Kind::list;
+  std::uint32_t number = 0;
+  RecoverOnto onto = RecoverOnto::unchanged;
+};
+
+std::optional<RecoverCall> read_recover_call(Words arguments) {
+  using Kind = RecoverCall::Kind;
+  if (arguments.empty() || (arguments.size() == 1 && arguments[0] == "list")) return RecoverCall();
+  RecoverCall call{arguments[0] == "discard" ? Kind::discard : Kind::recover};
+  if (call.kind == Kind::discard) arguments = arguments.subspan(1);
+  const std::string_view last = arguments.empty() ? std::string_view() : arguments.back();
+  if (call.kind == Kind::recover && arguments.size() == 2 && (last == "as_was" || last == "as_is")) {
+    call.onto = last == "as_was" ? RecoverOnto::as_was : RecoverOnto::as_is;
+    arguments = arguments.first(1);
+  }
+  const auto number = count_of(arguments);
+  if (!number) return std::nullopt;
+  call.number = *number;
+  return call;
+}
 
 Outcome list_lost(const Session& session) {
   Outcome outcome;
@@ -241,6 +265,8 @@ Outcome list_lost(const Session& session) {
     const std::string number = std::to_string(i + 1);
     const Text text = describe(session.lost[i]);
     outcome.say({number + ": " + text.en + ".", number + "：" + text.ja + "。"});
+    if (const Text change = told_change(session.lost[i], session.lost[i].change); !change.en.empty())
+      outcome.say(change);
   }
   if (session.lost.empty()) outcome.sentence = nothing_to_recover();
   return outcome;
@@ -248,29 +274,30 @@ Outcome list_lost(const Session& session) {
 
 }  // namespace
 
-bool recover_only_tells(Words arguments) { return is_list(arguments) || is_discard(arguments); }
+bool recover_only_tells(Words arguments) {
+  const auto call = read_recover_call(arguments);
+  return call && call->kind != RecoverCall::Kind::recover;
+}
 
 std::optional<Text> fault_of_recover(Words arguments, const std::string&) {
-  const Words numbers = is_discard(arguments) ? arguments.subspan(1) : arguments;
-  if (is_list(arguments) || (numbers.size() <= 1 && count_of(numbers))) return std::nullopt;
-  return wrong_arguments("recover").sentence;
+  return read_recover_call(arguments) ? std::nullopt : std::optional(wrong_arguments("recover").sentence);
 }
 
 Outcome run_recover(Session& session, Words arguments, std::string_view) {
-  if (fault_of_recover(arguments, {})) return wrong_arguments("recover");
-  const bool lists = is_list(arguments), discards = is_discard(arguments);
-  const std::optional<std::uint32_t> number = count_of(discards ? arguments.subspan(1) : arguments);
+  const auto call = read_recover_call(arguments);
+  if (!call) return wrong_arguments("recover");
+  const bool lists = call->kind == RecoverCall::Kind::list;
   // A number is that of the list which was seen.
   if (lists || session.lost.empty())
     if (const Status listed = list_lost_sessions(session); !listed) return failed(listed.failure());
   if (lists) return list_lost(session);
-  if (*number > session.lost.size()) {
+  if (call->number > session.lost.size()) {
     const Text list = list_lost(session).sentence;
-    return usage_error("recover: there is no number " + std::to_string(*number) + ". " + list.en,
-                       "recover：" + std::to_string(*number) + " 番はありません。" + list.ja);
+    return usage_error("recover: there is no number " + std::to_string(call->number) + ". " + list.en,
+                       "recover：" + std::to_string(call->number) + " 番はありません。" + list.ja);
   }
-  const LostSession lost = session.lost[*number - 1];
-  Outcome outcome = discards ? discard(lost) : recover(session, lost);
+  const LostSession lost = session.lost[call->number - 1];
+  Outcome outcome = call->kind == RecoverCall::Kind::discard ? discard(lost) : recover(session, lost, call->onto);
   if (const Status listed = list_lost_sessions(session); !listed) outcome.say(listed.failure().message.text);
   return outcome;
 }

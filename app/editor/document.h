@@ -114,15 +114,23 @@ class Document {
 
   // Whether the file is another one than was read or saved; never where the document has none.
   FileState::Change change_on_disk() const { return on_disk_.since(path_); }
+  // What the file was like then.
+  const FileState& known_file() const { return on_disk_; }
+  void know_file_as(FileState state) { on_disk_ = state; }
   // Takes the file as it is for that from now on, so that the next save may replace it.
   void take_file_as_known() { on_disk_ = FileState::of(path_); }
-  bool is_modified() const { return saved_position_ != journal_.position(); }
+  bool is_modified() const {
+    return saved_position_ != position() && !(path_.empty() && position() <= held_.in_history);
+  }
   // How many edits lie between the mesh and what is saved; none where no position of the history is.
   std::optional<std::size_t> unsaved_edits() const;
   // Marks every history position as unsaved.
   void mark_unsaved();
   // The file holds what the mesh is now, though it may have been changed since (see mark_unsaved).
   void count_as_saved() { held_ = {position(), position()}; }
+  // The program itself has made all that there is so far, and can make it again: as long as there is no file nobody would
+  // miss it, also where some of it is undone.
+  void count_as_made() { count_as_saved(); }
   // What the mesh and its file do not have in common, in entries of the history.
   struct Unsaved {
     std::size_t edits = 0;   // done, and not in the file

@@ -18,7 +18,7 @@ namespace {
 bool own(int descriptor, const std::filesystem::path& path) {
   struct stat locked, named;
   errno = 0;
-  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &locked) == 0 &&
+  return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &locked) == 0 && S_ISREG(locked.st_mode) &&
          ::lstat(path.c_str(), &named) == 0 && locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
 }
 
@@ -54,7 +54,10 @@ Result<OwnedScript> OwnedScript::create(const std::filesystem::path& folder) {
 }
 
 std::optional<OwnedScript> OwnedScript::take(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW);
+  struct stat named;
+  // A pipe or device is not even opened.
+  if (::lstat(path.c_str(), &named) != 0 || !S_ISREG(named.st_mode)) return std::nullopt;
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return std::nullopt;
   if (own(descriptor, path)) return OwnedScript(path, descriptor);
   ::close(descriptor);
@@ -79,13 +82,14 @@ std::filesystem::path OwnedScript::companion(const std::string& extension) const
   return path.replace_extension(".original" + extension);
 }
 
-std::string OwnedScript::content() const {
+std::optional<std::string> OwnedScript::content() const {
   std::string text;
   char piece[1 << 14];
   for (;;) {
     const ssize_t count = ::pread(descriptor_, piece, sizeof piece, static_cast<off_t>(text.size()));
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
+    if (count < 0) return std::nullopt;
+    if (count == 0) return text;
     text.append(piece, static_cast<std::size_t>(count));
   }
 }
@@ -110,7 +114,9 @@ void OwnedScript::remove() {
   const std::string stem = path_.stem().string() + ".original";
   for (std::filesystem::directory_iterator entry(path_.parent_path(), ignored), end; entry != end;
        entry.increment(ignored)) {
-    if (entry->path().filename().string().starts_with(stem)) std::filesystem::remove(entry->path(), ignored);
+    if (!entry->path().filename().string().starts_with(stem)) continue;
+    if (std::filesystem::is_regular_file(entry->symlink_status(ignored)))
+      std::filesystem::remove(entry->path(), ignored);
   }
   std::filesystem::remove(path_, ignored);
 }

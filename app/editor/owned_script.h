@@ -18,7 +18,7 @@ class OwnedScript {
   // Creates a new file in the folder, and the folder if missing, readable only by the user. The name contains the
   // process id. Fails with output_not_writable.
   static Result<OwnedScript> create(const std::filesystem::path& folder);
-  // Opens and locks an existing file; none if it does not exist or is locked.
+  // Opens and locks an existing file; none if it does not exist, is locked, or is no regular file.
   static std::optional<OwnedScript> take(const std::filesystem::path& path);
 
   OwnedScript(OwnedScript&& other) noexcept;
@@ -28,8 +28,8 @@ class OwnedScript {
   const std::filesystem::path& path() const { return path_; }
   // A path for a companion file of the script with this extension (".obj").
   std::filesystem::path companion(const std::string& extension) const;
-  // The content, as far as it could be read.
-  std::string content() const;
+  // The content; none if it cannot be read.
+  std::optional<std::string> content() const;
   // Truncates the file to `size` bytes.
   void cut(std::size_t size);
   // False, with errno set, if not all of it could be written.

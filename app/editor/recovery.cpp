@@ -72,17 +72,35 @@ Failure unreadable_folder(const fs::path& folder, int error) {
        "保存していない編集を置くフォルダ " + folder.string() + " を読めません：" + reason.ja + "。"});
 }
 
-// What the edits begin with; empty where that is an empty mesh.
-const fs::path& source_of(const LostSession& lost) {
-  return lost.start.original.empty() ? lost.start.file : lost.start.original;
+// "BYTES SECONDS NANOSECONDS [HASH]"
+void read_file_remark(std::string_view words, LostSession& lost) {
+  std::size_t end = 0;
+  for (int i = 0; i < 3 && end != words.npos; ++i) end = words.find(' ', end + (i > 0));
+  lost.known = FileState::from_text(words.substr(0, end));
+  lost.content.reset();
+  std::uint64_t content = 0;
+  const std::string_view hash = end == words.npos ? std::string_view() : words.substr(end + 1);
+  const auto [behind, error] = std::from_chars(hash.data(), hash.data() + hash.size(), content, 16);
+  if (error == std::errc() && behind == hash.data() + hash.size()) lost.content = content;
 }
 
-Result<std::unique_ptr<Document>> begin_again(const LostSession& lost) {
-  if (lost.start.file.empty()) {
+// Whether there is a copy of what the session began with.
+bool has_original(const LostSession& lost) {
+  std::error_code ignored;
+  return !lost.start.original.empty() && fs::exists(lost.start.original, ignored);
+}
+
+// What the edits begin with; empty where that is an empty mesh.
+const fs::path& source_of(const LostSession& lost, RecoverOnto onto) {
+  return onto != RecoverOnto::as_is && has_original(lost) ? lost.start.original : lost.start.file;
+}
+
+Result<std::unique_ptr<Document>> begin_again(const LostSession& lost, const fs::path& source) {
+  if (source.empty()) {
     MeshFile empty;
     return std::make_unique<Document>(std::move(empty), lost.file);
   }
-  Result<MeshFile> file = read_mesh_file(source_of(lost));
+  Result<MeshFile> file = read_mesh_file(source);
   if (!file) return file.failure();
   return std::make_unique<Document>(std::move(file).value(), lost.file);
 }
@@ -118,6 +136,40 @@ Text what_is_recovered(std::size_t entries, const Document::Unsaved& unsaved) {
   return text;
 }
 
+Text begun_with_another(const LostSession& lost) {
+  const std::string file = lost.start.file.string();
+  return {file + " is not the mesh that it was when these edits were made.",
+          file + " は、これらの編集をしたときのメッシュではありません。"};
+}
+
+// "recover 2", by the place in the list.
+std::string recover_line(const Session& session, const LostSession& lost) {
+  const auto is_it = [&](const LostSession& other) { return other.script == lost.script; };
+  const auto found = std::find_if(session.lost.begin(), session.lost.end(), is_it);
+  return "recover " + (found == session.lost.end() ? "N" : std::to_string(found - session.lost.begin() + 1));
+}
+
+Outcome refused_first(const Session& session, const LostSession& lost, const Text& why) {
+  const std::string line = recover_line(session, lost);
+  Outcome outcome = failed(ExitCode::refused, why);
+  if (can_be_as_was(lost))
+    outcome.say({line + " as_was does them again on the mesh as it was then, and leaves the file as it is now.",
+                 line + " as_was で当時のメッシュに復元します（ファイルはそのまま残ります）。"});
+  if (can_be_as_is(lost))
+    outcome.say({line + " as_is does them again on the file as it is now.",
+                 line + " as_is で今のファイルに対してやり直します。"});
+  return outcome;
+}
+
+Text why_not(const LostSession& lost, RecoverOnto onto) {
+  const std::string file = lost.start.file.string();
+  if (onto == RecoverOnto::as_was)
+    return {"There is no copy of " + file + " as it was when these edits were made.",
+            "これらの編集をしたときの " + file + " の写しがありません。"};
+  return {"These edits cannot be done again on the file as it is now: some of them were saved, or it is gone.",
+          "途中で保存された編集があるか、ファイルがないため、今のファイルに対してはやり直せません。"};
+}
+
 // Replays the edits in the session, up to the first that fails.
 Outcome replay(Session& session, const LostSession& lost) {
   for (std::size_t i = 0; i < lost.edits.size(); ++i) {
@@ -129,16 +181,37 @@ Outcome replay(Session& session, const LostSession& lost) {
     if (outcome.done()) continue;
     const std::string place = lost.script.string(), line = std::to_string(edit.line), n = std::to_string(i),
                       all = std::to_string(lost.edits.size());
-    return failed(
-        outcome.exit_code,
-        {n + " of " + all + " edits are recovered; line " + line + " of " + place + " cannot be done again (" +
-             edit.text + "): " + outcome.sentence.en + " The script stays there.",
-         all + " 件の編集のうち " + n + " 件を復元しました。" + place + " の " + line + " 行目（" + edit.text +
-             "）はやり直せません：" + outcome.sentence.ja + " スクリプトはそのまま残してあります。"});
+    Outcome stopped =
+        failed(outcome.exit_code, {n + " of " + all + " edits are recovered; line " + line + " of " + place +
+                                       " cannot be done again (" + edit.text + "): " + outcome.sentence.en,
+                                   all + " 件の編集のうち " + n + " 件を復元しました。" + place + " の " + line +
+                                       " 行目（" + edit.text + "）はやり直せません：" + outcome.sentence.ja});
+    stopped.say({"The script stays there.", "スクリプトはそのまま残してあります。"});
+    return stopped;
   }
   Outcome outcome;
   outcome.sentence = what_is_recovered(session.document().position(), lost.unsaved);
   return outcome;
+}
+
+// What goes on has this script where all of it begins as the script says, else one of its own.
+void hand_over(Autosave& autosave, Session& session, OwnedScript& script, const LostSession& lost, SessionStart start,
+               Outcome& outcome) {
+  const bool is_of_script = start.hash == lost.start.hash && start.original == lost.start.original;
+  if (outcome.done() && is_of_script) {
+    script.cut(lost.whole_bytes);
+    return autosave.go_on(std::move(script), session.document(), lost);
+  }
+  if (!outcome.done()) return autosave.begin(session.document(), std::move(start));
+  if (const auto warning = autosave.begin_anew(session, std::move(start))) outcome.say(*warning);
+  if (autosave.script()) script.remove();
+}
+
+Text file_stays(const LostSession& lost, FileState::Change change) {
+  if (change == FileState::Change::gone) return {};
+  const std::string name = lost.file.filename().string();
+  return {name + " stays as it is: saving to it is refused until keep_mine says so.",
+          name + " はそのままです。keep_mine を実行するまで上書き保存はできません。"};
 }
 
 }  // namespace
@@ -153,6 +226,32 @@ bool is_edit(std::string_view line) {
   return call && (call->row.effect == Effect::edits || call->row.effect == Effect::steps || call->row.prepares_edits);
 }
 
+bool can_be_as_was(const LostSession& lost) { return has_original(lost) || !can_be_as_is(lost); }
+
+bool can_be_as_is(const LostSession& lost) {
+  std::error_code ignored;
+  return lost.saved_edits == 0 && !lost.file.empty() && lost.file == lost.start.file && fs::exists(lost.file, ignored);
+}
+
+FileState::Change change_of_file(const LostSession& lost) {
+  const FileState::Change change = lost.known.since(lost.file);
+  if (change == FileState::Change::gone || !lost.content) return change;
+  return content_hash(lost.file) == lost.content ? FileState::Change::none : FileState::Change::changed;
+}
+
+Text told_change(const LostSession& lost, FileState::Change change) {
+  const std::string file = lost.file.string();
+  if (change == FileState::Change::gone)
+    return {file + " has gone from the disk since these edits were made.",
+            "これらの編集のあと、" + file + " がディスクからなくなりました。"};
+  if (change == FileState::Change::none) return {};
+  if (lost.was_saving)
+    return {file + " was being saved when Ryosen ended, or another program has changed it.",
+            file + " は異常終了のときに保存中だったか、他のプログラムが変更しました。"};
+  return {"Another program has changed " + file + " since these edits were made.",
+          "これらの編集のあと、" + file + " を他のプログラムが変更しました。"};
+}
+
 std::optional<LostSession> read_lost_session(std::string_view script) {
   LostSession lost;
   int number = 0;
@@ -164,8 +263,15 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
       std::from_chars(hash->data(), hash->data() + hash->size(), lost.start.hash, 16);
     } else if (const auto original = remark(line, "original")) {
       lost.start.original = file_name(*original);
+    } else if (const auto state = remark(line, "file")) {
+      read_file_remark(*state, lost);
+    } else if (remark(line, "saving")) {
+      lost.was_saving = true;
     } else if (const auto saved = remark(line, "saved")) {
       lost.file = file_name(*saved);
+      lost.known = {};
+      lost.content.reset();
+      lost.was_saving = false;
       lost.saved_edits = lost.edits.size();
       lost.unsaved = {};
     } else if (const auto unsaved = remark(line, "unsaved")) {
@@ -174,6 +280,7 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
       lost.start.file = lost.file = file_name(behind_word(line));
     } else if (!line.empty() && !line.starts_with('#') && number > 3) {
       lost.edits.push_back({number, std::string(line)});
+      lost.was_saving = false;
       ++lost.unsaved.edits;
     }
   }
@@ -197,7 +304,8 @@ Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
     if (!name.starts_with(script_prefix) || !name.ends_with(script_suffix)) continue;
     std::optional<OwnedScript> script = OwnedScript::take(entry->path());
     if (!script) continue;
-    std::optional<LostSession> lost = read_lost_session(script->content());
+    const std::optional<std::string> content = script->content();
+    std::optional<LostSession> lost = content ? read_lost_session(*content) : std::nullopt;
     struct stat status;
     if (!lost || ::stat(entry->path().c_str(), &status) != 0) continue;
     if (lost->is_saved()) {
@@ -206,6 +314,7 @@ Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
     }
     lost->script = entry->path();
     lost->last_edit = status.st_mtime;
+    lost->change = change_of_file(*lost);
     found.push_back(std::move(*lost));
   }
   if (error && error != std::errc::no_such_file_or_directory) return unreadable_folder(folder, error.value());
@@ -224,34 +333,41 @@ Text describe(const LostSession& lost) {
           (name.empty() ? "ファイルのないメッシュ" : name) + "、" + count.ja + "、" + time};
 }
 
-Outcome recover(Session& session, const LostSession& lost) {
+Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto) {
   std::optional<OwnedScript> script = take(lost.script);
   if (!script) return not_to_be_had(lost);
-  Result<std::unique_ptr<Document>> document = begin_again(lost);
+  const FileState now = FileState::of(lost.file);  // before, so that what changes meanwhile is noticed
+  const FileState::Change change = change_of_file(lost);
+  const bool is_unasked = onto == RecoverOnto::unchanged, is_as_is = onto == RecoverOnto::as_is;
+  const bool may_be_gone = has_original(lost) || lost.start.file.empty() || lost.start.file != lost.file;
+  if (is_unasked && change != FileState::Change::none && (change != FileState::Change::gone || may_be_gone))
+    return refused_first(session, lost, told_change(lost, change));
+  if (is_as_is && !can_be_as_is(lost)) return refused_first(session, lost, why_not(lost, onto));
+  const fs::path source = source_of(lost, onto);
+  Result<std::unique_ptr<Document>> document = begin_again(lost, source);
   if (!document) {
-    const Text reason = text_with_place(document.failure().message, lost.start.file.string());
+    const Text reason = text_with_place(document.failure().message, source.string());
     return failed(document.failure().exit_code, {reason.en + " The edits are still in " + lost.script.string() + ".",
                                                  reason.ja + " 編集は " + lost.script.string() + " に残っています。"});
   }
+  const std::uint64_t hash = (*document)->mesh().hash();
+  const bool is_same = source.empty() || hash == lost.start.hash;
+  if (!is_same && is_unasked) return refused_first(session, lost, begun_with_another(lost));
+  if (!is_same && !is_as_is && !can_be_as_was(lost)) return refused_first(session, lost, why_not(lost, onto));
   (*document)->mark_unsaved();
-  const bool is_same = (*document)->mesh().hash() == lost.start.hash;
+  (*document)->know_file_as(is_as_is || change == FileState::Change::none ? now : FileState::of_none_that_is());
   Autosave* const autosave = std::exchange(session.autosave, nullptr);
   const bool was_strict = std::exchange(session.strict, false);
-  session.set_document(std::move(document).value(), source_of(lost));
+  session.set_document(std::move(document).value(), lost.start.file);
   Outcome outcome = replay(session, lost);
   session.frame_all();
   session.autosave = autosave;
   session.strict = was_strict;
-  if (autosave && outcome.done()) {
-    script->cut(lost.whole_bytes);
-    autosave->go_on(std::move(*script), session.document(), lost);
-  } else if (autosave) {
-    autosave->begin(session.document(), lost.start);
-  }
-  if (is_same) return outcome;
-  const std::string file = lost.start.file.string();
-  outcome.sentence.en += " But " + file + " is not the mesh that it was when these edits were done.";
-  outcome.sentence.ja += "ただし " + file + " は、これらの編集をしたときのメッシュではありません。";
+  session.look_at_disk();
+  const SessionStart start = is_as_is ? SessionStart{lost.file, {}, hash, now} : lost.start;
+  if (autosave) hand_over(*autosave, session, *script, lost, start, outcome);
+  if (change != FileState::Change::none && !is_as_is && outcome.done()) outcome.say(file_stays(lost, change));
+  if (!is_same) outcome.say(Text{"But ", "ただし "} + begun_with_another(lost));
   return outcome;
 }
 

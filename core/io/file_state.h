@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace ryosen {
 
@@ -18,6 +20,15 @@ class FileState {
 
   // By length and time of the last change; a file that was only moved there is told as changed too. One system call.
   Change since(const std::filesystem::path& path) const;
+  // A state that no file is in: every file has changed since, and one that is not there is gone.
+  static FileState of_none_that_is();
+  // Whether it is of a file.
+  bool is_known() const { return seen_.has_value(); }
+
+  // "BYTES SECONDS NANOSECONDS", to be read by another process; empty for no file.
+  std::string text() const;
+  // Inverse of text(); of no file where it is something else.
+  static FileState from_text(std::string_view text);
 
   friend bool operator==(const FileState&, const FileState&) = default;
 
@@ -30,5 +41,9 @@ class FileState {
 
   std::optional<Seen> seen_;
 };
+
+// A 64-bit hash of the content of a regular file, to tell whether it is the same again. None where it cannot be read.
+// O(bytes), a piece of it in memory at a time.
+std::optional<std::uint64_t> content_hash(const std::filesystem::path& path);
 
 }  // namespace ryosen

@@ -224,9 +224,13 @@ TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   const char* const before = std::getenv("XDG_STATE_HOME");
   const std::string kept = before ? before : "";
   setenv("XDG_STATE_HOME", state.path().c_str(), 1);
+  char hash[17];
+  std::snprintf(hash, sizeof hash, "%016llx",
+                static_cast<unsigned long long>(Document::open(test::asset("cube.obj")).value()->mesh().hash()));
   for (const char* n : {"1", "2"})
     state.write("ryosen/recovery/session-" + std::string(n) + ".ryosen",
-                "# ryosen session 1\n# mesh 0\nopen " + file_argument(test::asset("cube.obj")) + "\nsplit 0-1\n");
+                "# ryosen session 1\n# mesh " + std::string(hash) + "\nopen " + file_argument(test::asset("cube.obj")) +
+                    "\nsplit 0-1\n");
   const glm::dvec2 recover(432, 298), second_discard(560, 352), later(432, 478);
 
   Laid laid("torus.off");
@@ -251,7 +255,6 @@ TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   EXPECT_EQ(laid.session.document().path(), test::asset("cube.obj"));
   EXPECT_EQ(laid.session.mesh().live().vertices, 9u);
   EXPECT_NE(laid.gui.said().en.find("1 edit is recovered"), std::string::npos) << laid.gui.said().en;
-  EXPECT_NE(laid.gui.said().en.find("is not the mesh that it was"), std::string::npos) << "its hash is not 0";
   before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
 

@@ -6,6 +6,27 @@ namespace ryosen {
 
 namespace {
 
+// Where the file is another one by now: what has become of it, and a button for each way to recover; returns what the
+// chosen one adds to the command, or empty.
+std::string draw_choices(PanelContext& context, const LostSession& lost) {
+  std::string chosen;
+  coloured_text(context.colours().warning, told_change(lost, lost.change).in(context.language()).c_str());
+  const auto choice = [&](const char* label, const char* word, const char* what) {
+    if (ImGui::Button(label)) chosen = word;
+    tip(what);
+    ImGui::SameLine();
+  };
+  if (can_be_as_was(lost))
+    choice(context.text("Recover as it was", "当時のメッシュで復元"), " as_was",
+           context.text("Does the edits again on the mesh that they were made on. The file stays as it is now.",
+                        "編集をしたときのメッシュに復元します。ファイルは今のまま残ります。"));
+  if (can_be_as_is(lost))
+    choice(context.text("Redo on the file as it is", "今のファイルでやり直す"), " as_is",
+           context.text("Does the edits again on what the other program has written.",
+                        "他のプログラムが書いた内容に対して編集をやり直します。"));
+  return chosen;
+}
+
 // One session with its buttons; returns the chosen command, or empty.
 std::string draw_lost(PanelContext& context, std::size_t n) {
   const LostSession& lost = context.session.lost[n];
@@ -16,8 +37,12 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
   ImGui::TextUnformatted(describe(lost).in(context.language()).c_str());
   ImGui::PopTextWrapPos();
   const ImVec2 size{120 * context.scale, 0};
-  if (ImGui::Button(context.text(UiText::recover), size)) chosen = "recover " + number;
-  ImGui::SameLine();
+  if (lost.change == FileState::Change::none) {
+    if (ImGui::Button(context.text(UiText::recover), size)) chosen = "recover " + number;
+    ImGui::SameLine();
+  } else if (std::string line = draw_choices(context, lost); !line.empty()) {
+    chosen = "recover " + number + line;
+  }
   if (ImGui::Button(context.text(UiText::discard), size)) chosen = "recover discard " + number;
   ImGui::Dummy({0, 4 * context.scale});
   ImGui::PopID();
@@ -40,7 +65,10 @@ void draw_recover(PanelContext& context) {
   const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
-  if (call_of(chosen)->row.effect == Effect::replaces) return context.leave({false, {}, chosen});
+  if (call_of(chosen)->row.effect == Effect::replaces) {
+    const std::string own(panel_opened_by(PanelOpener::lost_sessions).id);
+    return context.leave({.command = chosen, .asks_again = own});
+  }
   context.run(chosen);
   if (lost.empty()) context.session.open_panel.clear();
 }

@@ -9,52 +9,14 @@
 
 #include <cstdlib>
 
-#include "app/editor/autosave.h"
-#include "app/editor/session.h"
 #include "app/editor/words.h"
 #include "core/io/gzip.h"
-#include "tests/support/app/program.h"
+#include "tests/unit/app/editor/recovery_fixture.h"
 
 namespace ryosen {
 namespace {
 
 namespace fs = std::filesystem;
-
-class RecoveryTest : public testing::Test {
- protected:
-  void SetUp() override {
-    if (const char* const before = std::getenv("XDG_STATE_HOME")) before_ = before;
-    setenv("XDG_STATE_HOME", state_.path().c_str(), 1);
-  }
-  void TearDown() override { before_ ? setenv("XDG_STATE_HOME", before_->c_str(), 1) : unsetenv("XDG_STATE_HOME"); }
-
-  // A session as the window has it.
-  struct Window {
-    explicit Window(std::unique_ptr<Document> document) : session(std::move(document)) {
-      session.autosave = &autosave;
-      autosave.begin(session.document());
-    }
-    void run(const std::string& line) {
-      const Outcome outcome = session.run(line);
-      EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
-    }
-
-    Session session;
-    Autosave autosave{recovery_folder()};
-  };
-
-  std::unique_ptr<Window> open(const std::string& path) const {
-    auto document = Document::open(path);
-    EXPECT_TRUE(document) << path;
-    return std::make_unique<Window>(std::move(document).value());
-  }
-  static std::unique_ptr<Window> open_nothing() { return std::make_unique<Window>(std::make_unique<Document>()); }
-
-  std::vector<std::string> kept() const { return state_.names(); }
-
-  test::TemporaryFolder state_, files_;
-  std::optional<std::string> before_;
-};
 
 TEST_F(RecoveryTest, the_folder_is_that_of_the_users_state) {
   EXPECT_EQ(recovery_folder(), state_.path() / "ryosen/recovery");
@@ -79,7 +41,7 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
   const std::uint64_t hash = crashed->session.mesh().hash();
   const std::vector<std::string> log = crashed->session.log();
   ASSERT_EQ(log.size(), 7u);
-  EXPECT_EQ(kept().size(), 1u);
+  EXPECT_EQ(kept().size(), 2u) << "the script, and a copy of what it began with";
   EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty()) << "it is still running";
   crashed.reset();
 
@@ -144,10 +106,12 @@ TEST_F(RecoveryTest, no_output_takes_the_place_of_what_a_recovered_session_was_r
 TEST_F(RecoveryTest, an_orderly_end_leaves_nothing) {
   auto window = open(test::asset("torus.off"));
   window->run("split 0-1");
-  EXPECT_EQ(kept().size(), 1u);
-  struct stat status;
-  ASSERT_EQ(::stat(state_.at(kept()[0]).c_str(), &status), 0);
-  EXPECT_EQ(status.st_mode & 0777, 0600u);
+  EXPECT_EQ(kept().size(), 2u);
+  for (const std::string& name : kept()) {
+    struct stat status;
+    ASSERT_EQ(::stat(state_.at(name).c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0600u) << name;
+  }
   window->autosave.finish();
   EXPECT_TRUE(kept().empty());
 }
@@ -162,7 +126,7 @@ TEST_F(RecoveryTest, nothing_is_offered_that_is_saved_or_undone_or_given_up) {
   undone->run("split 2-3");
   undone->run("undo");
   undone.reset();
-  EXPECT_EQ(kept().size(), 3u) << "two scripts and what the first began with";
+  EXPECT_EQ(kept().size(), 4u) << "two scripts and what they began with";
   EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty());
   EXPECT_TRUE(kept().empty());
   auto left = open(path);
@@ -288,7 +252,7 @@ TEST_F(RecoveryTest, a_new_name_is_the_documents_afterwards_too) {
   auto crashed = open(path);
   crashed->run("split 0-1");
   crashed->run("save " + file_argument(other));
-  EXPECT_EQ(kept().size(), 1u) << "the first file is still what it was";
+  EXPECT_EQ(kept().size(), 2u) << "the first file is still what it was";
   crashed->run("split 2-3");
   crashed.reset();
   auto again = open_nothing();
@@ -319,14 +283,15 @@ TEST_F(RecoveryTest, a_file_that_has_changed_is_said_and_the_line_that_fails) {
   crashed.reset();
   files_.write("a.off", test::read_file(test::asset("tetrahedron.off")));
   auto again = open_nothing();
-  const Outcome outcome = again->session.run("recover 1");
+  const Outcome outcome = again->session.run("recover 1 as_is");
   EXPECT_EQ(outcome.kind, Outcome::Kind::failed);
   EXPECT_EQ(outcome.exit_code, ExitCode::usage);
-  EXPECT_NE(outcome.sentence.en.find("1 of 2 edits are recovered; line 5 of "), std::string::npos)
+  EXPECT_NE(outcome.sentence.en.find("1 of 2 edits are recovered; line 7 of "), std::string::npos)
       << outcome.sentence.en;
   EXPECT_NE(outcome.sentence.en.find("(split 40-41"), std::string::npos) << outcome.sentence.en;
   EXPECT_NE(outcome.sentence.en.find("is not the mesh that it was"), std::string::npos) << outcome.sentence.en;
-  EXPECT_NE(outcome.sentence.ja.find("5 行目"), std::string::npos) << outcome.sentence.ja;
+  EXPECT_NE(outcome.sentence.en.find("exist. The script stays there. But "), std::string::npos) << outcome.sentence.en;
+  EXPECT_NE(outcome.sentence.ja.find("7 行目"), std::string::npos) << outcome.sentence.ja;
   EXPECT_EQ(again->session.document().position(), 1u);
   EXPECT_EQ(again->session.lost.size(), 1u) << "the script stays";
   // What goes on from here has a script of its own.
@@ -342,12 +307,14 @@ TEST_F(RecoveryTest, a_file_that_has_changed_is_said_and_the_line_that_fails) {
   EXPECT_EQ(third->session.mesh().hash(), hash);
 }
 
-TEST_F(RecoveryTest, where_the_file_is_gone_nothing_changes_and_the_script_is_named) {
+TEST_F(RecoveryTest, where_file_and_copy_are_gone_nothing_changes_and_the_script_is_named) {
   const std::string path = files_.copy(test::asset("torus.off"), "a.off");
   auto crashed = open(path);
   crashed->run("split 0-1");
   crashed.reset();
   fs::remove(path);
+  for (const std::string& name : kept())
+    if (name.find(".original") != name.npos) fs::remove(state_.at(name));
   auto again = open(test::asset("cube.obj"));
   const Outcome outcome = again->session.run("recover 1");
   EXPECT_EQ(outcome.exit_code, ExitCode::input_missing);
@@ -366,7 +333,7 @@ TEST_F(RecoveryTest, where_the_file_cannot_be_read_any_more_its_line_is_named) {
   crashed.reset();
   files_.write("a.off", "OFF\n1 0 0\n0 0 x\n");
   auto again = open(test::asset("cube.obj"));
-  const Outcome outcome = again->session.run("recover 1");
+  const Outcome outcome = again->session.run("recover 1 as_is");
   EXPECT_EQ(outcome.exit_code, ExitCode::input_malformed);
   EXPECT_TRUE(outcome.sentence.en.starts_with(path + ":3:5: ")) << outcome.sentence.en;
 }
@@ -375,7 +342,7 @@ TEST_F(RecoveryTest, two_windows_keep_two_scripts_and_the_latest_comes_first) {
   auto one = open(test::asset("torus.off")), two = open(test::asset("cube.obj"));
   one->run("split 0-1");
   two->run("split 0-1");
-  EXPECT_EQ(kept().size(), 2u);
+  EXPECT_EQ(kept().size(), 4u) << "with what they began with";
   two.reset();
   auto third = open_nothing();
   ASSERT_TRUE(third->session.run("recover list").done());
@@ -411,6 +378,55 @@ TEST_F(RecoveryTest, what_is_no_script_of_a_session_is_left_alone) {
   state_.write("ryosen/recovery/session-3.ryosen", "");  // a crash right after it was made
   EXPECT_TRUE(find_lost_sessions(recovery_folder()).value().empty());
   EXPECT_EQ(kept().size(), 3u);
+}
+
+// Each was opened, read as empty and deleted, as a script without edits is.
+TEST_F(RecoveryTest, what_is_no_file_is_left_alone_by_the_name_of_a_script) {
+  const std::string script = "# ryosen session 1\n# mesh 0\nnew\n";
+  const std::string outside = files_.write("outside", script);
+  fs::create_directories(recovery_folder());
+  const auto at = [](const char* name) { return recovery_folder() / name; };
+  ASSERT_EQ(::mkfifo(at("session-1.ryosen").c_str(), 0600), 0);
+  fs::create_directory(at("session-2.ryosen"));
+  fs::create_symlink(outside, at("session-3.ryosen"));
+  fs::create_symlink("/dev/null", at("session-4.ryosen"));
+  fs::create_symlink("nowhere", at("session-5.ryosen"));
+  state_.write("ryosen/recovery/session-6.ryosen", script);
+  ASSERT_EQ(::mkfifo(at("session-6.original").c_str(), 0600), 0);
+  Session session(std::make_unique<Document>());
+  ASSERT_TRUE(session.run("recover list").done());
+  EXPECT_TRUE(session.lost.empty());
+  for (const char* name : {"session-1.ryosen", "session-2.ryosen", "session-3.ryosen", "session-4.ryosen",
+                           "session-5.ryosen", "session-6.original"})
+    EXPECT_NE(fs::symlink_status(at(name)).type(), fs::file_type::not_found) << name;
+  EXPECT_FALSE(fs::exists(at("session-6.ryosen"))) << "nothing is unsaved there";
+  EXPECT_EQ(test::read_file(outside), script);
+}
+
+// It began with no file, so that no file can have changed: the sentence named one without a name.
+TEST_F(RecoveryTest, a_script_that_begins_with_new_names_no_file_and_ends_its_sentences) {
+  const auto recovered = [&](const std::string& lines, bool is_done) {
+    state_.write("ryosen/recovery/session-1.ryosen", "# ryosen session 1\n# mesh 0123456789abcdef\n" + lines);
+    auto again = open_nothing();
+    EXPECT_TRUE(again->session.run("recover list").done());
+    const Outcome outcome = again->session.run("recover 1");
+    EXPECT_EQ(outcome.done(), is_done) << outcome.sentence.en;
+    EXPECT_EQ(outcome.sentence.en.find("But "), std::string::npos) << outcome.sentence.en;
+    EXPECT_EQ(outcome.sentence.ja.find("ただし"), std::string::npos) << outcome.sentence.ja;
+    EXPECT_TRUE(outcome.sentence.en.ends_with(".")) << outcome.sentence.en;
+    EXPECT_TRUE(outcome.sentence.ja.ends_with("。")) << outcome.sentence.ja;
+    EXPECT_EQ(again->session.document().path(), "");
+    again->autosave.finish();
+    fs::remove(state_.at("ryosen/recovery/session-1.ryosen"));
+    return outcome.sentence;
+  };
+  EXPECT_EQ(recovered("new\nmake_vertex 0,0,0\n", true).en, "1 edit is recovered and not saved yet.");
+  for (const char* wrong : {"split 40-41", "nonsense", "poke f7", "select v9", "view top", "save"}) {
+    const Text said = recovered("new\nmake_vertex 0,0,0\n" + std::string(wrong) + "\n", false);
+    EXPECT_NE(said.en.find(". The script stays there."), std::string::npos) << said.en;
+    EXPECT_NE(said.ja.find("。スクリプトは"), std::string::npos) << said.ja;
+    EXPECT_EQ(said.en.find(".. "), std::string::npos) << said.en;
+  }
 }
 
 TEST_F(RecoveryTest, a_folder_that_cannot_be_written_is_said_once_and_stops_no_edit) {
@@ -482,7 +498,7 @@ TEST_F(RecoveryTest, without_a_window_nothing_is_kept_unless_asked) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_NE(done.err.find("1 件の編集を復元しました"), std::string::npos) << done.err;
   EXPECT_TRUE(fs::exists(out));
-  EXPECT_EQ(kept().size(), 1u) << "only a window takes it over";
+  EXPECT_EQ(kept().size(), 2u) << "only a window takes it over";
   // The file that a recovered document has is none that this line names.
   EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover 1; save"}, {}, {variable}).exit_code, 2);
   EXPECT_EQ(test::run_program({"edit", "--new", "--do", "recover discard 1"}, {}, {variable}).exit_code, 0);

@@ -1,8 +1,10 @@
 #include "app/ui/panels.h"
 
+#include "app/editor/autosave.h"
 #include "app/editor/command_syntax.h"
 #include "app/editor/commands.h"
 #include "app/editor/pick_modes.h"
+#include "app/editor/script.h"
 #include "app/editor/words.h"
 #include "core/algo/repair/report.h"
 
@@ -112,6 +114,16 @@ bool lacks_file(const Session& session, const std::string& line) {
   return call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty();
 }
 
+// Several lines, the first of which begins anew: the program makes what it shows. At once, so that all that there is behind
+// them counts as made; none of them takes long.
+void show_made(PanelContext& context, const std::string& lines) {
+  Session& session = context.session;
+  for (const ScriptLine& line : split_script(lines))
+    if (!context.keep(session.run(line.text)).done()) return;
+  session.document().count_as_made();
+  if (session.autosave) session.autosave->note_document(session.document());
+}
+
 }  // namespace
 
 Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
@@ -179,6 +191,8 @@ void PanelContext::go(PendingLeave where) {
   session.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;
+  else if (!where.command.empty() && !call_of(where.command))
+    show_made(*this, where.command);
   else if (!where.command.empty())
     run_from(where.command, where.asks_again);
   else

@@ -1,9 +1,4 @@
 // Where each figure, table, problem and listing of the source texts is found; a click shows it.
-#include <algorithm>
-#include <span>
-#include <vector>
-
-#include "app/editor/script.h"
 #include "app/editor/text_places.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -19,31 +14,7 @@ class TextsPanel : public Panel {
 
  private:
   void draw_place(PanelContext& context, const TextPlace& place);
-  void show(PanelContext& context, const TextPlace& place);
-
-  const TextPlace* shown_ = nullptr;  // last
 };
-
-// Whether nothing was done but what shows a place.
-bool is_as_shown(const Document& document, const TextPlace* place) {
-  if (!place) return false;
-  const std::vector<ScriptLine> lines = split_script(place->lines);
-  const std::span<const HistoryEntry> history = document.history();
-  return document.path().empty() && std::all_of(history.begin(), history.end(), [&](const HistoryEntry& entry) {
-           return std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.text == entry.command; });
-         });
-}
-
-// Where edits would be lost it asks first, and shows nothing yet.
-void TextsPanel::show(PanelContext& context, const TextPlace& place) {
-  const Document& document = context.session.document();
-  context.session.open_panel.clear();
-  if (document.is_modified() && !is_as_shown(document, shown_)) return context.leave({false, {}, "new"});
-  shown_ = &place;
-  context.run_from("new", {});  // without asking again
-  for (const ScriptLine& line : split_script(place.lines))
-    if (!context.run(line.text).done()) return;
-}
 
 void TextsPanel::draw_place(PanelContext& context, const TextPlace& place) {
   ImGui::TableNextRow();
@@ -53,7 +24,7 @@ void TextsPanel::draw_place(PanelContext& context, const TextPlace& place) {
   if (place.lines.empty())
     dim_text(context, shown.c_str());
   else if (link(context, shown.c_str()))
-    show(context, place);
+    context.leave({.command = "new; " + std::string(place.lines)});
   tip(place.lines.empty() ? name : name + "\n" + std::string(place.lines));
   ImGui::TableNextColumn();
   wrapped_text(context.text(place.where_en, place.where_ja));

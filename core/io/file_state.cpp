@@ -80,7 +80,7 @@ FileState FileState::from_text(std::string_view text) {
   read(seen.seconds);
   read(seen.nanoseconds);
   FileState state;
-  if (is_right && at == end) state.seen_ = seen;
+  if (is_right && at == end && !text.ends_with(' ')) state.seen_ = seen;
   return state;
 }
 

@@ -1,5 +1,6 @@
 // Sheets::settle(): what of a surface is to be cut and joined as reading does.
 #include <algorithm>
+#include <array>
 #include <unordered_set>
 
 #include "core/base/sort_unique.h"
@@ -12,6 +13,17 @@ namespace ryosen {
 namespace {
 
 bool has_one_face(const Mesh& m, Halfedge h) { return m.is_outside(h) != m.is_outside(twin(h)); }
+
+// The sheets between the points of h, its own among them, in the order around the point of lower valence. Cost: that
+// valence.
+std::vector<Halfedge> sheets_beside(const Mesh& m, Halfedge h) {
+  const Vertex a = m.from(h), b = m.to(h);
+  const std::array<std::uint32_t, 2> ends{a.index, b.index};
+  if (loneliest_point(m, ends) == a) return sheets_between(m, a, b);
+  std::vector<Halfedge> sheets = sheets_between(m, b, a);
+  for (Halfedge& sheet : sheets) sheet = twin(sheet);
+  return sheets;
+}
 
 }  // namespace
 
@@ -64,7 +76,7 @@ void Sheets::open_beside(std::span<const Halfedge> to_join, std::vector<Halfedge
   const Mesh& m = edit_.mesh();
   std::vector<Vertex> merged;
   for (Halfedge h : to_join)
-    for (Halfedge sheet : sheets_between(m, m.from(h), m.to(h)))
+    for (Halfedge sheet : sheets_beside(m, h))
       if (m.to(sheet) != m.to(h)) merged.insert(merged.end(), {m.to(h), m.to(sheet)});
   if (merged.empty()) return;
   sort_unique(merged);
@@ -98,7 +110,7 @@ void Sheets::close_pair(Halfedge h, Halfedge other) {
 void Sheets::join_sheet(Halfedge h) {
   const Mesh& m = edit_.mesh();
   if (!m.is_alive(h) || !has_one_face(m, h)) return;  // already joined from its other end
-  for (Halfedge other : sheets_between(m, m.from(h), m.to(h))) {
+  for (Halfedge other : sheets_beside(m, h)) {
     if (edge(other) == edge(h) || !has_one_face(m, other)) continue;
     return close_pair(h, other);
   }

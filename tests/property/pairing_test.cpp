@@ -75,8 +75,9 @@ std::map<Loop, int> faces_without_boundary(const Mesh& m) {
   return found;
 }
 
-// The law: no face of a closed part gets a boundary edge, and boundary edges become more only at sides set free. The two
-// faces of an edge in one direction have no pair: they may come apart, and one of them goes where it is a duplicate.
+// The law: no face of a closed part gets a boundary edge, and boundary edges become more only at sides set free. The
+// two faces of an edge in one direction have no pair: they may come apart, and one of them goes where it is a
+// duplicate.
 void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64_t seed) {
   const PairedList truth = pair_by_asking_all(built.faces());
   const RecipeResult result = *run_recipe(from_indexed(built.indexed()), recipe_of(kinds).steps, {});

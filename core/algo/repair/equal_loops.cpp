@@ -24,8 +24,8 @@ struct LoopForm {
   friend auto operator<=>(const LoopForm&, const LoopForm&) = default;
 };
 
-// Canonical form, independent of start and direction: the lexicographically smallest list, which begins with the smallest
-// point. Only at bridges does a loop come to a point again.
+// Canonical form, independent of start and direction: the lexicographically smallest list, which begins with the
+// smallest point. Only at bridges does a loop come to a point again.
 LoopForm normal_form(PointList loop) {
   LoopForm best{};
   const std::uint32_t smallest = *std::min_element(loop.begin(), loop.end());

@@ -19,14 +19,15 @@ struct EqualLoops {
     std::size_t closed = 0;   // how many of those that stay bound closed parts
   };
   std::vector<Alike> alike;
-  // As many as are redundant, the highest of those that run alike: to go in their place where that opens no closed part.
+  // As many as are redundant, the highest of those that run alike: to go in their place where that opens no closed
+  // part.
   std::vector<Face> highest;
   std::vector<Face> closed_alone;  // faces of closed parts that run like no other
 };
 
 // Of faces on the same loop of points, regardless of direction and start, one stays: where the pairs of faces
-// (pair_faces.h) make no difference, the lowest. A face of a closed part goes only where all of that part goes, because a
-// lower part has the same faces; another face goes where no face that stays is paired with it. O(n log n).
+// (pair_faces.h) make no difference, the lowest. A face of a closed part goes only where all of that part goes, because
+// a lower part has the same faces; another face goes where no face that stays is paired with it. O(n log n).
 EqualLoops find_equal_loops(const Mesh& mesh);
 
 // Whether the faces of closed parts that were to stay bound closed parts. O(n).

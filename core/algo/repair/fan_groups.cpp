@@ -56,8 +56,8 @@ bool FanGroups::exchange_two(std::span<const Halfedge> sides) {
   std::vector<Pair> pairs = pairs_of(sides);
   const auto fans = [](const Pair& p) { return std::pair(p.fan_at_start, p.fan_at_end); };
   std::stable_sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return fans(a) < fans(b); });
-  const auto first = std::adjacent_find(pairs.begin(), pairs.end(),
-                                        [&](const Pair& a, const Pair& b) { return fans(a) == fans(b); });
+  const auto first =
+      std::adjacent_find(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return fans(a) == fans(b); });
   if (first == pairs.end()) return false;
   const Pair one = *first, other = *(first + 1);
   set_pair(one.forward, other.backward);

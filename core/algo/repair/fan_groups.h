@@ -20,9 +20,9 @@ class FanGroups {
   void add_side(Halfedge side, Halfedge across) { across_[side] = across; }
   // Adds a corner at one of the points; both of its sides are known.
   void add_corner(Halfedge corner) { corners_.push_back(corner); }
-  // Finds the fans, once all sides and corners are known; each is a group of its own. At each of these edges, given by its
-  // sides, which run between two of the points, pairs are exchanged until no two of them have the same fans at both ends:
-  // else two vertices would have two edges. Cost: O(k log k) for k sides, and that of a fan for each exchange.
+  // Finds the fans, once all sides and corners are known; each is a group of its own. At each of these edges, given by
+  // its sides, which run between two of the points, pairs are exchanged until no two of them have the same fans at both
+  // ends: else two vertices would have two edges. Cost: O(k log k) for k sides, and that of a fan for each exchange.
   void find_fans(const std::vector<std::vector<Halfedge>>& edges);
 
   Halfedge across(Halfedge side) const { return across_.at(side); }

@@ -21,8 +21,8 @@ struct EdgePairer::SideAround {
 
 namespace {
 
-// The corners of a polygon in an order that depends neither on its start nor on its direction, so that two faces back to
-// back have the same triangles.
+// The corners of a polygon in an order that depends neither on its start nor on its direction, so that two faces back
+// to back have the same triangles.
 std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<Halfedge>& corners) {
   std::vector<std::uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
@@ -78,7 +78,8 @@ std::optional<glm::dvec3> EdgePairer::apex(Halfedge side) {
   return found == apexes_.end() ? std::nullopt : std::optional(found->second);
 }
 
-// A place off the edge's line in the direction of the face. A face without area there has that of a neighbour across it.
+// A place off the edge's line in the direction of the face. A face without area there has that of a neighbour across
+// it.
 std::optional<glm::dvec3> EdgePairer::place_beside(Halfedge side, const glm::dvec3& start, const glm::dvec3& end) {
   constexpr std::size_t most_faces = 16;
   if (!is_finite(start) || !is_finite(end)) return std::nullopt;
@@ -89,8 +90,7 @@ std::optional<glm::dvec3> EdgePairer::place_beside(Halfedge side, const glm::dve
     for (const Halfedge h : halfedges_around(mesh_, mesh_.face(entered[i]))) {
       const Halfedge next = across_[h.index];
       if (!next || h == entered[i] || entered.size() >= most_faces) continue;
-      if (std::none_of(entered.begin(), entered.end(),
-                       [&](Halfedge e) { return mesh_.face(e) == mesh_.face(next); }))
+      if (std::none_of(entered.begin(), entered.end(), [&](Halfedge e) { return mesh_.face(e) == mesh_.face(next); }))
         entered.push_back(next);
     }
   }
@@ -107,7 +107,8 @@ void EdgePairer::pair(std::span<const Halfedge> sides) {
   std::sort(around.begin(), around.end(), [](const SideAround& a, const SideAround& b) {
     return a.face != b.face ? a.face < b.face : a.side < b.side;
   });
-  const auto first = std::find_if(around.begin(), around.end(), [](const SideAround& s) { return s.place.has_value(); });
+  const auto first =
+      std::find_if(around.begin(), around.end(), [](const SideAround& s) { return s.place.has_value(); });
   if (first != around.end()) {
     const glm::dvec3 place = *first->place;
     const AroundEdge order(start, end, place);

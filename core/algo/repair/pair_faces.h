@@ -12,17 +12,17 @@
 namespace ryosen {
 
 struct FacePairing {
-  std::vector<Halfedge> across;    // by halfedge slot: the side of the face paired with this side, or none
-  std::vector<std::uint32_t> part; // by face slot: the lowest face of those connected through pairs
-  std::vector<bool> is_closed;     // by face slot: no side of its part is without a pair
-  std::vector<bool> is_free;       // by face slot: its patch was set free
+  std::vector<Halfedge> across;     // by halfedge slot: the side of the face paired with this side, or none
+  std::vector<std::uint32_t> part;  // by face slot: the lowest face of those connected through pairs
+  std::vector<bool> is_closed;      // by face slot: no side of its part is without a pair
+  std::vector<bool> is_free;        // by face slot: its patch was set free
   bool has_nonmanifold_edges = false;
 };
 
-// Two opposite faces of an edge, and no third, are paired; faces connected so are a patch. While an edge of three or more
-// faces has more of one direction, the patch of these that has a boundary edge, else the smallest, else the one of the
-// lowest face, is set free: its sides at such edges have no pair. The others at such an edge are paired by their angles
-// (pair_at_edge.h). Two faces in one direction have no pair. O(n log n).
+// Two opposite faces of an edge, and no third, are paired; faces connected so are a patch. While an edge of three or
+// more faces has more of one direction, the patch of these that has a boundary edge, else the smallest, else the one of
+// the lowest face, is set free: its sides at such edges have no pair. The others at such an edge are paired by their
+// angles (pair_at_edge.h). Two faces in one direction have no pair. O(n log n).
 FacePairing pair_faces(const Mesh& mesh);
 
 }  // namespace ryosen

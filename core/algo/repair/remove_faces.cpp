@@ -47,7 +47,8 @@ AlgorithmResult remove_duplicate_faces(Edit& edit, const AlgorithmInput&, Progre
     add_left(result.left_for, std::move(reason), {faces.begin(), faces.end()});
   };
   leave(equal.of_other_loops, {"it visits the same points in another order", "同じ点を別の順に通るため"});
-  leave(equal.of_solids, {"it bounds a closed part, as the face on its points does", "同じ点の面とともに閉じた部分の壁であるため"});
+  leave(equal.of_solids,
+        {"it bounds a closed part, as the face on its points does", "同じ点の面とともに閉じた部分の壁であるため"});
   leave(equal.holding, {"without it an edge would open", "なくすと稜線が開くため"});
   result.text = count_text(result.changed, "One duplicate face was removed.", "# duplicate faces were removed.",
                            "重複面を # 個削除しました。");

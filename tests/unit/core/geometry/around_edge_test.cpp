@@ -10,7 +10,7 @@ namespace {
 
 TEST(around_edge, orders_half_planes_by_their_angles_from_the_first) {
   const AroundEdge order({0, 0, -1}, {0, 0, 3}, {2, 0, 7});
-  const std::vector<glm::dvec3> ascending{{1, 0, 0},  {3, 1, 0},   {0, 1, 5},  {-1, 3, 0}, {-1, 0, 2},
+  const std::vector<glm::dvec3> ascending{{1, 0, 0},   {3, 1, 0},  {0, 1, 5},  {-1, 3, 0}, {-1, 0, 2},
                                           {-3, -1, 0}, {0, -2, 0}, {1, -1, 0}, {9, -1, -4}};
   for (std::size_t i = 0; i < ascending.size(); ++i)
     for (std::size_t k = 0; k < ascending.size(); ++k)

@@ -129,6 +129,20 @@ TEST(repairs, two_faces_back_to_back_are_a_closed_part_and_stay) {
   }
 }
 
+TEST(repairs, a_fan_of_many_faces_that_has_two_sides_comes_apart_at_once) {
+  constexpr std::uint32_t n = 16000;  // in the order around the apex it takes 18 s
+  Polygons faces = closed_fan(n);
+  for (std::uint32_t i = 0; i < n; ++i) faces.push_back({0, 1 + (i + 1) % n, 1 + i});
+  IndexedMesh source = indexed(faces);
+  for (std::uint32_t i = 1; i <= n; ++i)
+    source.positions[i] = {std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 1};
+  Mesh mesh = from_indexed(source);
+  run_repair(mesh, "detach_nonmanifold");
+  const Figures after = compute_figures(mesh);
+  EXPECT_TRUE(after.closed && after.manifold);
+  EXPECT_EQ(after.vertices, n + 2) << "the rim, and an apex for each side";
+}
+
 TEST(repairs, close_points_join_the_first_and_take_its_place) {
   IndexedMesh loose = loose_cube();
   for (std::size_t i = 0; i < loose.positions.size(); ++i) loose.positions[i].x += 1e-6 * static_cast<double>(i);

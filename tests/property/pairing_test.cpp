@@ -47,19 +47,24 @@ TEST(pairing, is_the_rule_read_word_by_word) {
 
 using Loop = std::vector<std::array<double, 3>>;
 
-// The places of the face's corners, from the smallest on.
+// From the smallest place on, in the direction of the smaller list: repairs may turn a solid.
+Loop canonical(Loop loop) {
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  Loop turned = loop;
+  std::reverse(turned.begin() + 1, turned.end());
+  return std::min(loop, turned);
+}
+
 Loop loop_of(const Mesh& m, Face f) {
   Loop loop;
   for (const Vertex v : vertices_around(m, f)) loop.push_back({m.position(v).x, m.position(v).y, m.position(v).z});
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  return loop;
+  return canonical(std::move(loop));
 }
 
-Loop loop_of(const std::vector<LatticePoint>& face) {
+Loop loop_of(const std::vector<GridPoint>& face) {
   Loop loop;
-  for (const LatticePoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  return loop;
+  for (const GridPoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
+  return canonical(std::move(loop));
 }
 
 // By loop how many faces have it, without those that have a boundary edge.
@@ -76,8 +81,7 @@ std::map<Loop, int> faces_without_boundary(const Mesh& m) {
 }
 
 // The law: no face of a closed part gets a boundary edge, and boundary edges become more only at sides set free. The
-// two faces of an edge in one direction have no pair: they may come apart, and one of them goes where it is a
-// duplicate.
+// two faces of an edge in one direction have no pair: they may come apart, and once they are turned others have pairs.
 void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64_t seed) {
   const PairedList truth = pair_by_asking_all(built.faces());
   const RecipeResult result = *run_recipe(from_indexed(built.indexed()), recipe_of(kinds).steps, {});
@@ -90,8 +94,10 @@ void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64
     EXPECT_TRUE(found != whole.end() && found->second >= one) << kinds << " tears a closed part of seed " << seed;
   }
   const Figures figures = compute_figures(result.mesh);
-  EXPECT_LE(figures[ProblemKind::boundary_loop], truth.boundary + truth.free_sides + 2 * truth.misoriented)
-      << kinds << ", seed " << seed;
+  if (kinds != usual || truth.misoriented == 0) {
+    EXPECT_LE(figures[ProblemKind::boundary_loop], truth.boundary + truth.free_sides + 2 * truth.misoriented)
+        << kinds << ", seed " << seed;
+  }
   EXPECT_TRUE(figures.manifold) << kinds << ", seed " << seed;
   EXPECT_FALSE(run_recipe(result.mesh, recipe_of(kinds).steps, {})->is_changed) << kinds << " again, seed " << seed;
 }
@@ -100,7 +106,7 @@ TEST(pairing, no_closed_part_is_torn_and_nothing_opens_but_where_a_patch_is_set_
   for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = soup(seed);
     expect_law(built, "detach_nonmanifold", seed);
-    if (pair_by_asking_all(built.faces()).misoriented == 0) expect_law(built, usual, seed);
+    expect_law(built, usual, seed);
   }
 }
 

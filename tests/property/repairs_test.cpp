@@ -273,8 +273,8 @@ TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
   on_all("orient", {}, [](const Mesh& before, const Mesh& after, const Proved& proved) {
     EXPECT_EQ(loops_of_all(before, true), loops_of_all(after, true));
     EXPECT_LE(proved.after[ProblemKind::misoriented_edge], proved.before[ProblemKind::misoriented_edge]);
-    EXPECT_EQ(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
-    EXPECT_LE(proved.after[ProblemKind::hanging_pair], proved.before[ProblemKind::hanging_pair]);
+    EXPECT_LE(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
+    EXPECT_LE(proved.after[ProblemKind::duplicate_face], proved.before[ProblemKind::duplicate_face]);
     if (proved.before.orientable && proved.before[ProblemKind::duplicate_face] == 0) {
       EXPECT_EQ(proved.after[ProblemKind::misoriented_edge], 0u);
     }

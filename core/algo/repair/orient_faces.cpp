@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/algo/repair/detach_nonmanifold.h"
+#include "core/algo/repair/pair_faces.h"
 #include "core/algo/repair/turn_outwards.h"
 #include "core/analysis/neighbourhood.h"
 #include "core/base/count_text.h"
@@ -45,6 +47,16 @@ std::vector<bool> faces_to_turn(const Mesh& m, Progress& progress) {
   return turned;
 }
 
+// Whether a face of a closed part (pair_faces.h) bounds none any more.
+bool is_part_torn(const Mesh& before, const Mesh& after) {
+  const FacePairing had = pair_faces(before);
+  if (!had.has_nonmanifold_edges) return false;
+  const FacePairing has = pair_faces(after);
+  for (std::size_t f = 0; f < had.is_closed.size(); ++f)
+    if (had.is_closed[f] && !has.is_closed[f]) return true;
+  return false;
+}
+
 }  // namespace
 
 std::size_t count_turned_wrong(const Mesh& mesh, Progress& progress) {
@@ -59,6 +71,15 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
   if (progress.is_cancelled()) return {};
   if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
     TurnedMesh now = turn_faces(m, turned);
+    if (is_part_torn(m, Mesh(now.columns))) {
+      Mesh apart = m;
+      Edit on_apart(apart, nullptr);
+      detach_nonmanifold(on_apart, {}, progress);
+      on_apart.commit();
+      const std::vector<bool> turned_apart = faces_to_turn(apart, progress);
+      if (progress.is_cancelled()) return {};
+      now = turn_faces(apart, turned_apart);
+    }
     result.changed = now.effect.changed.size();
     edit.replace(std::move(now.columns));
   }

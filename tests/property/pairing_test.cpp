@@ -61,9 +61,9 @@ Loop loop_of(const Mesh& m, Face f) {
   return canonical(std::move(loop));
 }
 
-Loop loop_of(const std::vector<GridPoint>& face) {
+Loop loop_of(const std::vector<LatticePoint>& face) {
   Loop loop;
-  for (const GridPoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
+  for (const LatticePoint& p : face) loop.push_back({double(p[0]), double(p[1]), double(p[2])});
   return canonical(std::move(loop));
 }
 

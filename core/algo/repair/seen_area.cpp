@@ -1,12 +1,14 @@
 #include "core/algo/repair/seen_area.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "core/algo/unit_scale.h"
+#include "core/analysis/box_tree.h"
 #include "core/base/interruption.h"
 #include "core/base/parallel.h"
-#include "core/pick/bvh.h"
+#include "core/pick/ray.h"
 #include "core/pick/surface_triangles.h"
 
 namespace ryosen {
@@ -24,15 +26,17 @@ class Looking {
   Looking(const Mesh& mesh, const std::vector<std::uint32_t>& patch) : mesh_(mesh), surface_(mesh) {
     const double scale = unit_scale(mesh.positions());
     for (const glm::dvec3& p : mesh.positions()) places_.push_back(p * scale);
-    std::vector<Primitive> primitives;
+    std::vector<Box> boxes;
     for (std::uint32_t i = 0; i < surface_.slots(); ++i) {
       stop_if_interrupted(i);
       const SurfaceTriangle t = surface_.at(mesh, i);
-      primitives.push_back(t.face == no_index ? Primitive()
-                                              : Primitive::triangle(t.corners[0], t.corners[1], t.corners[2], t.face));
-      if (t.face != no_index && patch[t.face] != no_index) asked_.push_back(i);
+      if (t.face == no_index) continue;
+      if (patch[t.face] != no_index) asked_.push_back(i);
+      const Box box = box_of(corners_of(t));
+      boxes.push_back({box.lowest - first_step, box.highest + first_step});
+      slots_.push_back(i);
     }
-    tree_.build(places_, std::move(primitives));
+    tree_ = BoxTree(std::move(boxes));
   }
 
   std::vector<SeenArea> look(const std::vector<std::uint32_t>& patch, std::uint32_t patches, Progress& progress) const {
@@ -57,8 +61,11 @@ class Looking {
   }
 
  private:
+  std::array<glm::dvec3, 3> corners_of(const SurfaceTriangle& t) const {
+    return {places_[t.corners[0]], places_[t.corners[1]], places_[t.corners[2]]};
+  }
   glm::dvec3 area_normal(const SurfaceTriangle& t) const {
-    const glm::dvec3 &a = places_[t.corners[0]], &b = places_[t.corners[1]], &c = places_[t.corners[2]];
+    const auto [a, b, c] = corners_of(t);
     return glm::cross(b - a, c - a);
   }
 
@@ -68,18 +75,43 @@ class Looking {
     const glm::dvec3 normal = area_normal(t);
     const double area = glm::length(normal);
     if (!(area > 0)) return nowhere;
-    const glm::dvec3 centre = (places_[t.corners[0]] + places_[t.corners[1]] + places_[t.corners[2]]) / 3.0;
-    const auto is_free = [&](double sign) {
-      return !tree_.cast(places_, {centre, normal * (sign / area), first_step});
-    };
+    const auto [a, b, c] = corners_of(t);
+    const glm::dvec3 centre = (a + b + c) / 3.0;
+    const auto is_free = [&](double sign) { return !meets_any({centre, normal * (sign / area), first_step}); };
     return static_cast<std::uint8_t>((is_free(1) ? from_front : nowhere) | (is_free(-1) ? from_behind : nowhere));
+  }
+
+  // Ends at the first one that is found, wherever it is along the ray.
+  bool meets_any(const Ray& ray) const {
+    const RayCaster caster(ray);
+    const auto may = [&](const Box& box) { return passes(ray, box); };
+    return !tree_.visit(may, [&](std::uint32_t i) {
+      const auto [a, b, c] = corners_of(surface_.at(mesh_, slots_[i]));
+      return !caster.hit(a, b, c);
+    });
+  }
+
+  static bool passes(const Ray& ray, const Box& box) {
+    double first = 0, last = ray.t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double from = box.lowest[axis] - ray.origin[axis], to = box.highest[axis] - ray.origin[axis];
+      if (ray.direction[axis] == 0) {
+        if (from > 0 || to < 0) return false;
+        continue;
+      }
+      const double s = from / ray.direction[axis], t = to / ray.direction[axis];
+      first = std::max(first, std::min(s, t));
+      last = std::min(last, std::max(s, t));
+    }
+    return first <= last;
   }
 
   const Mesh& mesh_;
   SurfaceTriangles surface_;
   std::vector<glm::dvec3> places_;
   std::vector<std::uint32_t> asked_;  // slots of triangles
-  Bvh tree_;
+  BoxTree tree_;                      // of all triangles
+  std::vector<std::uint32_t> slots_;  // by number in the tree
 };
 
 }  // namespace

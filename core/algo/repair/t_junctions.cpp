@@ -9,6 +9,7 @@
 #include "core/algo/repair/flat_faces.h"
 #include "core/algo/repair/sides_apart.h"
 #include "core/base/interruption.h"
+#include "core/base/sort_unique.h"
 #include "core/pick/bvh.h"
 #include "core/pick/nearest.h"
 
@@ -127,7 +128,13 @@ class Search {
   }
 
   std::vector<TJunction> chosen() {
-    std::erase_if(found_, [&](const Found& f) { return count_[f.number] > most_sides; });
+    std::vector<std::uint32_t> crowded;  // sides
+    for (const Found& f : found_)
+      if (count_[f.number] > most_sides) crowded.push_back(f.side);
+    sort_unique(crowded);
+    std::erase_if(found_, [&](const Found& f) {
+      return count_[f.number] > most_sides || std::binary_search(crowded.begin(), crowded.end(), f.side);
+    });
     std::sort(found_.begin(), found_.end(), [](const Found& f, const Found& g) { return f.order() < g.order(); });
     found_.erase(std::unique(found_.begin(), found_.end(),
                              [](const Found& f, const Found& g) { return f.side == g.side && f.place == g.place; }),

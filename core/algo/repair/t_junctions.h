@@ -15,8 +15,9 @@ struct TJunction {
 
 // The points at the ends of lone sides (lone_sides) that lie on other lone sides: exactly, or within the distance and
 // farther than that from both ends. Of several points near each other on one side there is one. By side, those nearest to
-// its end first. Sides of faces without area have none. A point is left out where more than eight sides are that near.
-// `near` are the points that count as one. O(n log n), plus the places that lie between the sides of a slab around a side.
+// its end first. Sides of faces without area have none. Where more than eight sides are that near to a point, the point
+// and these sides are left out. `near` are the points that count as one. O(n log n), plus the places that lie between the
+// sides of a slab around a side.
 std::vector<TJunction> find_t_junctions(const Mesh& mesh, const NearPoints& near, double distance);
 
 }  // namespace ryosen

@@ -119,12 +119,11 @@ const std::vector<CommandRow>& first_rows() {
        .syntax = "move|turn|scale [x|y|z|normal|yz|zx|xy] | extrude | split | duplicate",
        .help_en =
            "begins to move the selection with the pointer, or what is made of it: extruded faces or edges, the "
-           "vertex that splits an edge, a copy; X Y Z N, digits, O, Ctrl, Enter or a click ends, Escape gives up "
-           "(a copy stays in its place)",
+           "vertex that splits an edge, a copy; X Y Z N, digits, O, Ctrl, Enter or a click ends, Escape gives up",
        .help_ja =
            "選択の移動・回転・拡大縮小を始める。extrude は押し出した面または稜線、split は稜線を分ける頂点、duplicate "
            "は複製を動かす"
-           "（X Y Z N、数字、O、Ctrl、Enter かクリックで確定、Escape で中止。複製はその場に残る）",
+           "（X Y Z N、数字、O、Ctrl、Enter かクリックで確定、Escape で中止）",
        .effect = Effect::none,
        .run = run_gesture,
        .leads_to_edits = true},

@@ -16,13 +16,14 @@ struct Session::Gesturing {
   glm::dvec2 pixel{0};                 // of the window, where the pointer was last
   Modifiers modifiers = {};
   struct Pull {
-    std::string line, by_nothing;    // the line of the operator, up to how far, and the word for not at all
-    std::optional<glm::dvec3> from;  // where it takes a place in place of a way, that which the way begins at
-    std::vector<Face> made = {};     // without extent until something is moved; ascending
-    Elements selected = {};          // in the end
+    std::string line, by_nothing;         // the line that makes it, up to how far, and the words for not at all
+    std::optional<glm::dvec3> from = {};  // where it takes a place in place of a way, that which the way begins at
+    Text made_by_nothing = {};            // said where it ends without a movement
+    Text given_up = {};                   // and where it is given up
+    std::vector<Face> made = {};          // without extent until something is moved; ascending
+    Elements selected = {};               // in the end
   };
-  std::optional<Pull> pull = {};  // of one that moves what an operator makes, which is on trial
-  bool is_of_copy = false;
+  std::optional<Pull> pull = {};  // of one that moves what is made by a line, which is on trial
 };
 
 }  // namespace ryosen

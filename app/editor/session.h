@@ -237,7 +237,7 @@ class Session {
   Outcome begin_pull();
   // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
   Outcome begin_split();
-  // Duplicates the selection and moves the copy: an entry of its own, which stays where that is given up.
+  // Duplicates the selection and moves the copy, in the same way.
   Outcome begin_copy();
   const TransformGesture* gesture() const;  // null: none goes on
   void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);

@@ -138,7 +138,7 @@ void Session::show_gesture() {
   note_gesture();
 }
 
-// What an operator made and nothing has moved yet would not be there if the gesture ended now.
+// What an operator made has no extent until it is moved, and is not listed before.
 void Session::judge_as_drawn() {
   if (!gesturing_ || !highlights_) return;
   const Gesturing& g = *gesturing_;
@@ -192,6 +192,11 @@ std::optional<Outcome> Session::gesture_key(const std::string& chord) {
     return give_up_gesture();
   } else if (chord == "Enter") {
     return end_gesture();
+  } else if (chord == "O" && !gesturing_->transform.takes_falloff()) {
+    Outcome outcome;
+    outcome.sentence = {"What is made here moves alone; a falloff is for what is there.",
+                        "ここで作られる要素は単独で動きます。減衰は既存の要素の移動に使えます。"};
+    return outcome;
   } else if (gesturing_->transform.key(mesh(), chord)) {
     follow_what_moves();
     follow_gesture(gesturing_->pixel, gesturing_->modifiers);
@@ -210,37 +215,22 @@ Outcome Session::end_gesture() {
   const Gesturing& g = *gesturing_;
   const bool does_nothing = g.transform.does_nothing();
   if (does_nothing && !g.pull) return give_up_gesture();
-  std::vector<std::string> lines;
-  if (!does_nothing) lines.push_back(g.transform.line(mesh()));
-  if (g.pull && (!does_nothing || g.pull->from)) {
-    const auto by = does_nothing ? std::nullopt : g.transform.movement();
-    const std::string start = g.pull->line + g.pull->by_nothing;
-    if (by)
-      lines = {g.pull->line + format_place(g.pull->from ? *g.pull->from + *by : *by)};
-    else
-      lines.insert(lines.begin(), start);
-  }
-  const Elements selected = g.pull ? g.pull->selected : Elements();
+  const std::optional<Gesturing::Pull> pull = g.pull;
+  const std::string line =
+      !pull          ? g.transform.line(mesh())
+      : does_nothing ? pull->line + pull->by_nothing
+                     : pull->line + format_place(pull->from.value_or(glm::dvec3(0)) + *g.transform.movement());
   cancel_gesture();
-  Outcome outcome;
-  for (const std::string& line : lines)
-    if (outcome.done()) outcome = run(line);
-  if (outcome.done() && !lines.empty() && !selected.empty()) selection = selected;
+  Outcome outcome = run(line);
+  if (!outcome.done() || !pull) return outcome;
+  if (!pull->selected.empty()) selection = pull->selected;
+  if (does_nothing && !pull->made_by_nothing.en.empty()) outcome.say(pull->made_by_nothing);
   return outcome;
 }
 
-namespace {
-
-Text copy_stays() {
-  return {"The copy stays where the original is, and is selected; undo takes it away.",
-          "複製は元と同じ位置に残り、選択されています。「元に戻す」で取り消せます。"};
-}
-
-}  // namespace
-
 Outcome Session::give_up_gesture() {
   Outcome outcome;
-  if (gesturing_ && gesturing_->is_of_copy) outcome.sentence = copy_stays();
+  if (gesturing_ && gesturing_->pull) outcome.sentence = gesturing_->pull->given_up;
   cancel_gesture();
   return outcome;
 }

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "app/editor/commands.h"
+#include "app/editor/first_slots.h"
 #include "app/editor/gesturing.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
@@ -33,14 +34,39 @@ std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLength
   return found;
 }
 
+Text name_of(const OpInfo& op) { return {std::string(op.name_en), std::string(op.name_ja)}; }
+
 }  // namespace
 
+// The copy lies on the original, on trial; in the end it is one duplicate that is moved already, or none.
 Outcome Session::begin_copy() {
-  Outcome outcome = run("duplicate elements=selected");
-  if (!outcome.done()) return outcome;
-  begin_gesture_with(PointTransform::Kind::move, selection);
-  gesturing_->is_of_copy = true;
-  return outcome;
+  end_trial();
+  cancel_gesture();
+  if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  const AlgorithmRow& row = *find_algorithm("duplicate");
+  ParameterValues named(row.parameters);
+  named.set_names("elements", selected_names());
+  const ReadValues found = named.on(mesh());
+  if (!found.values) return no_element(document(), std::string(row.id), found.error, found.sentence);
+  const FirstSlots before(mesh());
+  const auto tried = document_->try_out(row, *found.values, on_progress);
+  if (!tried) return cancelled();
+  const Elements copy = before.added_to(mesh());
+  if (copy.empty()) {
+    end_trial();
+    return failed(ExitCode::refused, tried->text);
+  }
+  begin_gesture_with(PointTransform::Kind::move, copy);
+  gesturing_->transform.is_part_of({std::string(row.name_en), std::string(row.name_ja)});
+  gesturing_->pull = {.line = "duplicate elements=selected by=",
+                      .by_nothing = "0,0,0",
+                      .made_by_nothing = {"The copy lies exactly on the original; undo takes it away.",
+                                          "複製は元とちょうど重なっています。「元に戻す」で取り消せます。"},
+                      .given_up = {"No copy is left; Enter instead of Esc leaves one in its place.",
+                                   "複製は残していません。その場に残すには Esc ではなく Enter を押します。"},
+                      .selected = copy};
+  selection = copy;  // until the trial ends
+  return {};
 }
 
 // Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
@@ -68,8 +94,16 @@ Outcome Session::begin_pull() {
   if (!outcome.done()) return outcome;
   const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
   begin_gesture_with(PointTransform::Kind::move, faces.empty() ? made : faces);
-  gesturing_->transform.call(info_of(*extrusion.op));
-  gesturing_->pull = {std::move(line), "0", {}, new_faces(gesturing_->touched.faces, before), made};
+  gesturing_->transform.is_part_of(name_of(info_of(*extrusion.op)));
+  gesturing_->pull = {
+      .line = std::move(line),
+      .by_nothing = "0",
+      .made_by_nothing = {"Extruded by nothing: the new faces have no extent until something is moved or "
+                          "scaled; undo takes them away.",
+                          "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
+                          "「元に戻す」で取り消せます。"},
+      .made = new_faces(gesturing_->touched.faces, before),
+      .selected = made};
   if (!faces.empty()) {
     gesture_key("N");
   } else {
@@ -102,8 +136,8 @@ Outcome Session::begin_split() {
   const Halfedge h = split.halfedge;
   const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
   begin_gesture_with(PointTransform::Kind::move, {made});
-  gesturing_->transform.call(SplitEdge::info);
-  gesturing_->pull = {line, format_double(split.along), place};
+  gesturing_->transform.is_part_of(name_of(SplitEdge::info));
+  gesturing_->pull = {.line = line, .by_nothing = format_double(split.along), .from = place};
   return outcome;
 }
 

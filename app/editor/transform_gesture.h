@@ -65,9 +65,14 @@ class TransformGesture {
   // How far it moves everything alike; none where it does something else.
   std::optional<glm::dvec3> movement() const;
   bool is_movement() const { return kind_ == PointTransform::Kind::move; }
-  // "Move X 0.25, falloff 0.5"; a movement that is part of an operator is called by its name.
+  // "Move X 0.25, falloff 0.5".
   Text told() const;
-  void call(const OpInfo& op) { called_ = {std::string(op.name_en), std::string(op.name_ja)}; }
+  // It moves what an operator or algorithm of this name makes, which calls it so; no falloff takes along what is there.
+  void is_part_of(Text name) {
+    called_ = std::move(name);
+    takes_falloff_ = false;
+  }
+  bool takes_falloff() const { return takes_falloff_; }
   const Elements& elements() const { return elements_; }
   bool has_falloff() const { return falloff_ > 0; }
   double falloff() const { return falloff_; }
@@ -105,6 +110,7 @@ class TransformGesture {
   glm::dvec2 start_;
   std::optional<glm::dvec2> last_;
   char axis_letter_ = 0;
+  bool takes_falloff_ = true;
   std::optional<glm::dvec3> axis_;
   bool is_in_plane_ = false;
   std::optional<SnapTarget> snapped_to_;

@@ -23,14 +23,16 @@ std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformG
     told += count_text(spoilt, " (one face turns over or flattens)", " (# faces turn over or flatten)",
                        "（裏返る面・つぶれる面 #）")
                 .in(context.language());
-  return {{"", told},
-          {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
-          {"Esc", context.text("give up", "中止")},
-          {"X Y Z N", context.text("axis", "軸")},
-          {"0-9", context.text("number", "数値")},
-          {"O", gesture.has_falloff() ? context.text("falloff, wheel widens", "減衰（ホイールで広げる）")
-                                      : context.text("falloff", "減衰")},
-          {"Ctrl", context.text("snap", "吸着")}};
+  std::vector<Hint> hints{{"", told},
+                          {context.text("Enter, click", "Enter・クリック"), context.text("done", "確定")},
+                          {"Esc", context.text("give up", "中止")},
+                          {"X Y Z N", context.text("axis", "軸")},
+                          {"0-9", context.text("number", "数値")}};
+  if (gesture.takes_falloff())
+    hints.push_back({"O", gesture.has_falloff() ? context.text("falloff, wheel widens", "減衰（ホイールで広げる）")
+                                                : context.text("falloff", "減衰")});
+  hints.push_back({"Ctrl", context.text("snap", "吸着")});
+  return hints;
 }
 
 // "2 vertices, 1 face"

@@ -75,17 +75,19 @@ TEST_F(RecoveryTest, what_a_crash_leaves_is_done_again) {
 // Several ways in which an edit works on a selection, one after the other: without the lines that select, none is done.
 TEST_F(RecoveryTest, edits_on_a_selection_come_back_with_what_they_worked_on) {
   auto crashed = open(files_.copy(test::asset("torus.off"), "torus.off"));
-  for (const char* line :
-       {"select f0 f1 f2", "poke selected", "select v0 v1", "key G", "move 900,300", "key X", "key 2", "key Enter",
-        "select f40", "key E", "key 1", "key O", "key Enter", "select f50 f60"})
+  for (const char* line : {"select f0 f1 f2", "poke selected", "select v0 v1",   "key G",        "move 900,300",
+                           "key X",           "key 2",         "key Enter",      "select f40",   "key E",
+                           "key 1",           "key Enter",     "select f50 f60", "key Shift+D",  "key Z",
+                           "key 2",           "key Enter",     "select f51",     "key E",        "key 0",
+                           "key Enter",       "select 0-16",   "key Shift+E",    "move 700,300", "key Enter"})
     crashed->run(line);
   const std::uint64_t hash = crashed->session.mesh().hash();
-  EXPECT_EQ(crashed->session.document().history().size(), 4u);
+  EXPECT_EQ(crashed->session.document().history().size(), 6u);
   crashed.reset();
   auto again = open_nothing();
   ASSERT_TRUE(again->session.run("recover 1").done());
   EXPECT_EQ(again->session.mesh().hash(), hash);
-  EXPECT_EQ(again->session.document().history().size(), 4u);
+  EXPECT_EQ(again->session.document().history().size(), 6u);
 }
 
 TEST_F(RecoveryTest, no_output_takes_the_place_of_what_a_recovered_session_was_read_from) {

@@ -92,7 +92,7 @@ TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
   EXPECT_EQ(flat_faces(*session_), 0u);
   run({"mode face", "select f0", "move 600,300", "key E"});
   EXPECT_EQ(session_->mesh().live().faces, 10u);
-  EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has been pulled yet, and it would end as nothing";
+  EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has been pulled yet";
   run({"move 700,350"});
   ASSERT_TRUE(session_->gesture());
   EXPECT_EQ(flat_faces(*session_), 0u);
@@ -404,25 +404,149 @@ TEST_F(GestureTest, splitting_begins_under_the_tool) {
   EXPECT_EQ(session_->run("gesture split").exit_code, ExitCode::refused);
 }
 
-TEST_F(GestureTest, duplicating_moves_the_copy_which_stays_where_that_is_given_up) {
-  run({"mode face", "select f0 f1", "move 640,360"});
-  const std::uint64_t before = session_->mesh().hash();
-  run({"key Shift+D", "move 700,300"});
-  ASSERT_TRUE(session_->gesture());
-  const Outcome given_up = session_->run("key Escape");
-  EXPECT_NE(given_up.sentence.en.find("copy stays where the original is"), std::string::npos) << given_up.sentence.en;
-  EXPECT_EQ(session_->selection, (Elements{Face(96), Face(97)}));
-  EXPECT_EQ(session_->mesh().live().faces, 98u);
-  EXPECT_EQ(session_->document().history().size(), 1u);
-  run({"undo"});
-  EXPECT_EQ(session_->mesh().hash(), before) << "one step takes it away";
+// What a hand makes and moves: how it begins, on what is selected, and the line that it ends with.
+struct MadeByHand {
+  const char *select, *begin, *line;
+};
+constexpr MadeByHand made_by_hand[] = {{"select f0 f1", "key Shift+D", "duplicate elements=f0,f1 by="},
+                                       {"select v3 0-1 f7", "key Shift+D", "duplicate elements="},
+                                       {"select all", "gesture duplicate", "duplicate elements="},
+                                       {"select f0 f1", "key E", "extrude f0 f1 "},
+                                       {"select 0-1", "key E", "extrude_edges "},
+                                       {"select 0-1", "key Shift+E", "split 0-1 "}};
 
-  run({"key Shift+D", "move 740,280", "press left 740,280", "release left 740,280"});
-  EXPECT_EQ(session_->document().history().size(), 2u);
-  const std::uint64_t moved = session_->mesh().hash();
-  const auto again = open();
-  for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
-  EXPECT_EQ(again->mesh().hash(), moved);
+class MadeByHandTest : public GestureTest {
+ protected:
+  std::size_t coincident() { return session_->highlights().count(ProblemKind::coincident_points); }
+};
+
+TEST_F(MadeByHandTest, one_hand_is_one_entry_and_one_undo) {
+  for (const MadeByHand& made : made_by_hand) {
+    SCOPED_TRACE(std::string(made.select) + ", " + made.begin);
+    for (const std::initializer_list<const char*> moved :
+         {std::initializer_list<const char*>{"move 740,280", "press left 740,280", "release left 740,280"},
+          {"key Z", "key 3", "key Enter"},
+          {"move 700,300", "key X", "key Enter"},
+          {"key O", "move 700,300", "wheel 3 700,300", "key O", "key Enter"},
+          {"key Shift+Y", "move 720,310", "press left 720,310", "release left 720,310"}}) {
+      session_ = open();
+      run({"poke f9", "move 640,360"});
+      const std::uint64_t before = session_->mesh().hash();
+      run({made.select, made.begin});
+      run(moved);
+      EXPECT_FALSE(session_->gesture());
+      ASSERT_EQ(session_->document().history().size(), 2u);
+      ASSERT_EQ(session_->log().size(), 2u);
+      EXPECT_TRUE(session_->log()[1].starts_with(made.line)) << session_->log()[1];
+      EXPECT_EQ(session_->document().history()[1].command, session_->log()[1]);
+      EXPECT_FALSE(session_->selection.empty());
+      const std::uint64_t after = session_->mesh().hash();
+      EXPECT_NE(after, before);
+      const auto again = open();
+      for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+      EXPECT_EQ(again->mesh().hash(), after) << "as a script";
+      run({"undo"});
+      EXPECT_EQ(session_->mesh().hash(), before);
+      run({"redo"});
+      EXPECT_EQ(session_->mesh().hash(), after);
+      run({"undo 2"});
+      EXPECT_EQ(session_->document().position(), 0u);
+      EXPECT_FALSE(session_->run("undo").done());
+      run({"redo 2"});
+      EXPECT_EQ(session_->mesh().hash(), after);
+    }
+  }
+}
+
+TEST_F(MadeByHandTest, given_up_it_leaves_nothing) {
+  const std::vector<std::vector<std::string>> ends{
+      {"key Escape"}, {"press right 700,300", "release right 700,300"}, {"undo", "redo"}, {"poke f20", "undo"}};
+  for (const MadeByHand& made : made_by_hand)
+    for (const std::vector<std::string>& end : ends) {
+      SCOPED_TRACE(std::string(made.select) + ", " + made.begin + ", " + end[0]);
+      session_ = open();
+      run({"poke f10", made.select, "move 640,360"});
+      const std::uint64_t before = session_->mesh().hash();
+      const Elements selected = session_->selection;
+      run({made.begin, "move 700,300"});
+      ASSERT_TRUE(session_->gesture());
+      EXPECT_NE(session_->mesh().hash(), before);
+      std::string said;
+      for (const std::string& line : end) said += session_->run(line).sentence.en;
+      EXPECT_FALSE(session_->gesture());
+      EXPECT_EQ(session_->mesh().hash(), before);
+      EXPECT_EQ(session_->document().position(), 1u);
+      if (end[0] == "undo" || end[0] == "poke f20") continue;
+      EXPECT_EQ(session_->selection, selected);
+      EXPECT_EQ(session_->document().history().size(), 1u);
+      EXPECT_EQ(session_->log().size(), 1u);
+      const bool is_of_copy = std::string_view(made.line).starts_with("duplicate");
+      EXPECT_EQ(said.find("No copy is left") != said.npos, is_of_copy && end[0] == "key Escape") << said;
+    }
+}
+
+// What ends without a movement is done by nothing, and said.
+TEST_F(MadeByHandTest, a_copy_that_is_not_moved_stays_where_that_is_confirmed_and_is_said_and_listed) {
+  run({"select f0 f1", "move 640,360", "key Shift+D"});
+  const Outcome confirmed = session_->run("key Enter");
+  EXPECT_NE(confirmed.sentence.en.find("The copy lies exactly on the original"), std::string::npos)
+      << confirmed.sentence.en;
+  EXPECT_NE(confirmed.sentence.ja.find("複製は元と"), std::string::npos) << confirmed.sentence.ja;
+  EXPECT_EQ(session_->log(), std::vector<std::string>{"duplicate elements=f0,f1 by=0,0,0"});
+  EXPECT_EQ(session_->selection, (Elements{Face(96), Face(97)}));
+  run({"undo"});
+  EXPECT_EQ(session_->mesh().live().faces, 96u);
+}
+
+TEST_F(MadeByHandTest, extruding_by_nothing_is_done_and_said_and_scaling_then_insets) {
+  for (const char* const number : {"0", "", "0.0", "-0"})
+    for (const char* const select : {"select f0", "select f0 f1", "select 0-1"}) {
+      SCOPED_TRACE(std::string(select) + ", " + number);
+      session_ = open();
+      run({select, "move 640,360"});
+      const std::uint64_t before = session_->mesh().hash();
+      const bool is_of_edges = std::string_view(select) == "select 0-1";
+      const Elements faces = session_->selection;
+      run({"key E"});
+      for (const char* c = number; *c; ++c) run({("key " + std::string(1, *c)).c_str()});
+      const Outcome outcome = session_->run("key Enter");
+      ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
+      EXPECT_NE(outcome.sentence.en.find("Extruded by nothing"), std::string::npos) << outcome.sentence.en;
+      EXPECT_NE(outcome.sentence.ja.find("移動量ゼロ"), std::string::npos) << outcome.sentence.ja;
+      ASSERT_EQ(session_->log().size(), 1u);
+      EXPECT_TRUE(session_->log()[0].ends_with(" 0")) << session_->log()[0];
+      EXPECT_GT(session_->mesh().live().faces, 96u);
+      if (!is_of_edges) {
+        EXPECT_EQ(session_->selection, faces);
+        run({"key Shift+S", "key .", "key 5", "key Enter"});
+        EXPECT_EQ(flat_faces(*session_), 0u);
+      }
+      const std::uint64_t after = session_->mesh().hash();
+      const auto again = open();
+      for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
+      EXPECT_EQ(again->mesh().hash(), after);
+      run({is_of_edges ? "undo" : "undo 2"});
+      EXPECT_EQ(session_->mesh().hash(), before);
+    }
+}
+
+TEST_F(MadeByHandTest, takes_no_falloff_and_says_so) {
+  for (const MadeByHand& made : made_by_hand) {
+    session_ = open();
+    run({made.select, made.begin});
+    const Outcome outcome = session_->run("key O");
+    EXPECT_NE(outcome.sentence.en.find("moves alone"), std::string::npos) << made.begin;
+    EXPECT_FALSE(session_->gesture()->has_falloff());
+    EXPECT_FALSE(session_->widen_gesture(1));
+    run({"key Escape"});
+  }
+}
+
+TEST_F(MadeByHandTest, a_copy_needs_a_selection) {
+  run({"select none"});
+  EXPECT_EQ(session_->run("gesture duplicate").exit_code, ExitCode::refused);
+  EXPECT_FALSE(session_->gesture());
+  EXPECT_TRUE(session_->log().empty());
 }
 
 TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_what_is_saved) {

@@ -18,8 +18,8 @@ namespace {
 TEST(failing_saves, a_limit_of_the_shell_is_said_too) {
   const test::TemporaryFolder folder;
   const std::string old = test::read_file(test::asset("cube.obj")), out = folder.write("out.obj", old);
-  const std::string command = "ulimit -f 100; " RYOSEN_PROGRAM " convert " + test::asset("stanford_bunny.obj") +
-                              " -o " + out + " --lang en 2>" + folder.at("err") + " >" + folder.at("out");
+  const std::string command = "ulimit -f 100; " + test::shell_program() + " convert " +
+                              test::shell_word(test::asset("stanford_bunny.obj")) + " -o " + out + " --lang en 2>" + folder.at("err") + " >" + folder.at("out");
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
   EXPECT_EQ(WEXITSTATUS(status), 5);
@@ -56,7 +56,7 @@ class Target {
   }
   // Lets the nth call of another process fail that concerns the folder; none at 0.
   std::vector<std::string> environment(std::size_t nth, const std::string& with) const {
-    return {"LD_PRELOAD=" RYOSEN_FAILING_CALLS, "RYOSEN_FAIL_FOLDER=" + folder(),
+    return {"LD_PRELOAD=" + library_, "RYOSEN_FAIL_FOLDER=" + folder(),
             "RYOSEN_FAIL_AT=" + std::to_string(nth), "RYOSEN_FAIL_WITH=" + with,
             "RYOSEN_FAIL_LOG=" + others_.at("log")};
   }
@@ -72,6 +72,7 @@ class Target {
   std::string old_ = test::read_file(test::asset("tetrahedron.off"));
   test::TemporaryFolder folder_, others_;
   std::string input_ = others_.copy(test::asset("cube.obj"), "in.obj");
+  std::string library_ = others_.copy(RYOSEN_FAILING_CALLS, "failing_calls.so");  // of a path without blanks
 };
 
 // What a save comes to when this call fails in this way.
@@ -199,7 +200,7 @@ std::size_t fail_each_call_of(const std::string& test) {
     target.reset();
     std::string command = "RYOSEN_SAVE_TARGET=" + target.path();
     for (const std::string& variable : target.environment(nth, std::to_string(EIO))) command += " " + variable;
-    command += " " + self + " --gtest_filter=failing_saves." + test + " >/dev/null";
+    command += " " + test::shell_word(self) + " --gtest_filter=failing_saves." + test + " >/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << test << ' ' << nth;
     if (target.calls().size() < nth) return nth - 1;
   }

@@ -20,8 +20,8 @@ class Growth : public testing::Test {
     file.mesh = mesh;
     const std::string path = folder_.at("mesh.ply");
     EXPECT_TRUE(write_mesh_file(path, file));
-    const std::string line = "ulimit -t " + std::to_string(seconds) + "; " RYOSEN_PROGRAM " " + command + " " + path +
-                             " " + flags + " >/dev/null 2>&1";
+    const std::string line = "ulimit -t " + std::to_string(seconds) + "; " + shell_program() + " " + command + " " +
+                             path + " " + flags + " >/dev/null 2>&1";
     const int status = std::system(line.c_str());
     return WIFEXITED(status) && WEXITSTATUS(status) < 128 ? WEXITSTATUS(status) : -1;
   }

@@ -111,7 +111,7 @@ TEST_F(HullCommand, reads_standard_input) {
   const std::string points = folder_.write("points", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"), nothing = folder_.write("no", "");
   const auto dimension = [&](const std::string& input) {
     const std::string output = folder_.at("line");
-    const std::string line = std::string("'") + RYOSEN_PROGRAM + "' hull - --json < '" + input + "' > '" + output + "'";
+    const std::string line = shell_program() + " hull - --json < " + shell_word(input) + " > " + shell_word(output);
     EXPECT_EQ(std::system(line.c_str()), 0);
     return Json::parse(read_file(output))["dimension"];
   };

@@ -20,14 +20,14 @@
 namespace ryosen::test {
 namespace {
 
-// Runs a line under `ulimit LIMIT`, as somebody whom limits of processes concern where `as_nobody`.
+// Runs a line of this program under `ulimit LIMIT`, as somebody whom limits of processes concern where `as_nobody`.
 ProgramRun run_limited(const std::string& limit, const Words& words, const TemporaryFolder& folder,
-                       bool as_nobody = false) {
+                       bool as_nobody = false, const std::string& program = RYOSEN_PROGRAM) {
   // What it prints goes through pipes, since a limit on the size of files concerns files alone.
   std::string line = "unset DISPLAY WAYLAND_DISPLAY; ulimit " + limit + "; ";
   line += as_nobody && geteuid() == 0 ? "exec setpriv --reuid=65534 --clear-groups " : "exec ";
-  line += RYOSEN_PROGRAM;
-  for (const std::string& word : words) line += " '" + word + "'";
+  line += shell_word(program);
+  for (const std::string& word : words) line += " " + shell_word(word);
   const std::string out = folder.at("out"), err = folder.at("err"), code = folder.at("code");
   const std::string script =
       folder.write("script", "cd " + folder.path().string() + "; { { (" + line + "); echo $? >&3; } 2>&4 | cat >" +
@@ -68,11 +68,11 @@ constexpr int any_usual_code = -1;
 
 // Ends as usual or with the code of what is lacking; returns which.
 bool expect_good_end(const std::string& limit, const Words& words, int usual, int code_of_lack,
-                     bool as_nobody = false) {
+                     bool as_nobody = false, const std::string& program = RYOSEN_PROGRAM) {
   SCOPED_TRACE("ulimit " + limit + ":" + shown(words));
   const TemporaryFolder folder;
   if (as_nobody) std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
-  const ProgramRun run = run_limited(limit, words, folder, as_nobody);
+  const ProgramRun run = run_limited(limit, words, folder, as_nobody, program);
   EXPECT_EQ(fault_of_run(words, run), "") << run.err;
   EXPECT_LT(run.exit_code, 70) << run.err;
   for (const char* const untrue : {"not installed", "インストールされていません", "Internal error"}) {
@@ -175,15 +175,15 @@ TEST(little_memory, of_a_real_control_group_is_said) {
   if (group.path().empty()) GTEST_SKIP() << "no control group can be made here";
   const TemporaryFolder folder;
   const auto run = [&](const std::string& words) {
-    const std::string line = "echo $$ >" + group.path() + "/cgroup.procs && exec " RYOSEN_PROGRAM " --lang en " +
-                             words + " 2>" + folder.at("err");
+    const std::string line = "echo $$ >" + group.path() + "/cgroup.procs && exec " + shell_program() +
+                             " --lang en " + words + " 2>" + folder.at("err");
     Process process({"sh", "-c", line}, {}, folder.at("out"));
     return process.wait();
   };
-  EXPECT_EQ(run("shot " + asset("cube.obj") + " -o " + folder.at("o.png")), 10);
+  EXPECT_EQ(run("shot " + shell_word(asset("cube.obj")) + " -o " + folder.at("o.png")), 10);
   EXPECT_NE(read_file(folder.at("err")).find("the control group (cgroup) leaves "), std::string::npos);
   EXPECT_FALSE(folder.has("o.png"));
-  EXPECT_EQ(run("check " + asset("cube.obj")), 0) << read_file(folder.at("err"));
+  EXPECT_EQ(run("check " + shell_word(asset("cube.obj"))), 0) << read_file(folder.at("err"));
 }
 
 TEST(little_memory, a_picture_counts_what_its_switches_take) {
@@ -203,26 +203,29 @@ TEST(little_memory, a_picture_counts_what_its_switches_take) {
 }
 
 // A few in the suite.
-std::vector<Words> lines_for_other_limits(const TemporaryFolder& made) {
-  if (is_long_run()) return lines_of_all(asset("stanford_bunny.obj"), made);
-  const std::string mesh = asset("cube.obj");
+std::string mesh_for_other_limits() { return asset(is_long_run() ? "stanford_bunny.obj" : "cube.obj"); }
+std::vector<Words> lines_for_other_limits(const std::string& mesh, const TemporaryFolder& made) {
+  if (is_long_run()) return lines_of_all(mesh, made);
   return {{"check", mesh, "--self-intersections", "--json"},
           {"shot", mesh, "-o", "o.png"},
           {"convert", mesh, "-o", "o.ply"}};
 }
 
 TEST(little_memory, without_threads_one_does_it_all) {
+  // The other user may not enter the home in which the clone may lie.
   const TemporaryFolder made;
-  std::filesystem::permissions(made.path(), std::filesystem::perms::all);
-  for (const Words& words : lines_for_other_limits(made)) {
+  const std::string mesh = made.copy(mesh_for_other_limits(), "mesh.obj"), program = made.copy(RYOSEN_PROGRAM, "ryosen");
+  for (const std::string& path : {made.path().string(), mesh, program})
+    std::filesystem::permissions(path, std::filesystem::perms::all);
+  for (const Words& words : lines_for_other_limits(mesh, made)) {
     const int usual = usual_code(words);
-    expect_good_end("-u 1", words, usual, usual, true);
+    expect_good_end("-u 1", words, usual, usual, true, program);
   }
 }
 
 TEST(little_memory, few_descriptors_and_small_files_are_said_truly) {
   const TemporaryFolder made;
-  for (const Words& words : lines_for_other_limits(made)) {
+  for (const Words& words : lines_for_other_limits(mesh_for_other_limits(), made)) {
     const int usual = usual_code(words);
     expect_good_end("-n 8", words, usual, 7);
     expect_good_end("-f 1", words, usual, 5);

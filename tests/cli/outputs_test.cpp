@@ -195,8 +195,8 @@ TEST(outputs, pipes_are_written_to_where_somebody_reads_them) {
   const ProgramRun alone = run_program({"repair", "in.off", "-o", "pipe"}, folder.path());
   EXPECT_EQ(alone.exit_code, 5);
   EXPECT_NE(alone.err.find("nobody reads this pipe"), std::string::npos) << alone.err;
-  const std::string command = "cd " + folder.path().string() + " && exec 7<>pipe && '" + RYOSEN_PROGRAM +
-                              "' repair in.off -o pipe >/dev/null && timeout 5 head -c 66 <&7 >got";
+  const std::string command = "cd " + folder.path().string() + " && exec 7<>pipe && " + shell_program() +
+                              " repair in.off -o pipe >/dev/null && timeout 5 head -c 66 <&7 >got";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(read_file(folder.at("got")), tetrahedron);
   EXPECT_TRUE(std::filesystem::is_fifo(folder.at("pipe")));

@@ -134,8 +134,8 @@ TEST(signals, end_every_long_command_soon_and_leave_nothing) {
 
 TEST(signals, that_are_ignored_stay_ignored) {
   const TemporaryFolder folder;
-  const std::string line =
-      "trap '' HUP INT; exec " RYOSEN_PROGRAM " convert " + asset("stanford_bunny.obj") + " -o " + folder.at("o.ply");
+  const std::string line = "trap '' HUP INT; exec " + shell_program() + " convert " +
+                           shell_word(asset("stanford_bunny.obj")) + " -o " + folder.at("o.ply");
   Process process({"sh", "-c", line}, {}, folder.at("out"), folder.at("err"));
   wait_for([&] { return process.handles(SIGTERM) || process.is_over(); });
   EXPECT_FALSE(process.handles(SIGHUP));

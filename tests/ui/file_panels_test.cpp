@@ -10,7 +10,8 @@ namespace {
 
 using test::DrawnText;
 
-constexpr glm::dvec2 name_field{600, 545}, accept_button{370, 570};
+// The buttons that accept, which Cancel follows: the words alone are drawn elsewhere too.
+constexpr const char *open_button = "Open Cancel", *save_button = "Save Cancel";
 
 class FilePanels : public testing::Test, protected test::Laid {
  protected:
@@ -38,21 +39,21 @@ TEST_F(FilePanels, a_file_that_cannot_be_read_is_said_why_where_it_was_chosen) {
   folder_.copy(file_, "other.obj");
   folder_.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n");
   show("open");
-  click(DrawnText(gui).place("bad.off"));
-  click(accept_button);
+  click_on("bad.off");
+  click_on(open_button);
   EXPECT_EQ(session.open_panel, "open");
   EXPECT_TRUE(gui.said().en.starts_with(folder_.at("bad.off") + ":5:")) << gui.said().en;
   expect_reason_in_panel();
-  click(DrawnText(gui).place("other.obj"));
+  click_on("other.obj");
   EXPECT_EQ(DrawnText(gui).count(gui.said().en), 1u) << "it is not about this file";
 }
 
 TEST_F(FilePanels, a_file_that_cannot_be_written_is_said_why_and_its_name_stays) {
   show("save");
-  click(name_field);
+  click_on("cube.obj");  // in the field, below the list
   for (const char c : std::string_view("x.yz")) gui.character(static_cast<unsigned>(c));
   frames(2);
-  click(accept_button);
+  click_on(save_button);
   EXPECT_EQ(session.open_panel, "save");
   expect_reason_in_panel();
   EXPECT_GE(DrawnText(gui).count("x.yz"), 1u);
@@ -63,7 +64,7 @@ TEST_F(FilePanels, a_name_without_an_ending_is_that_of_a_file_as_the_open_one) {
   show("save");
   gui.text("xyz");  // in place of the name that is offered
   frames(2);
-  click(accept_button);
+  click_on(save_button);
   EXPECT_EQ(session.open_panel, "");
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"cube.obj", "xyz.obj"}));
 }
@@ -75,7 +76,7 @@ TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
   ASSERT_TRUE(session.run("split 0-1").done());
   gui.leave(session, {true, {}});
   frames(3);
-  click({480, 378});
+  click_on("Save Discard");
   EXPECT_FALSE(gui.wants_quit());
   EXPECT_EQ(session.open_panel, "unsaved");
   expect_reason_in_panel();

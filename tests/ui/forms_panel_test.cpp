@@ -13,14 +13,11 @@ class FormsPanel : public testing::Test, protected test::Laid {
   FormsPanel() : Laid("torus.off", test::tall_window) {}
 
   void press_measure() {
-    click(button_);
+    click_on(session.language == Language::english ? "Measure" : "測る");
     gui.pointer({640, 1300});
     frames(2);
   }
   int drawn() const { return gui.draw_data().TotalVtxCount; }
-
- private:
-  glm::dvec2 button_ = test::DrawnText(gui).place("Forms of the source texts") + glm::dvec2(90, 27);
 };
 
 TEST_F(FormsPanel, measures_only_when_asked) {

@@ -19,6 +19,9 @@ namespace {
 using test::Laid;
 using test::window;
 
+// Save of the panel that writes files, which its Cancel follows: the word alone is drawn elsewhere too.
+constexpr const char *save_button = "Save Cancel", *save_button_ja = "保存取り消し";
+
 TEST(texts, are_there_in_both_languages) {
   for (std::size_t i = 0; i < enum_count<UiText>; ++i) {
     const auto id = static_cast<UiText>(i);
@@ -102,9 +105,9 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
   const auto wait = [&] {
     for (int i = 0; i < 3 || laid.gui.wants_frames(); ++i) laid.frames(1);
   };
-  const auto closes = [&](glm::dvec2 pixel) {
+  const auto closes = [&](const char* button) {
     wait();
-    laid.gui.pointer(pixel);
+    laid.gui.pointer(laid.place_of(button));
     wait();
     laid.gui.button(0, true);
     laid.gui.button(0, false);  // before there was a frame
@@ -115,10 +118,10 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
     EXPECT_EQ(laid.gui.draw_data().TotalVtxCount, drawn);
   };
   ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
-  closes({432, 478});  // later
+  closes("Later");
   ASSERT_TRUE(laid.gui.run(laid.session, "split 0-1").done());
   laid.gui.leave(laid.session, {false, test::asset("cube.obj")});
-  closes({640, 378});  // discard
+  closes("Discard");
   EXPECT_EQ(laid.session.mesh().live().vertices, 8u);
 }
 
@@ -127,10 +130,11 @@ TEST(gui, the_view_lies_between_the_columns) {
   const PixelRect area = laid.gui.view_area(window, laid.session.layout);
   EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
   EXPECT_EQ(laid.session.view_origin, glm::dvec2(area.x0, area.y0));
-  EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {100, 360}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {1200, 360}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 5}));
+  const double y = (area.y0 + area.y1) / 2.0, x = (area.x0 + area.x1) / 2.0;
+  EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {x, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {area.x0 / 2.0, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {(area.x1 + window.width) / 2.0, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {x, area.y0 / 2.0}));
 }
 
 TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
@@ -206,7 +210,7 @@ TEST(gui, asks_before_changes_are_lost) {
   EXPECT_FALSE(changed.gui.wants_quit());
   EXPECT_EQ(changed.session.open_panel, "unsaved");
   changed.frames(2);
-  changed.click({640, 378});  // discard
+  changed.click_on("Discard");
   EXPECT_TRUE(changed.gui.wants_quit());
 }
 
@@ -227,32 +231,33 @@ TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx",
                 static_cast<unsigned long long>(Document::open(test::asset("cube.obj")).value()->mesh().hash()));
+  const test::TemporaryFolder folder;
+  const std::string file = folder.copy(test::asset("cube.obj"), "cube.obj");
   for (const char* n : {"1", "2"})
     state.write("ryosen/recovery/session-" + std::string(n) + ".ryosen",
-                "# ryosen session 1\n# mesh " + std::string(hash) + "\nopen " + file_argument(test::asset("cube.obj")) +
-                    "\nsplit 0-1\n");
-  const glm::dvec2 recover(432, 298), second_discard(560, 352), later(432, 478);
+                "# ryosen session 1\n# mesh " + std::string(hash) + "\nopen " + file_argument(file) + "\nsplit 0-1\n");
 
   Laid laid("torus.off");
   ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
   laid.frames(3);
-  laid.click(later);
+  laid.click_on("Later");
   EXPECT_EQ(laid.session.open_panel, "");
   EXPECT_EQ(state.names().size(), 2u);
 
   ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
   laid.frames(3);
-  laid.click(second_discard);
+  ASSERT_EQ(test::DrawnText(laid.gui).count("Discard"), 2u);
+  laid.click_on("Discard");  // of the second
   EXPECT_EQ(laid.session.open_panel, "recover");
   EXPECT_EQ(state.names(), std::vector<std::string>{"ryosen/recovery/session-1.ryosen"});
 
   // Changes of this document are asked about first.
   ASSERT_TRUE(laid.session.run("split 0-1").done());
-  laid.click(recover);
+  laid.click_on("Recover Discard");  // Recover, which Discard follows: the title has the word too
   EXPECT_EQ(laid.session.open_panel, "unsaved");
   laid.frames(3);
-  laid.click({640, 378});  // discard
-  EXPECT_EQ(laid.session.document().path(), test::asset("cube.obj"));
+  laid.click_on("Discard");
+  EXPECT_EQ(laid.session.document().path(), file);
   EXPECT_EQ(laid.session.mesh().live().vertices, 9u);
   EXPECT_NE(laid.gui.said().en.find("1 edit is recovered"), std::string::npos) << laid.gui.said().en;
   before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
@@ -266,11 +271,10 @@ TEST(gui, an_existing_file_is_replaced_only_on_the_second_press) {
   ASSERT_TRUE(laid.session.run("split 0-1").done());
   ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
   laid.frames(3);
-  const glm::dvec2 button(370, 570);
-  laid.click(button);
+  laid.click_on(save_button);
   EXPECT_EQ(test::read_file(path), before);
   EXPECT_EQ(laid.session.open_panel, "save");
-  laid.click(button);
+  laid.click_on(save_button);
   EXPECT_NE(test::read_file(path), before);
   EXPECT_EQ(laid.session.open_panel, "");
 }
@@ -288,7 +292,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
     ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
     laid.frames(3);
     const int before = laid.gui.draw_data().TotalVtxCount;
-    laid.click({370, 570});
+    laid.click_on(language == std::string_view("language en") ? save_button : save_button_ja);
     EXPECT_FALSE(folder.has("cube.stl")) << "it only told what would be lost";
     EXPECT_EQ(laid.session.open_panel, "save");
     EXPECT_GT(laid.gui.draw_data().TotalVtxCount, before + 100) << "a sentence per loss and what to do";
@@ -296,8 +300,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
     ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
     laid.frames(3);
   }
-  // The button has moved up by the list.
-  for (double y = 570; y > 400 && !folder.has("cube.stl"); y -= 8) laid.click({370, y});
+  laid.click_on(save_button_ja);  // which the list has moved up
   EXPECT_TRUE(folder.has("cube.stl"));
   EXPECT_EQ(laid.session.open_panel, "");
   EXPECT_FALSE(laid.session.document().is_modified());
@@ -370,7 +373,6 @@ TEST(progress_window, is_cancelled_by_its_button_alone) {
   };
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(step());
   EXPECT_GT(ImGui::FindWindowByName("###progress")->WindowBorderSize, 0) << "it ends somewhere, whatever lies behind";
-  const glm::dvec2 middle(test::window.width / 2.0, test::window.height / 2.0);
   const auto click = [&](glm::dvec2 pixel) {
     gui.pointer(pixel);
     bool asked = step();
@@ -379,8 +381,10 @@ TEST(progress_window, is_cancelled_by_its_button_alone) {
     gui.button(0, false);
     return step() || asked;
   };
-  EXPECT_FALSE(click(middle + glm::dvec2(0, -20))) << "on the bar";
-  EXPECT_TRUE(click(middle + glm::dvec2(-120, 25)));
+  const ImRect bar = ImGui::FindWindowByName("###progress")->Rect();
+  const glm::dvec2 button = test::DrawnText(gui).last_place("Cancel (Esc)");
+  EXPECT_FALSE(click({bar.GetCenter().x, button.y - 1.5 * ImGui::GetFrameHeightWithSpacing()})) << "on the bar";
+  EXPECT_TRUE(click(button));
 }
 
 }  // namespace

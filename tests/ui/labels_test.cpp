@@ -96,7 +96,7 @@ TEST_F(LabelsTest, do_not_overlap_and_give_way_to_what_is_selected) {
 // In a menu of their own within the View menu, which has to have room in a window of 720 pixels.
 TEST_F(LabelsTest, are_in_a_menu_of_the_view_menu) {
   test::Laid laid("cube.obj");
-  laid.click({165, 10});
+  laid.open_menu("View");
   const glm::dvec2 entry = test::DrawnText(laid.gui).place("Numbers");
   laid.click(entry);
   laid.frames(3);

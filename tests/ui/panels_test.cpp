@@ -13,8 +13,6 @@
 namespace ryosen {
 namespace {
 
-constexpr glm::dvec2 view_menu{165, 10};
-
 class PanelsTest : public testing::Test, protected test::Laid {
  protected:
   PanelsTest() : Laid("cube.obj", test::tall_window) {}
@@ -114,8 +112,8 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_panels_in_the_view_
   gui.add_panel(faces_row, std::move(made));
   frames(3);
   const auto press_its_entry = [&] {
-    click(view_menu);
-    click(test::DrawnText(gui).last_place("Panels"));
+    open_menu("View");
+    click_on("Panels");
     const test::DrawnText menu(gui);
     const double y = menu.last_place("Facesovertime").y;
     for (const PanelRow& row : panel_list())

@@ -3,7 +3,9 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/camera_text.h"
 #include "app/ui/headless.h"
+#include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 
@@ -121,10 +123,12 @@ class PanelEvents : public testing::Test {
 };
 
 TEST_F(PanelEvents, reach_the_rows_of_panels_and_the_view_between_them) {
-  run(*session_, {"press left 100,114", "release left 100,114"});
-  EXPECT_FALSE(session_->tool.empty()) << "a row of the tools";
+  const glm::dvec2 row = test::Laid("torus.off").place_of("Collapse edge");
+  const std::string at = format_pixel(row), beside = format_pixel(row + glm::dvec2(20, 0));
+  run(*session_, {"press left " + at, "release left " + at});
+  EXPECT_EQ(session_->tool, "collapse");
   const Camera before = session_->camera;
-  run(*session_, {"press left 100,114", "move 160,114", "release left 160,114", "wheel 1 100,114"});
+  run(*session_, {"press left " + at, "move " + beside, "release left " + beside, "wheel 1 " + at});
   EXPECT_EQ(session_->camera.eye, before.eye) << "over a panel nothing navigates";
   run(*session_, {"press left 640,560", "move 700,580", "release left 700,580"});
   EXPECT_NE(session_->camera.eye, before.eye);

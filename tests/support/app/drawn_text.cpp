@@ -11,10 +11,18 @@ namespace ryosen::test {
 
 namespace {
 
-std::string without_spaces(std::string_view text) {
-  std::string rest(text);
-  std::erase(rest, ' ');
-  return rest;
+// The letters of a text in UTF-8.
+std::u32string without_spaces(std::string_view text) {
+  std::u32string letters;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool goes_on = (byte & 0xC0) == 0x80;
+    if (goes_on)
+      letters.back() = letters.back() << 6 | (byte & 0x3Fu);
+    else if (c != ' ')
+      letters += byte < 0x80 ? byte : byte < 0xE0 ? byte & 0x1Fu : byte < 0xF0 ? byte & 0x0Fu : byte & 0x07u;
+  }
+  return letters;
 }
 
 }  // namespace
@@ -37,6 +45,7 @@ DrawnText::DrawnText(const Gui& gui) {
         if (letter == letters.end() || (list.VtxBuffer[k].col & IM_COL32_A_MASK) == 0) continue;
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
+        letters_ += letter->second;
         if (letter->second == 0x2026) ellipses_.push_back(text_.size());
         text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
         places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
@@ -97,21 +106,24 @@ std::string DrawnText::overlapping() const {
   });
 }
 
-std::size_t DrawnText::count(std::string_view text) const {
-  const std::string wanted = without_spaces(text);
-  std::size_t n = 0;
-  for (std::size_t at = text_.find(wanted); at != std::string::npos; at = text_.find(wanted, at + 1)) ++n;
-  return n;
+std::vector<glm::dvec2> DrawnText::places(std::string_view text) const {
+  const std::u32string wanted = without_spaces(text);
+  std::vector<glm::dvec2> found;
+  for (std::size_t at = letters_.find(wanted); at != std::u32string::npos; at = letters_.find(wanted, at + 1))
+    found.push_back(places_[at]);
+  return found;
 }
 
+std::size_t DrawnText::count(std::string_view text) const { return places(text).size(); }
+
 glm::dvec2 DrawnText::place(std::string_view text) const {
-  const std::size_t at = text_.find(without_spaces(text));
-  return at == std::string::npos ? glm::dvec2(-1e9) : places_[at];
+  const std::vector<glm::dvec2> found = places(text);
+  return found.empty() ? glm::dvec2(-1e9) : found.front();
 }
 
 glm::dvec2 DrawnText::last_place(std::string_view text) const {
-  const std::size_t at = text_.rfind(without_spaces(text));
-  return at == std::string::npos ? glm::dvec2(-1e9) : places_[at];
+  const std::vector<glm::dvec2> found = places(text);
+  return found.empty() ? glm::dvec2(-1e9) : found.back();
 }
 
 }  // namespace ryosen::test

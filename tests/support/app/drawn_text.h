@@ -15,8 +15,10 @@ class DrawnText {
  public:
   explicit DrawnText(const Gui& gui);
 
-  // How often a text of ASCII characters was drawn.
+  // How often a text in UTF-8 was drawn.
   std::size_t count(std::string_view text) const;
+  // The middles of its first characters, in the order of drawing.
+  std::vector<glm::dvec2> places(std::string_view text) const;
   // The middle of its first character, where it was drawn first; outside of every window if nowhere.
   glm::dvec2 place(std::string_view text) const;
   // The same where it was drawn last: on top.
@@ -38,7 +40,8 @@ class DrawnText {
   std::string letters_that(Is is) const;
 
   std::vector<Glyph> glyphs_;
-  std::string text_;                   // ? for what is not ASCII
+  std::u32string letters_;
+  std::string text_;                   // the same, ? for what is not ASCII
   std::vector<std::size_t> ellipses_;  // where in it one stands
   std::vector<glm::dvec2> places_;
 };

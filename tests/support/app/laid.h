@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
+#include <vector>
+
 #include "app/ui/gui.h"
+#include "tests/support/app/drawn_text.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 
@@ -36,6 +40,21 @@ class Laid {
     frames(1);
     gui.button(button, false);
     frames(2);
+  }
+
+  // The middle of the first letter of a label, the one on top where several are drawn; a test of a label that is not drawn
+  // fails.
+  glm::dvec2 place_of(std::string_view label) const {
+    const std::vector<glm::dvec2> places = DrawnText(gui).places(label);
+    EXPECT_FALSE(places.empty()) << label << " is not drawn";
+    return places.empty() ? glm::dvec2(-1e9) : places.back();
+  }
+  void click_on(std::string_view label, int button = 0) { click(place_of(label), button); }
+  // Opens a menu of the bar by its title.
+  void open_menu(std::string_view title) {
+    for (const glm::dvec2 at : DrawnText(gui).places(title))
+      if (at.y < session.view_origin.y) return click(at);
+    ADD_FAILURE() << "no menu " << title;
   }
 
   Session session{std::make_unique<Document>()};

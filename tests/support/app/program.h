@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ryosen::test {
@@ -59,6 +60,9 @@ class TemporaryFolder {
 // OBJ text of bands of squares, each around two round holes, which take seconds to fill.
 std::string bands_around_holes();
 std::string read_file(const std::filesystem::path& path);
+// A word of a shell's line, whatever is in it; and the program as such a word.
+std::string shell_word(std::string_view text);
+std::string shell_program();
 // A mesh of the assets folder.
 std::string asset(const std::string& name);
 // A file of the folder that lies beside the project; empty where it does not.

@@ -19,7 +19,8 @@ TEST(failing_saves, a_limit_of_the_shell_is_said_too) {
   const test::TemporaryFolder folder;
   const std::string old = test::read_file(test::asset("cube.obj")), out = folder.write("out.obj", old);
   const std::string command = "ulimit -f 100; " + test::shell_program() + " convert " +
-                              test::shell_word(test::asset("stanford_bunny.obj")) + " -o " + out + " --lang en 2>" + folder.at("err") + " >" + folder.at("out");
+                              test::shell_word(test::asset("stanford_bunny.obj")) + " -o " + out + " --lang en 2>" +
+                              folder.at("err") + " >" + folder.at("out");
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
   EXPECT_EQ(WEXITSTATUS(status), 5);
@@ -56,9 +57,8 @@ class Target {
   }
   // Lets the nth call of another process fail that concerns the folder; none at 0.
   std::vector<std::string> environment(std::size_t nth, const std::string& with) const {
-    return {"LD_PRELOAD=" + library_, "RYOSEN_FAIL_FOLDER=" + folder(),
-            "RYOSEN_FAIL_AT=" + std::to_string(nth), "RYOSEN_FAIL_WITH=" + with,
-            "RYOSEN_FAIL_LOG=" + others_.at("log")};
+    return {"LD_PRELOAD=" + library_, "RYOSEN_FAIL_FOLDER=" + folder(), "RYOSEN_FAIL_AT=" + std::to_string(nth),
+            "RYOSEN_FAIL_WITH=" + with, "RYOSEN_FAIL_LOG=" + others_.at("log")};
   }
   // What the other process called.
   std::vector<Call> calls() const {

@@ -67,8 +67,8 @@ int usual_code(const Words& words) {
 constexpr int any_usual_code = -1;
 
 // Ends as usual or with the code of what is lacking; returns which.
-bool expect_good_end(const std::string& limit, const Words& words, int usual, int code_of_lack,
-                     bool as_nobody = false, const std::string& program = RYOSEN_PROGRAM) {
+bool expect_good_end(const std::string& limit, const Words& words, int usual, int code_of_lack, bool as_nobody = false,
+                     const std::string& program = RYOSEN_PROGRAM) {
   SCOPED_TRACE("ulimit " + limit + ":" + shown(words));
   const TemporaryFolder folder;
   if (as_nobody) std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
@@ -175,8 +175,8 @@ TEST(little_memory, of_a_real_control_group_is_said) {
   if (group.path().empty()) GTEST_SKIP() << "no control group can be made here";
   const TemporaryFolder folder;
   const auto run = [&](const std::string& words) {
-    const std::string line = "echo $$ >" + group.path() + "/cgroup.procs && exec " + shell_program() +
-                             " --lang en " + words + " 2>" + folder.at("err");
+    const std::string line = "echo $$ >" + group.path() + "/cgroup.procs && exec " + shell_program() + " --lang en " +
+                             words + " 2>" + folder.at("err");
     Process process({"sh", "-c", line}, {}, folder.at("out"));
     return process.wait();
   };
@@ -214,7 +214,8 @@ std::vector<Words> lines_for_other_limits(const std::string& mesh, const Tempora
 TEST(little_memory, without_threads_one_does_it_all) {
   // The other user may not enter the home in which the clone may lie.
   const TemporaryFolder made;
-  const std::string mesh = made.copy(mesh_for_other_limits(), "mesh.obj"), program = made.copy(RYOSEN_PROGRAM, "ryosen");
+  const std::string mesh = made.copy(mesh_for_other_limits(), "mesh.obj"),
+                    program = made.copy(RYOSEN_PROGRAM, "ryosen");
   for (const std::string& path : {made.path().string(), mesh, program})
     std::filesystem::permissions(path, std::filesystem::perms::all);
   for (const Words& words : lines_for_other_limits(mesh, made)) {

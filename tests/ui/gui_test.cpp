@@ -5,8 +5,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // the border of a window
 
-#include <cstdlib>
-
 #include "app/editor/keys.h"
 #include "app/editor/words.h"
 #include "core/base/enum_table.h"
@@ -225,9 +223,7 @@ TEST(gui, the_question_before_a_loss_is_not_asked_where_nothing_would_be_lost) {
 
 TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   const test::TemporaryFolder state;
-  const char* const before = std::getenv("XDG_STATE_HOME");
-  const std::string kept = before ? before : "";
-  setenv("XDG_STATE_HOME", state.path().c_str(), 1);
+  const test::ScopedVariable home("XDG_STATE_HOME", state.path().string());
   char hash[17];
   std::snprintf(hash, sizeof hash, "%016llx",
                 static_cast<unsigned long long>(Document::open(test::asset("cube.obj")).value()->mesh().hash()));
@@ -260,7 +256,6 @@ TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   EXPECT_EQ(laid.session.document().path(), file);
   EXPECT_EQ(laid.session.mesh().live().vertices, 9u);
   EXPECT_NE(laid.gui.said().en.find("1 edit is recovered"), std::string::npos) << laid.gui.said().en;
-  before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
 
 TEST(gui, an_existing_file_is_replaced_only_on_the_second_press) {

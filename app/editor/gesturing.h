@@ -20,10 +20,13 @@ struct Session::Gesturing {
     std::optional<glm::dvec3> from = {};  // where it takes a place in place of a way, that which the way begins at
     Text made_by_nothing = {};            // said where it ends without a movement
     Text given_up = {};                   // and where it is given up
+    std::uint32_t first_made = no_index;  // of the vertices
     std::vector<Face> made = {};          // without extent until something is moved; ascending
     Elements selected = {};               // in the end
   };
   std::optional<Pull> pull = {};  // of one that moves what is made by a line, which is on trial
+  // Points that would be listed as coincident only by what is on trial, once they are known.
+  std::optional<std::vector<Vertex>> unlisted = {};
 };
 
 }  // namespace ryosen

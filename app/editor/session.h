@@ -395,6 +395,7 @@ class Session {
   void note_gesture();
   // Problems that depend on places, of the faces that a gesture changes: as they are drawn, or as they are.
   void judge_as_drawn();
+  void list_coincident(bool are_listed);  // of points that lie on others by what is on trial
   void judge_as_is();
 
   std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another

@@ -66,6 +66,26 @@ void judge_faces(HighlightSets& sets, const Mesh& mesh, std::span<const Face> fa
   }
 }
 
+// The points that lie on others only because of points that are made: these themselves, and what they alone lie on.
+std::vector<Vertex> coincident_by_made(const Mesh& mesh, const ProblemSets& sets, std::uint32_t first_made) {
+  const bool is_known = sets.coincident().knows_places();
+  const CoincidentPoints own = is_known ? CoincidentPoints() : CoincidentPoints(mesh);
+  const CoincidentPoints& points = is_known ? sets.coincident() : own;
+  std::vector<Vertex> found;
+  IndexSet seen;
+  sets.of(ProblemKind::coincident_points).for_each_from(first_made, [&](std::uint32_t i) {
+    if (seen.contains(i)) return;
+    std::vector<Vertex> others;
+    points.for_each_at(Vertex(i), [&](Vertex v) {
+      const bool is_made = v.index >= first_made;
+      if (is_made) seen.insert(v.index);
+      (is_made ? found : others).push_back(v);
+    });
+    if (others.size() == 1) found.push_back(others[0]);
+  });
+  return found;
+}
+
 }  // namespace
 
 std::span<const glm::dvec3> Session::drawn_positions() const {
@@ -138,10 +158,15 @@ void Session::show_gesture() {
   note_gesture();
 }
 
-// What an operator made has no extent until it is moved, and is not listed before.
+// Neither listed is what an operator made and nothing has moved yet, which has no extent, nor that it lies on what it was
+// made of, which only the mesh on trial does.
 void Session::judge_as_drawn() {
   if (!gesturing_ || !highlights_) return;
-  const Gesturing& g = *gesturing_;
+  Gesturing& g = *gesturing_;
+  if (g.pull && !g.unlisted) {
+    g.unlisted = coincident_by_made(mesh(), highlights_->problems(), g.pull->first_made);
+    list_coincident(false);
+  }
   const bool is_unmoved = g.pull && g.transform.does_nothing();
   const auto judged = [&](const ProblemRow& row, Face f) {
     if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
@@ -152,10 +177,19 @@ void Session::judge_as_drawn() {
 
 void Session::judge_as_is() {
   if (!gesturing_ || !highlights_) return;
+  list_coincident(true);
+  gesturing_->unlisted.reset();
   judge_faces(
       *highlights_, mesh(), gesturing_->touched.faces,
       [&](const ProblemRow& row, Face f) { return row.face_at(mesh(), f, mesh().positions()); },
       [&](Marked marked) { note_mark(marked); });
+}
+
+void Session::list_coincident(bool are_listed) {
+  if (!gesturing_->unlisted) return;
+  const ProblemRow& row = row_of(ProblemKind::coincident_points);
+  for (const Vertex v : *gesturing_->unlisted)
+    if (highlights_->put_member(row, v.index, are_listed)) note_mark({mark_of(row.kind), v.index});
 }
 
 void Session::note_gesture() {

@@ -49,6 +49,7 @@ Outcome Session::begin_copy() {
   const ReadValues found = named.on(mesh());
   if (!found.values) return no_element(document(), std::string(row.id), found.error, found.sentence);
   const FirstSlots before(mesh());
+  const std::uint32_t vertices_before = mesh().vertex_slots();
   const auto tried = document_->try_out(row, *found.values, on_progress);
   if (!tried) return cancelled();
   const Elements copy = before.added_to(mesh());
@@ -64,8 +65,10 @@ Outcome Session::begin_copy() {
                                           "複製は元とちょうど重なっています。「元に戻す」で取り消せます。"},
                       .given_up = {"No copy is left; Enter instead of Esc leaves one in its place.",
                                    "複製は残していません。その場に残すには Esc ではなく Enter を押します。"},
+                      .first_made = vertices_before,
                       .selected = copy};
   selection = copy;  // until the trial ends
+  show_gesture();    // the copy lies on nothing yet
   return {};
 }
 
@@ -102,6 +105,7 @@ Outcome Session::begin_pull() {
                           "scaled; undo takes them away.",
                           "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
                           "「元に戻す」で取り消せます。"},
+      .first_made = before.vertices,
       .made = new_faces(gesturing_->touched.faces, before),
       .selected = made};
   if (!faces.empty()) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/analysis/coincident_points.h"
 #include "core/analysis/equal_faces.h"
 #include "core/analysis/problem_subjects.h"
 #include "core/base/count_text.h"
@@ -298,6 +299,20 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .many_en = "# edges have no face on either side.",
      .many_ja = "どちら側にも面のない稜線が # 本あります。",
      .edge = is_wire_edge},
+    {.kind = ProblemKind::coincident_points,
+     .id = "coincident_points",
+     .severity = info,
+     .name_en = "Coincident point",
+     .name_ja = "重なった頂点",
+     .several_en = "coincident points",
+     .one_en = "One vertex lies on another.",
+     .many_en = "# vertices lie on others.",
+     .many_ja = "他の頂点とちょうど重なる頂点が # 個あります。",
+     .by_hand_en = "Parts that touch may keep them; a copy that lies on its original can be deleted.",
+     .by_hand_ja = "接する部品どうしならそのままで構いません。元に重なった複製は削除できます。",
+     .is_of_the_vertex = true,
+     .about = points_at_place,
+     .find_all = find_coincident_points},
 }};
 
 static_assert(rows_are_in_order(built_in, &ProblemRow::kind));

@@ -37,14 +37,15 @@ enum class ProblemKind : std::uint8_t {
   boundary_loop,
   ring,
   wire,
+  coincident_points,
 };
 // So many rows are the most that there can be.
 inline constexpr std::size_t most_problem_kinds = 20;
 
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
-// Exactly one of the four predicates is set, or the kind is found on request. Those of mesh elements are asked about
-// live elements and look no further than the faces at their points; an edge or vertex that is several in the kernel
+// Exactly one of the four predicates is set, or the kind is found whole or on request. Those of mesh elements are asked
+// about live elements and look no further than the faces at their points; an edge or vertex that is several in the kernel
 // answers yes for one only: the lowest sheet with a face, the lowest copy. A duplicate is any face but the lowest, a
 // hanging pair its higher face.
 struct ProblemRow {
@@ -75,14 +76,17 @@ struct ProblemRow {
   // All elements that one of them is about, itself the first: the loop, the fans, the pair; null where it is itself alone.
   // `members` is the set of the kind.
   std::vector<Element> (*about)(Neighbourhood&, const IndexSet& members, Element) = nullptr;
-  // Finds all at once where that is quicker than asking one by one; ascending.
+  // Finds all at once where that is quicker than asking one by one, or where none can be asked alone; ascending.
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
 
-  bool is_local() const { return vertex || edge || face; }
+  // Vertices, each of which depends on all others.
+  bool is_found_whole() const { return find_all && !vertex && !edge && !face; }
+  // Its findings are elements of the mesh, always known.
+  bool is_local() const { return vertex || edge || face || is_found_whole(); }
   bool is_on_request() const { return !searched_by.empty(); }
   // What its findings are; faces too where it has no predicate about elements of the mesh.
   Element::Kind sort() const {
-    return vertex ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
+    return vertex || is_found_whole() ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
   }
   // The finding with this number, of a slot or of a face of the file.
   Element element(std::uint32_t index) const {

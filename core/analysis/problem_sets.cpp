@@ -91,6 +91,19 @@ void ProblemSets::search(const Mesh& mesh, unsigned threads) {
   find_further(around);
 }
 
+// The table of places is made when it is needed first: most sets are never updated.
+void ProblemSets::update_coincident(const Mesh& mesh) {
+  const ProblemRow& row = row_of(ProblemKind::coincident_points);
+  const auto ask = [&](Vertex v) { set(row, v.index, coincident_.is_on_another(v)); };
+  if (coincident_.knows_places()) {
+    for (const Vertex v : coincident_.update(mesh, reach_.vertices)) ask(v);
+    return;
+  }
+  coincident_ = CoincidentPoints(mesh);
+  for (const std::uint32_t i : of(row.kind).to_vector()) ask(Vertex(i));
+  for (Vertex v(0); v.index < mesh.vertex_slots(); ++v.index) ask(v);
+}
+
 void ProblemSets::find_further(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   if (!mesh.has_copies()) return;
@@ -142,10 +155,11 @@ void ProblemSets::update(const Mesh& mesh, const Journal& journal, std::size_t i
     if (row.is_on_request())
       for (const std::uint32_t k : of(row.kind).to_vector()) set(row, k, false);
     // Slots that undoing took away.
-    if (!row.is_local()) continue;
+    if (!row.is_local() || row.is_found_whole()) continue;
     const std::uint32_t slots = row.vertex ? mesh.vertex_slots() : row.edge ? mesh.edge_slots() : mesh.face_slots();
     for (std::uint32_t k : of(row.kind).members_from(slots)) set(row, k, false);
   }
+  update_coincident(mesh);
   if (had_copies_) {
     for (Vertex v : reach_.vertices) put(further_copies_, v.index, is_further(around, v));
     for (Edge e : reach_.edges) put(further_sheets_, e.index, is_further(around, e));

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/analysis/coincident_points.h"
 #include "core/analysis/edit_reach.h"
 #include "core/analysis/index_set.h"
 #include "core/analysis/problem_kinds.h"
@@ -34,10 +35,12 @@ class ProblemSets {
   // (ProblemRow::face_at). True where that makes a difference; changes() is not told.
   bool put_member(const ProblemRow& row, std::uint32_t index, bool is_member);
 
-  // Slot numbers of vertices, edges or faces, by the predicate that the kind's row has; empty for kinds that are found
+  // Slot numbers of elements of the row's sort; empty for kinds that are found
   // in the quarantine. An edge that is several sheets, or a point that has copies, is in it once.
   const IndexSet& of(ProblemKind kind) const { return sets_[static_cast<std::size_t>(kind)]; }
   std::uint32_t count(ProblemKind kind) const { return of(kind).size(); }
+  // Which of the coincident points lie together, once there was an update.
+  const CoincidentPoints& coincident() const { return coincident_; }
 
   // Points without an edge: isolated ones, and those that only lines beside the mesh use.
   std::uint32_t points_without_edge() const { return count(ProblemKind::isolated_vertex) + only_on_lines_.size(); }
@@ -79,10 +82,12 @@ class ProblemSets {
   }
   void search(const Mesh& mesh, unsigned threads);
   void set(const ProblemRow& row, std::uint32_t index, bool is_member);
+  void update_coincident(const Mesh& mesh);
   void find_further(Neighbourhood& around);
   void list_edges_asked(Neighbourhood& around);
 
   std::array<IndexSet, most_problem_kinds> sets_;
+  CoincidentPoints coincident_;  // from the first update on
   IndexSet on_lines_, only_on_lines_;
   IndexSet further_copies_, further_sheets_;  // all but the lowest of a point, and of an edge
   EditReach reach_;

@@ -74,6 +74,15 @@ std::vector<Element> equal_faces_of(Neighbourhood& around, const IndexSet&, Elem
   return found;
 }
 
+std::vector<Element> points_at_place(Neighbourhood& around, const IndexSet& members, Element element) {
+  const Mesh& m = around.mesh();
+  std::vector<Element> found{element};
+  members.for_each([&](std::uint32_t i) {
+    if (i != element.index && m.position(Vertex(i)) == m.position(element.vertex())) found.emplace_back(Vertex(i));
+  });
+  return found;
+}
+
 std::vector<Element> pair_of_face(Neighbourhood& around, const IndexSet&, Element element) {
   const Face partner = hanging_partner(around, element.face());
   return partner ? std::vector<Element>{element, partner} : std::vector<Element>{element};

@@ -18,6 +18,8 @@ std::vector<Element> edge_with_faces(Neighbourhood& around, const IndexSet&, Ele
 std::vector<Element> vertex_with_fans(Neighbourhood& around, const IndexSet&, Element vertex);
 // The face and all others on the same points.
 std::vector<Element> equal_faces_of(Neighbourhood& around, const IndexSet&, Element face);
+// The vertex and all others at its place. O(members).
+std::vector<Element> points_at_place(Neighbourhood& around, const IndexSet& members, Element vertex);
 // The two triangles of a hanging pair.
 std::vector<Element> pair_of_face(Neighbourhood& around, const IndexSet&, Element face);
 

@@ -318,6 +318,45 @@ TEST(check, says_when_more_pairs_meet_than_it_lists) {
   EXPECT_NE(problem["ja"].get<std::string>().find(all + " 組のうち " + listed + " 組"), std::string::npos);
 }
 
+// Two triangles on the same places, by points of their own.
+TEST(check, lists_points_that_lie_on_others_as_information) {
+  const TemporaryFolder folder;
+  const std::string stl_facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\n";
+  const std::pair<const char*, std::string> files[] = {
+      {"two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n"},
+      {"two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n-0 0 0\n1 0 0\n0 1e0 0\n3 0 1 2\n3 3 4 5\n"},
+      {"two.ply",
+       "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+       "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+       "0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 3 4 5\n"},
+      {"two.stl", "solid\n" + stl_facet + stl_facet + "endsolid\n"}};
+  for (const auto& [name, text] : files) {
+    SCOPED_TRACE(name);
+    const std::string path = folder.write(name, text);
+    const bool is_welded = std::string_view(name).ends_with(".stl");
+    const Json report = run_program({"check", path, "--json"}).line();
+    const auto at = std::find_if(report["problems"].begin(), report["problems"].end(),
+                                 [](const Json& problem) { return problem["kind"] == "coincident_points"; });
+    ASSERT_EQ(at == report["problems"].end(), is_welded) << "reading STL welds them";
+    EXPECT_EQ(run_program({"check", path, "--fail-on", "coincident_points"}).exit_code, is_welded ? 0 : 1);
+    if (is_welded) continue;
+    EXPECT_EQ((*at)["severity"], "info");
+    EXPECT_EQ((*at)["count"], 6);
+    EXPECT_EQ((*at)["elements"], Json::array({"v0", "v1", "v2", "v3", "v4", "v5"}));
+    EXPECT_EQ((*at)["where"], Json::array({0.0, 0.0, 0.0}));
+    EXPECT_EQ((*at)["en"], "6 vertices lie on others.");
+    EXPECT_EQ(report["status"], "ok");
+    const ProgramRun said = run_program({"check", path});
+    EXPECT_EQ(said.exit_code, 0) << "it is no problem";
+    EXPECT_NE(said.out.find("info coincident_points x6: 6 vertices lie on others.\n    v0, v1, v2"), std::string::npos)
+        << said.out;
+    EXPECT_EQ(run_program({"check", path, "--fail-on", "none"}).exit_code, 0);
+  }
+  EXPECT_NE(run_program({"help", "check"}).out.find("coincident_points"), std::string::npos);
+}
+
 TEST(check, pairs_of_faces_that_meet_stay_within_their_share_of_memory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "sanitizers take memory of their own";
@@ -327,7 +366,7 @@ TEST(check, pairs_of_faces_that_meet_stay_within_their_share_of_memory) {
   for (int i = 0; i < 2500; ++i) stack += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
   const std::string path = folder.write("stack.obj", stack);
   const std::string limit = "ulimit -d " + std::to_string((std::size_t{64} << 10) + 64 * stack.size() / 1024);
-  const std::string command = RYOSEN_PROGRAM " check --jobs 1 --self-intersections --json " + path;
+  const std::string command = shell_program() + " check --jobs 1 --self-intersections --json " + path;
   const int status = std::system((limit + "; " + command + " >/dev/null 2>&1").c_str());
   ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";
   EXPECT_EQ(WEXITSTATUS(status), 1);
@@ -423,7 +462,7 @@ TEST(check, faces_without_corners_stay_far_within_their_share_of_memory) {
   // 64 MiB and 64 bytes for each of the file are allowed, which were nearly used up.
   const auto status_within = [&](std::size_t kibibytes) {
     const std::string limit = "ulimit -d " + std::to_string(kibibytes);
-    return std::system((limit + "; " RYOSEN_PROGRAM " check --jobs 1 " + path + " >/dev/null 2>&1").c_str());
+    return std::system((limit + "; " + shell_program() + " check --jobs 1 " + path + " >/dev/null 2>&1").c_str());
   };
   const int status = status_within((std::size_t{64} << 10) + 52 * faces / 1024);
   ASSERT_TRUE(WIFEXITED(status)) << "a signal ended it";

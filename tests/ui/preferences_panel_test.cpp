@@ -95,7 +95,7 @@ TEST_F(PreferencesPanelTest, the_keys_are_one_list) {
 
 TEST_F(PreferencesPanelTest, a_key_is_bound_by_pressing_it) {
   open("keys");
-  click_on("1 pick vertices");  // its key
+  click(place("pickvertices") - glm::dvec2(110, 0));
   EXPECT_EQ(test::DrawnText(gui).count("Pressthenewkeyfor:pickvertices"), 1u);
   key("Ctrl+K");
   const std::vector<KeyBinding> own{{"1", ""}, {"Ctrl+K", "mode vertex"}};
@@ -107,7 +107,7 @@ TEST_F(PreferencesPanelTest, a_key_is_bound_by_pressing_it) {
 
 TEST_F(PreferencesPanelTest, a_key_that_is_taken_is_asked_about_with_both_names) {
   open("keys");
-  click_on("1 pick vertices");  // its key
+  click(place("pickvertices") - glm::dvec2(110, 0));
   key("2");
   EXPECT_EQ(test::DrawnText(gui).count("2does'pickedges'already.Isittodo'pickvertices'?"), 1u);
   EXPECT_TRUE(session.bindings.empty()) << "nothing is bound unasked";
@@ -123,7 +123,7 @@ TEST_F(PreferencesPanelTest, a_key_that_is_taken_is_asked_about_with_both_names)
 
 TEST_F(PreferencesPanelTest, escape_leaves_a_key_as_it_is) {
   open("keys");
-  click_on("1 pick vertices");  // its key
+  click(place("pickvertices") - glm::dvec2(110, 0));
   key("Escape");
   EXPECT_EQ(session.open_panel, "keys") << "it only ends the question";
   EXPECT_TRUE(session.bindings.empty());

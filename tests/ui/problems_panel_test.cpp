@@ -41,6 +41,23 @@ TEST_F(ProblemsPanel, a_press_on_a_repair_does_it_and_undo_takes_it_back) {
   EXPECT_EQ(session.mesh().live().faces, 2u);
 }
 
+// A copy in its place is seen nowhere else.
+TEST_F(ProblemsPanel, points_that_lie_on_others_are_listed_with_a_repair_and_a_click_selects_all_of_a_place) {
+  EXPECT_FALSE(is_drawn("coincident"));
+  ASSERT_TRUE(session.run("duplicate elements=f0").done());
+  frames(3);
+  unfold("8coincidentpoints");
+  EXPECT_TRUE(is_drawn("Weldequalpoints") || is_drawn("Weld")) << "a repair is offered";
+  click(DrawnText(gui).place("v0v1v2"));
+  EXPECT_EQ(session.selection, (Elements{Vertex(0), Vertex(8)}));
+  ASSERT_TRUE(session.run("select problem coincident_points").done());
+  EXPECT_EQ(session.selection.size(), 8u);
+  ASSERT_TRUE(session.run("undo").done());
+  gui.pointer({500, 400});
+  frames(4);
+  EXPECT_FALSE(is_drawn("coincident"));
+}
+
 // What was tried on a step was done to the mesh beneath.
 TEST_F(ProblemsPanel, nothing_is_repaired_while_another_mesh_is_shown) {
   open("isolated_vertex.obj");

@@ -52,7 +52,7 @@ std::vector<AlgorithmRow> repair_rows() {
        "同じ位置の点を、曲面が健全なまま保たれる限り一つにする",
        {},
        true,
-       {Kind::boundary_loop},
+       {Kind::boundary_loop, Kind::coincident_points},
        weld_equal_points},
       {"stitch",
        "Stitch T-junctions",

@@ -84,8 +84,10 @@ void add_found(RepairReport& report, const RepairCall& call, std::span<const Alg
   std::erase_if(problems, [&](const Problem& problem) {
     const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
                                         [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
+    // Parts that touch keep points at one place for good.
     const bool is_wrong = problem.row().severity == ProblemSeverity::problem;
-    return !(call.in_rounds ? is_wrong || has_repair : is_for(call, problem.kind));
+    const bool is_to_tell = is_wrong || (has_repair && problem.kind != ProblemKind::coincident_points);
+    return !(call.in_rounds ? is_to_tell : is_for(call, problem.kind));
   });
   count_left(report, problems);
   for (Problem& problem : problems)

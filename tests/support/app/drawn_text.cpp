@@ -11,6 +11,8 @@ namespace ryosen::test {
 
 namespace {
 
+char in_ascii(char32_t letter) { return letter < 128 ? static_cast<char>(letter) : '?'; }
+
 // The letters of a text in UTF-8.
 std::u32string without_spaces(std::string_view text) {
   std::u32string letters;
@@ -45,9 +47,8 @@ DrawnText::DrawnText(const Gui& gui) {
         if (letter == letters.end() || (list.VtxBuffer[k].col & IM_COL32_A_MASK) == 0) continue;
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
+        if (letter->second == 0x2026) ellipses_.push_back(letters_.size());
         letters_ += letter->second;
-        if (letter->second == 0x2026) ellipses_.push_back(text_.size());
-        text_ += letter->second < 128 ? static_cast<char>(letter->second) : '?';
         places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
         glyphs_.push_back({{std::min(corner.x, across.x), std::min(corner.y, across.y)},
                            {std::max(corner.x, across.x), std::max(corner.y, across.y)},
@@ -63,7 +64,7 @@ template <class Is>
 std::string DrawnText::letters_that(Is is) const {
   std::string letters;
   for (std::size_t i = 0; i < glyphs_.size(); ++i)
-    if (is(i)) letters += text_[i];
+    if (is(i)) letters += in_ascii(letters_[i]);
   return letters;
 }
 
@@ -89,7 +90,9 @@ std::vector<std::string> DrawnText::shortened() const {
   for (const std::size_t at : ellipses_) {
     const std::size_t begin = at - std::min(at, most);
     const auto place = [&](double pixel) { return std::to_string(static_cast<int>(pixel)); };
-    ends.push_back(text_.substr(begin, at - begin) + " at " + place(places_[at].x) + "," + place(places_[at].y));
+    std::string end;
+    for (std::size_t i = begin; i < at; ++i) end += in_ascii(letters_[i]);
+    ends.push_back(end + " at " + place(places_[at].x) + "," + place(places_[at].y));
   }
   return ends;
 }
@@ -109,8 +112,14 @@ std::string DrawnText::overlapping() const {
 std::vector<glm::dvec2> DrawnText::places(std::string_view text) const {
   const std::u32string wanted = without_spaces(text);
   std::vector<glm::dvec2> found;
-  for (std::size_t at = letters_.find(wanted); at != std::u32string::npos; at = letters_.find(wanted, at + 1))
-    found.push_back(places_[at]);
+  const auto is_letter = [](char32_t drawn, char32_t meant) {
+    return drawn == meant || (meant == '?' && drawn >= 128);
+  };
+  for (auto at = letters_.begin();; ++at) {
+    at = std::search(at, letters_.end(), wanted.begin(), wanted.end(), is_letter);
+    if (at == letters_.end()) break;
+    found.push_back(places_[static_cast<std::size_t>(at - letters_.begin())]);
+  }
   return found;
 }
 

@@ -15,7 +15,7 @@ class DrawnText {
  public:
   explicit DrawnText(const Gui& gui);
 
-  // How often a text in UTF-8 was drawn.
+  // How often a text in UTF-8 was drawn; in it ? is any letter that is not of ASCII.
   std::size_t count(std::string_view text) const;
   // The middles of its first characters, in the order of drawing.
   std::vector<glm::dvec2> places(std::string_view text) const;
@@ -41,7 +41,6 @@ class DrawnText {
 
   std::vector<Glyph> glyphs_;
   std::u32string letters_;
-  std::string text_;                   // the same, ? for what is not ASCII
   std::vector<std::size_t> ellipses_;  // where in it one stands
   std::vector<glm::dvec2> places_;
 };

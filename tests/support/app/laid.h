@@ -42,8 +42,7 @@ class Laid {
     frames(2);
   }
 
-  // The middle of the first letter of a label, the one on top where several are drawn; a test of a label that is not drawn
-  // fails.
+  // The middle of the first letter of a label, of that on top where several are drawn. Fails where none is.
   glm::dvec2 place_of(std::string_view label) const {
     const std::vector<glm::dvec2> places = DrawnText(gui).places(label);
     EXPECT_FALSE(places.empty()) << label << " is not drawn";

@@ -74,6 +74,9 @@ TEST(duplicate, of_the_selection_selects_the_copy_and_is_logged_by_names) {
   ASSERT_TRUE(session->run("select f0 f1").done());
   ASSERT_TRUE(session->run("key Shift+D").done());
   EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f6", "f7"}));
+  ASSERT_TRUE(session->run("key Enter").done());
+  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f6", "f7"}));
+  ASSERT_FALSE(session->log().empty());
   EXPECT_EQ(session->log().back(), "duplicate elements=f0,f1 by=0,0,0");
   ASSERT_TRUE(session->run("undo").done());
   EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f0", "f1"}));

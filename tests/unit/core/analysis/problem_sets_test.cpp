@@ -71,7 +71,7 @@ TEST(problem_sets, rows_have_stable_ids_and_one_predicate) {
   for (const ProblemRow& row : problem_table()) {
     EXPECT_EQ(find_problem_row(row.id), &row);
     EXPECT_EQ((row.vertex != nullptr) + (row.edge != nullptr) + (row.face != nullptr) + (row.quarantined != nullptr) +
-                  row.is_on_request(),
+                  row.is_found_whole() + row.is_on_request(),
               1)
         << row.id;
     EXPECT_FALSE(row.name_en.empty() || row.name_ja.empty()) << row.id;
@@ -160,8 +160,10 @@ TEST(problem_sets, ask_only_around_the_edit) {
   edit.commit();
   sets.update(mesh, journal, 0);
   EXPECT_FALSE(sets.changed_everything());
-  ASSERT_EQ(sets.changes().size(), 2u) << "the two faces at the edge have lost their area";
-  for (const ProblemSets::Change& change : sets.changes()) EXPECT_EQ(change.kind, ProblemKind::degenerate_area);
+  ASSERT_EQ(sets.changes().size(), 4u) << "the two faces at the edge have lost their area, and its ends lie together";
+  for (const ProblemSets::Change& change : sets.changes())
+    EXPECT_TRUE(change.kind == ProblemKind::degenerate_area || change.kind == ProblemKind::coincident_points);
+  EXPECT_EQ(sets.of(ProblemKind::coincident_points).to_vector(), (Numbers{500, 501}));
   EXPECT_EQ(sets.count(ProblemKind::nonmanifold_vertex), 1u);
 }
 

@@ -107,6 +107,27 @@ TEST(problems, of_places) {
   EXPECT_EQ(problems[1].line, 8u);
 }
 
+// By the lines of the vertices, all of a place together.
+TEST(problems, of_points_that_lie_on_others) {
+  IndexedMesh source = indexed({{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+  source.positions[4] = source.positions[7] = source.positions[1];
+  source.positions[8] = source.positions[0];
+  const Mesh mesh = from_indexed(std::move(source));
+  const ProblemSets sets(mesh);
+  const auto problems = find_problems(mesh, sets, {});
+  ASSERT_EQ(ids(problems), (Ids{"boundary_loop", "coincident_points"}));
+  const Problem& found = problems[1];
+  EXPECT_EQ(found.elements, (std::vector<Element>{Vertex(0), Vertex(1), Vertex(4), Vertex(7), Vertex(8)}));
+  EXPECT_EQ(found.text.en, "5 vertices lie on others.");
+  EXPECT_EQ(found.row().severity, ProblemSeverity::info);
+  Neighbourhood around(mesh);
+  const auto all_at = [&](std::uint32_t v) {
+    return about(found.row(), around, sets.of(ProblemKind::coincident_points), Vertex(v));
+  };
+  EXPECT_EQ(all_at(4), (std::vector<Element>{Vertex(4), Vertex(1), Vertex(7)}));
+  EXPECT_EQ(all_at(0), (std::vector<Element>{Vertex(0), Vertex(8)}));
+}
+
 TEST(problems, of_misoriented_neighbours) {
   const Case c = case_of({{0, 1, 2}, {0, 1, 3}});
   const auto problems = c.problems();

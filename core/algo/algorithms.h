@@ -99,7 +99,8 @@ struct AlgorithmRow {
   // One that is required has no initial value. A repair requires its first one at most (`--kinds ID=NUMBER`), and none
   // where it keeps geometry.
   std::vector<ParameterRow> parameters;
-  // All places that are finite stay, and the faces on them: `ryosen repair` does it unless others are named.
+  // With its initial values all places that are finite stay, and the faces on them, but for cuts where places lie on
+  // their edges: `ryosen repair` does it unless others are named.
   bool keeps_geometry;
   std::vector<ProblemKind> solves;  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.

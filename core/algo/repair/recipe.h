@@ -52,12 +52,13 @@ struct RecipeResult {
   std::size_t boundary_edges_before = 0, boundary_edges_after = 0;
 };
 
-// Runs the steps in their order, again and again until a round changes nothing. A round is for the kinds in the steps'
-// `solves`, and takes shares of the diagonal from the mesh with which it begins: it is undone, and ends the recipe, unless it lowers the number of problems of these kinds, or keeps it and
-// lowers the number of boundary edges where boundary loops are among them (edges, since welding may make two loops of
-// one: a strip closed to a band). So every recipe ends, and repeating it on its result changes nothing. Each step runs
-// guarded (guard.h). None if it was cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh
-// per round; a recipe has few rounds, at most one per finding.
+// Runs the steps in their order, again and again until a round changes nothing. A round takes shares of the diagonal from
+// the mesh with which it begins. It is undone, and ends the recipe, unless it comes nearer to what the steps are for
+// (RecipeGoal): it lowers the number of problems of their kinds; or keeps it and lowers the number of boundary edges where
+// boundary loops are among these; or keeps both and lowers the number of faces that look inwards where `orient` is a step.
+// So every recipe ends, and repeating it on its result changes nothing. Each step runs guarded (guard.h). None if it was
+// cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh per round; a recipe has few rounds, at
+// most one per finding.
 std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
                                        const RecipeEvents& events = {});
 

@@ -121,6 +121,7 @@ struct RuleLooks {
 };
 constexpr RuleLooks rule_looks[] = {
     {EdgeRule::structure, 0xE69F00, 0xB36B00, LineStyle::solid, 2.4f},
+    {EdgeRule::seam, 0xC9A227, 0x6B5200, LineStyle::dash_dot, 2.4f},
     {EdgeRule::boundary, 0x6CC2FF, 0x1F5FA8, LineStyle::dashed, 2.4f},
     {EdgeRule::normal, 0xE58CC0, 0x9E3D78, LineStyle::solid, 2.4f},
     {EdgeRule::angle, 0xF0E442, 0x8A7A00, LineStyle::dash_dot, 2.4f},

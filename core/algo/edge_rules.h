@@ -12,7 +12,7 @@
 namespace ryosen {
 
 // In the order in which they are asked: an edge stands under the first that holds it.
-enum class EdgeRule : std::uint8_t { structure, boundary, normal, angle, error, selection, self_intersection, free };
+enum class EdgeRule : std::uint8_t { structure, seam, boundary, normal, angle, error, selection, self_intersection, free };
 
 // In the place of a rule: there is no such edge.
 inline constexpr std::uint8_t no_rule = 255;
@@ -27,6 +27,8 @@ struct EdgeRuleRow {
 inline constexpr std::array edge_rules{
     EdgeRuleRow{EdgeRule::structure, "structure", "Structure", "構造", "The mesh would no longer be sound.",
                 "メッシュの構造が壊れる。"},
+    EdgeRuleRow{EdgeRule::seam, "seam", "Seam", "シーム", "It would move a seam of texture or normals that is to stay.",
+                "固定されたシーム（テクスチャや法線の境目）が動く。"},
     EdgeRuleRow{EdgeRule::boundary, "boundary", "Boundary", "境界", "It would move a boundary that is to stay.",
                 "固定された境界が動く。"},
     EdgeRuleRow{EdgeRule::normal, "normal", "Normal", "法線", "A face would turn too far.", "面の向きが変わりすぎる。"},

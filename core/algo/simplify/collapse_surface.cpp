@@ -98,7 +98,7 @@ void CollapseSurface::find_features() {
   for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
     if (ends[i] == 0) continue;
     states_[i].flags |= on_feature;
-    if (ends[i] != 2) states_[i].flags |= pinned;  // a seam ends here, or several meet
+    if (ends[i] != 2) states_[i].flags |= seam_end;  // or several meet
   }
 }
 
@@ -159,8 +159,9 @@ void CollapseSurface::sum_planes() {
 // The rule that keeps a vertex in its place, if any does.
 std::optional<EdgeRule> CollapseSurface::hold(Vertex v, bool along_feature) const {
   const std::uint8_t flags = states_[v.index].flags;
-  if (!(flags & (fixed | on_locked_boundary | on_feature | pinned))) return std::nullopt;
-  if ((flags & pinned) || ((flags & on_feature) && !along_feature)) return EdgeRule::structure;
+  if (flags == 0) return std::nullopt;
+  if (flags & pinned) return EdgeRule::structure;
+  if ((flags & seam_end) || ((flags & on_feature) && !along_feature)) return EdgeRule::seam;
   if (flags & on_locked_boundary) return EdgeRule::boundary;
   return flags & fixed ? std::optional(EdgeRule::selection) : std::nullopt;
 }

@@ -145,7 +145,7 @@ class CollapseSurface {
     Quadric quadric;
   };
   static_assert(sizeof(State) == 128);
-  enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8 };
+  enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8, seam_end = 16 };
   enum EdgeFlag : std::uint8_t { feature = 1 };
 
   // A face of so many corners that its area is kept and changed with its corners.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/algo/shared_values.h"
+#include "core/algo/simplify/flat_normals.h"
 #include "core/algo/simplify/remaining_edges.h"
 #include "core/algo/simplify/simplifier.h"
 #include "core/algo/transform/moved_points.h"
@@ -83,10 +84,14 @@ std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& p
                       " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
                   name_of(mesh, f) +
                       " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
-  const auto found = find_self_intersections(mesh, 0, 0, progress);
+  constexpr std::size_t most = 1000;
+  const auto found = find_few_self_intersections(mesh, most, progress);
   const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
   if (pairs == 0) return std::nullopt;
-  const std::string n = std::to_string(pairs);
+  const std::string n = std::to_string(std::min(pairs, most));
+  if (pairs > most)
+    return Text{"more than " + n + " pairs of faces meet already, so that it cannot be kept free of them",
+                "すでに " + n + " 組を超える面が交わっているため、交差のない状態を保てません"};
   return Text{n + " pairs of faces meet already, so that it cannot be kept free of them",
               "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
 }
@@ -146,6 +151,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Prepared prepared = prepare(edit.mesh(), values, progress);
   if ((result.refused = prepared.refused)) return result;
   Mesh& work = prepared.work;
+  const bool is_flat = values.choice("seams") != "keep" && take_flat_normals(work);
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
@@ -172,6 +178,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   account.error_max = simplifier.error_max();
   result.text = text_of(before, after, account);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
+  if (result.changed > 0 && is_flat) put_flat_normals(work);
   if (result.changed > 0) edit.replace(work.columns());
   if (input.wants.descent) result.descent = std::move(prepared.descent);
   return result;

@@ -47,6 +47,16 @@ std::vector<ParameterRow> limit_parameters() {
            .help_ja = "weighted は線を保ち、free は保たず、locked は頂点もすべて保つ",
            .initial = "weighted",
            .choices = {{"free", "Free", "自由"}, {"weighted", "Weighted", "重み付き"}, {"locked", "Locked", "固定"}}},
+          {.id = "seams",
+           .kind = ParameterKind::choice,
+           .name_en = "Seams",
+           .name_ja = "シーム",
+           .help_en = "both keep seams of texture and smooth normals; keep also edges between normals of flat faces, which "
+                      "smooth makes anew",
+           .help_ja = "どちらもテクスチャと滑らかな法線のシームを保つ。keep は平坦な面の法線の境目も保ち、smooth "
+                      "はそれらの法線を作り直す",
+           .initial = "smooth",
+           .choices = {{"smooth", "Smooth", "滑らか"}, {"keep", "Keep", "保つ"}}},
           {.id = "max_turn",
            .kind = ParameterKind::angle,
            .name_en = "Largest turn",

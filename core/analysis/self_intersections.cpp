@@ -106,12 +106,15 @@ struct Part {
 
 class Search {
  public:
-  Search(const Mesh& mesh, std::size_t most, unsigned threads, Progress& progress)
+  enum class Beyond { counts, stops };  // beyond the pairs that are kept
+
+  Search(const Mesh& mesh, std::size_t most, unsigned threads, Progress& progress, Beyond beyond = Beyond::counts)
       : mesh_(mesh),
         progress_(progress),
         surface_(mesh),
         sizes_(surface_),
         most_(most),
+        stops_(beyond == Beyond::stops),
         threads_(threads == 0 ? threads_for(steps_for_each * surface_.slots()) : threads),
         tree_(surface_, threads_),
         meeting_(surface_) {}
@@ -131,6 +134,7 @@ class Search {
                  });
     }
     if (progress_.is_cancelled()) return std::nullopt;
+    if (is_beyond()) return SelfIntersections{{}, most_ + 1, {}};
     return take();
   }
 
@@ -148,14 +152,15 @@ class Search {
     for (std::uint32_t i = 0; i < count; i += part_size) left.push_back({i, std::min(i + part_size, count)});
     // By what has been begun; the rest of a part that was enough for once is little.
     std::uint32_t begun = 0;
-    while (!left.empty() && progress_.go_on(begun, count)) {
+    while (!left.empty() && !is_beyond() && progress_.go_on(begun, count)) {
       std::vector<Part> found;
       for (; found.size() < tasks && !left.empty(); left.pop_front()) found.push_back({left.front(), {}, 0});
       begun = std::max(begun, found.back().left.end);
       const bool keeps = result_.pairs.size() < most_;
       if (!keeps && met_.empty()) met_.resize(mesh_.face_slots());
       for_each_task(static_cast<unsigned>(found.size()), threads_, [&](unsigned i) {
-        for (Part& part = found[i]; part.left.size() > 0 && part.pairs.size() < enough; ++part.left.begin)
+        for (Part& part = found[i]; part.left.size() > 0 && part.pairs.size() < enough && !is_beyond(part);
+             ++part.left.begin)
           search_one(i, part, keeps);
       });
       for (std::size_t i = found.size(); i-- > 0;)
@@ -164,12 +169,16 @@ class Search {
     }
   }
 
+  // Whether that is more than asked for, where it is enough to know so: then what is found any more does not matter.
+  bool is_beyond() const { return stops_ && result_.count > most_; }
+  bool is_beyond(const Part& part) const { return stops_ && part.pairs.size() + part.uncounted > most_; }
+
   void search_node(Part& part, std::uint32_t node, bool keeps) {
     if (tree_.holds_for_all(node, [&](std::uint32_t slot) { return sizes_.are_many_with_any(slot); })) return;
     const auto may = [&](std::uint32_t a, std::uint32_t b) { return !sizes_.are_many(a, b); };
     tree_.visit_pairs(node, may, [&](std::uint32_t a, std::uint32_t b) {
       if (meeting_.is_between(a, b)) note(part, surface_.face(a), surface_.face(b), keeps);
-      return true;
+      return !is_beyond(part);
     });
   }
 
@@ -239,6 +248,7 @@ class Search {
   NumberedSurface surface_;
   FaceSizes sizes_;
   std::size_t most_;
+  bool stops_;
   unsigned threads_;
   OverlapTree tree_;
   FirstMeeting meeting_;
@@ -259,6 +269,10 @@ SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most, un
 std::optional<SelfIntersections> find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads,
                                                          Progress& progress) {
   return Search(mesh, most, threads, progress).run();
+}
+
+std::optional<SelfIntersections> find_few_self_intersections(const Mesh& mesh, std::size_t most, Progress& progress) {
+  return Search(mesh, most, 0, progress, Search::Beyond::stops).run();
 }
 
 std::vector<Face> faces_of(const std::vector<FacePair>& pairs) {

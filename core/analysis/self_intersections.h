@@ -42,6 +42,10 @@ SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = s
 std::optional<SelfIntersections> find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads,
                                                          Progress& progress);
 
+// The same while there are not too many: with more than `most` pairs it stops soon, and only says so, by none of them and a
+// count above `most`. O(n log n + boxes that overlap until then), a few 100,000 and `most` of those that meet.
+std::optional<SelfIntersections> find_few_self_intersections(const Mesh& mesh, std::size_t most, Progress& progress);
+
 // The faces that occur in the pairs, ascending, each once.
 std::vector<Face> faces_of(const std::vector<FacePair>& pairs);
 

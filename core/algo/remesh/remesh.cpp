@@ -121,7 +121,7 @@ MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
 
 // The pairs of faces that meet; none if there are more, or cancelled.
 std::optional<std::vector<FacePair>> crossings_of(const Mesh& mesh, std::size_t most, Progress& progress) {
-  auto found = find_self_intersections(mesh, most, 0, progress);
+  auto found = find_few_self_intersections(mesh, most, progress);
   if (!found || !found->is_all()) return std::nullopt;
   return std::move(found->pairs);
 }
@@ -229,13 +229,12 @@ class Attempts {
   bool watches_more(const Mesh& made, bool all, Progress& progress) {
     constexpr std::size_t most_before = 100000, most_after = 20 * most_before;  // the same crossing on smaller faces
     if (watched_.is_all()) return false;
+    // First how many did before: too many are made out sooner there.
+    if (!before_) before_ = crossings_of(start_, most_before, progress);
+    if (!before_) return false;
     const auto pairs = crossings_of(made, most_after, progress);
     if (!pairs || pairs->empty()) return false;
-    if (watched_.is_empty()) {
-      const auto before = crossings_of(start_, most_before, progress);
-      if (!before) return false;
-      met_ = places_of(start_, *before, options_.length);
-    }
+    if (watched_.is_empty()) met_ = places_of(start_, *before_, options_.length);
     if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
     bool is_new = false;
     for (const FacePair& pair : *pairs) {
@@ -252,7 +251,8 @@ class Attempts {
   const Options& options_;
   const Start& known_;
   WatchedPlaces watched_;
-  BoxTree met_;  // where faces did before
+  std::optional<std::vector<FacePair>> before_ = {};  // that met before
+  BoxTree met_;                                       // where they did
   CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
 };
 

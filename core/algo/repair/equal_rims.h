@@ -20,8 +20,8 @@ struct EqualRim {
   }
 };
 
-// By rim an earlier one that it equals but for `rounding` and a millionth part of its size or so; none where there is
-// none, and for rims of collinear corners. O(n log n); of symmetrical rims a few turns are tried.
+// Finds for each rim an earlier one that it equals but for `rounding` and a millionth part of its size or so; none
+// where there is none, and for rims of collinear corners. O(n log n); of symmetrical rims a few turns are tried.
 std::vector<std::optional<EqualRim>> find_equal_rims(std::span<const std::vector<glm::dvec3>> rims, double rounding);
 
 // The patch of the rim `equal.as`, moved to the hole: as many vertices and triangles in the same arrangement.

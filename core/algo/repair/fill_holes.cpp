@@ -1,7 +1,7 @@
 #include "core/algo/repair/fill_holes.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
+#include <cmath>
 #include <optional>
 
 #include "core/algo/repair/equal_rims.h"
@@ -12,6 +12,8 @@
 #include "core/algo/repair/patch_crossings.h"
 #include "core/algo/repair/plan_patch.h"
 #include "core/algo/repair/remove_degenerate.h"
+#include "core/base/sort_unique.h"
+#include "core/geometry/is_finite.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/rules/sheets.h"
@@ -71,7 +73,7 @@ Edit& with_fans_apart(Edit& edit) {
   return edit;
 }
 
-// Which patches are taken of those that could be made.
+// Rules by which patches are taken.
 enum class Takes {
   clear,          // those that cross nothing, and no other one of them
   first,          // of those that exclude each other the first
@@ -266,7 +268,7 @@ class HoleFiller {
     return bases_[i].emplace_back(Base{way.triangulate, way.triangulate(hole, progress)}).triangles;
   }
 
-  // What keeps a patch out: itself or the surface, or one that it excludes.
+  // Finds what keeps patches out: themselves or the surface, or others.
   PatchCrossings obstacles(Takes takes) const {
     if (takes < Takes::crossing) return find_patch_crossings(mesh(), planned_, progress_);
     PatchCrossings found{std::vector<bool>(planned_.size(), false), std::vector<Face>(planned_.size()), {}};
@@ -330,9 +332,9 @@ class HoleFiller {
   bool is_single_;
   bool is_first_ = true;
   std::vector<Hole> holes_;
-  std::vector<PatchStyle> styles_;               // by hole
-  std::vector<std::optional<EqualRim>> equal_;   // by hole
-  std::vector<bool> conflicts_;                  // by hole: whether its patch and another one excluded each other
+  std::vector<PatchStyle> styles_;              // by hole
+  std::vector<std::optional<EqualRim>> equal_;  // by hole
+  std::vector<bool> conflicts_;                 // by hole: whether its patch and another one excluded each other
   struct Base {
     decltype(WayToFill::triangulate) by;
     HoleTriangles triangles;

@@ -15,9 +15,9 @@ namespace ryosen {
 // refined (refine_patch.h) and as it is, then a fan around a vertex in the middle. The first is taken that has no
 // degenerate triangle, makes no edge that exists, and crosses neither the surface nor itself nor another patch
 // (patch_crossings.h). Equal rims get equal patches (equal_rims.h). Other loops stay open, the result tells why and
-// names what was crossed; with `crossing` `allow` such loops are filled at last, and the result counts the pairs of faces
-// that meet. Open stay loops that visit a point twice, contain a cut edge or a non-finite position, and those of three
-// edges that already have a face on the same points.
+// names what was crossed; with `crossing` `allow` such loops are filled at last, and the result counts the pairs of
+// faces that meet. Open stay loops that visit a point twice, contain a cut edge or a non-finite position, and those of
+// three edges that already have a face on the same points.
 //
 // Faces without area at a rim go first where the surface stays as it is (remove_degenerate.h). Done again it changes
 // nothing. Where all positions are floats the new ones are too, so that a file of floats holds them. Patches take the

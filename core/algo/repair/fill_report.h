@@ -1,4 +1,4 @@
-// What filling holes tells of its work.
+// The report of filling holes.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// How many holes were filled, by what their patches are.
+// Numbers of filled holes, by their patches.
 struct FilledHoles {
   std::size_t flat = 0;      // in the plane of the rim, or without bulging
   std::size_t fair = 0;      // continues the surface

@@ -111,7 +111,7 @@ std::span<const WayToFill> ways_to_fill(const PatchStyle& style) {
 }
 
 PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
-                      HolePatch& patch, Progress& progress) {
+                         HolePatch& patch, Progress& progress) {
   if (base.triangles.empty()) return {cause_of(base.cause)};
   patch.corners = hole.size();
   patch.places = hole.places;

@@ -14,7 +14,7 @@ struct WayToFill {
   bool refines, fairs;
 };
 
-// What the patch for a hole is to be like.
+// The kind of patch for a hole.
 struct PatchStyle {
   bool fairs = false;
   std::optional<RimPlane> plane;  // in which its vertices are to lie
@@ -22,7 +22,7 @@ struct PatchStyle {
   bool may_cross = false;
 };
 
-// In the order in which they are to be tried.
+// Returns the ways in the order in which they are to be tried.
 std::span<const WayToFill> ways_to_fill(const PatchStyle& style);
 
 struct PlanResult {
@@ -30,8 +30,8 @@ struct PlanResult {
   Halfedge crossed = {};            // where it crosses the face across a side of the loop: that side
 };
 
-// Makes a patch for the hole from `base`, what the way's triangulate() gives: its vertices and triangles, to be finished.
-// Not to be used when cancelled.
+// Makes a patch for the hole from `base`, what the way's triangulate() gives: its vertices and triangles, to be
+// finished. Not to be used when cancelled.
 PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
                          HolePatch& patch, Progress& progress);
 

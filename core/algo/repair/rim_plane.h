@@ -14,10 +14,10 @@ bool are_all_floats(std::span<const glm::dvec3> places);
 
 class RimPlane {
  public:
-  // None where the rim leaves the plane that fits it by more than 4 units in the last place, or has no area. The unit is
-  // that of `largest`, the absolutely largest coordinate of the mesh, in single precision where the rim holds floats,
-  // else in double. It does where all its coordinates are floats, or where all are decimals of floats and half of them
-  // no floats, as in a text that floats were printed to. Corners are finite. O(n).
+  // None where the rim leaves the plane that fits it by more than 4 units in the last place, or has no area. The unit
+  // is that of `largest`, the absolutely largest coordinate of the mesh, in single precision where the rim holds
+  // floats, else in double. It does where all its coordinates are floats, or where all are decimals of floats and half
+  // of them no floats, as in a text that floats were printed to. Corners are finite. O(n).
   static std::optional<RimPlane> of(std::span<const glm::dvec3> rim, double largest);
 
   // The place in the plane nearest to p, in the precision of the rim; a coordinate that all corners share is exact.

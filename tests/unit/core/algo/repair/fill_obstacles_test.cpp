@@ -1,4 +1,4 @@
-// What fill_holes does about what is in its way: faces without area at the rim, and faces across the hole.
+// Obstacles of fill_holes: faces without area at the rim, and faces across the hole.
 #include <gtest/gtest.h>
 
 #include <algorithm>

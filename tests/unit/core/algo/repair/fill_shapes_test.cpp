@@ -1,4 +1,4 @@
-// What patches fill_holes makes: flat or fair, even, alike where rims are, and across what.
+// Patches of fill_holes: flat or fair, even, and alike where rims are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,9 +150,8 @@ TEST(fill_shapes, a_box_keeps_its_volume_however_fine_its_rim_is) {
 }
 
 TEST(fill_shapes, the_shape_that_is_asked_for_is_made) {
-  const IndexedMesh sphere = sphere_with_hole(12, 3), bent = sphere_with_hole(12, 3, [](std::uint32_t k) {
-                                return 0.4 * std::sin(M_PI * k / 6);
-                              });
+  const IndexedMesh sphere = sphere_with_hole(12, 3),
+                    bent = sphere_with_hole(12, 3, [](std::uint32_t k) { return 0.4 * std::sin(M_PI * k / 6); });
   const auto told_on = [](const IndexedMesh& list, std::string_view shape) {
     Mesh mesh = from_indexed(list);
     return filled_by(mesh, {{"shape", shape}}).text.en;
@@ -232,9 +231,10 @@ TEST(fill_shapes, a_patch_that_could_not_be_fair_is_told) {
 TEST(fill_shapes, every_kind_of_patch_is_counted) {
   const FilledHoles filled{.flat = 1, .fair = 2, .unfaired = 3, .bare = 4, .crossing = 5, .faces = 60, .vertices = 7};
   const Text text = fill_report(Mesh(), filled, {}).text;
-  EXPECT_EQ(text.en,
-            "10 holes were filled by 60 triangles and 7 new vertices: 1 flat, 2 fair, 3 not fair since no fair patch is "
-            "sound, 4 bare since no finer patch is sound (shape=fair continues the surface); 5 patches cross something.");
+  EXPECT_EQ(
+      text.en,
+      "10 holes were filled by 60 triangles and 7 new vertices: 1 flat, 2 fair, 3 not fair since no fair patch is "
+      "sound, 4 bare since no finer patch is sound (shape=fair continues the surface); 5 patches cross something.");
   EXPECT_EQ(text.ja,
             "穴を 10 個ふさぎました（三角形 60、新しい頂点 7）：1 平ら、2 滑らか、3 滑らかにすると不健全、4 "
             "細かくすると不健全（shape=fair で曲面を滑らかに続けます）。5 個は何かと交わります。");

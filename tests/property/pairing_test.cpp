@@ -18,9 +18,9 @@
 namespace ryosen::test {
 namespace {
 
-const std::string usual = "give_places,remove_duplicates,weld_equal,orient,detach_nonmanifold";
+const std::string usual_repairs = "give_places,remove_duplicates,weld_equal,orient,detach_nonmanifold";
 
-const std::uint64_t seeds = is_long_run() ? 20000 : 1200;
+const std::uint64_t pairing_seeds = is_long_run() ? 20000 : 1200;
 
 SolidBuilder soup(std::uint64_t seed) {
   return seed % 3 == 0 ? random_triangles(seed) : random_solids_and_sheets(seed);
@@ -28,7 +28,7 @@ SolidBuilder soup(std::uint64_t seed) {
 
 TEST(pairing, is_the_rule_read_word_by_word) {
   std::size_t closed = 0, open = 0, is_free = 0;
-  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = soup(seed);
     const PairedList truth = pair_by_asking_all(built.faces());
     const FacePairing paired = pair_faces(from_indexed(built.indexed()));
@@ -40,9 +40,9 @@ TEST(pairing, is_the_rule_read_word_by_word) {
       is_free += truth.is_free[f];
     }
   }
-  EXPECT_GT(closed, 5 * seeds);
-  EXPECT_GT(open, seeds);
-  EXPECT_GT(is_free, seeds);
+  EXPECT_GT(closed, 5 * pairing_seeds);
+  EXPECT_GT(open, pairing_seeds);
+  EXPECT_GT(is_free, pairing_seeds);
 }
 
 using Loop = std::vector<std::array<double, 3>>;
@@ -94,7 +94,7 @@ void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64
     EXPECT_TRUE(found != whole.end() && found->second >= one) << kinds << " tears a closed part of seed " << seed;
   }
   const Figures figures = compute_figures(result.mesh);
-  if (kinds != usual || truth.misoriented == 0) {
+  if (kinds != usual_repairs || truth.misoriented == 0) {
     EXPECT_LE(figures[ProblemKind::boundary_loop], truth.boundary + truth.free_sides + 2 * truth.misoriented)
         << kinds << ", seed " << seed;
   }
@@ -103,10 +103,10 @@ void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64
 }
 
 TEST(pairing, no_closed_part_is_torn_and_nothing_opens_but_where_a_patch_is_set_free) {
-  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = soup(seed);
     expect_law(built, "detach_nonmanifold", seed);
-    expect_law(built, usual, seed);
+    expect_law(built, usual_repairs, seed);
   }
 }
 
@@ -117,14 +117,14 @@ TEST(pairing, unions_of_solids_merged_by_points_come_apart_closed_with_their_vol
     const SolidBuilder built = random_union(seed);
     const Mesh mesh = from_indexed(built.indexed());
     shared += compute_figures(mesh)[ProblemKind::nonmanifold_edge] > 0;
-    const RecipeResult result = *run_recipe(mesh, recipe_of(usual).steps, {});
+    const RecipeResult result = *run_recipe(mesh, recipe_of(usual_repairs).steps, {});
     const Figures figures = compute_figures(result.mesh);
     EXPECT_EQ(figures[ProblemKind::boundary_loop], 0u);
     EXPECT_TRUE(figures.closed && figures.manifold);
     EXPECT_EQ(figures.faces, built.faces().size());
     ASSERT_TRUE(figures.volume);
     EXPECT_NEAR(*figures.volume, static_cast<double>(built.volume_six()) / 6, 1e-9);
-    EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual).steps, {})->is_changed) << "again";
+    EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual_repairs).steps, {})->is_changed) << "again";
     parts += figures.components;
   }
   EXPECT_GT(shared, 150u) << "hardly any touch";

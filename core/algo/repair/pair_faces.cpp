@@ -18,13 +18,13 @@ namespace ryosen {
 
 namespace {
 
-struct Side {
+struct PairedSide {
   Vertex low, high;  // points
   Halfedge halfedge;
   bool is_forward;  // from low to high
 
-  friend auto operator<=>(const Side&, const Side&) = default;
-  bool is_beside(const Side& other) const { return low == other.low && high == other.high; }
+  friend auto operator<=>(const PairedSide&, const PairedSide&) = default;
+  bool is_beside(const PairedSide& other) const { return low == other.low && high == other.high; }
 };
 
 // An edge of three or more faces, and by direction how many of its faces are not free, its ranks and the first of these
@@ -197,7 +197,7 @@ class Pairing {
   DisjointSets patches_;
   std::vector<bool> has_boundary_;  // by patch
   std::vector<Face> at_boundary_;
-  std::vector<Side> sides_;  // at points with copies
+  std::vector<PairedSide> sides_;  // at points with copies
   std::vector<ManyFaced> edges_;
   std::vector<bool> is_free_;  // by rank
 };

@@ -58,7 +58,7 @@ std::vector<AlgorithmRow> repair_rows() {
        "Stitch T-junctions",
        "T 字接合の縫合",
        "a vertex on an edge of another face is put into it and welded, where this closes a gap",
-       "ほかの面の辺の上にある頂点を、すき間がふさがる限りその稜線に入れて縫合する",
+       "ほかの面の稜線の上にある頂点を、すき間がふさがる限りその稜線に入れて縫合する",
        {{.id = "distance",
          .kind = ParameterKind::length,
          .name_en = "Distance",

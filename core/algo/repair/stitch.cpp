@@ -125,7 +125,7 @@ AlgorithmResult stitch(Edit& edit, const AlgorithmInput& input, Progress& progre
   if (progress.is_cancelled()) return {};
   result.text = count_text(result.changed, "One vertex was put into the edge it lies on.",
                            "# vertices were put into the edges they lie on.",
-                           "辺の上にある頂点を # 個、その稜線に入れて縫合しました。");
+                           "稜線の上にある頂点を # 個、その稜線に入れて縫合しました。");
   if (!stitched) return result;
   if (reach.distance > 0 && progress.go_on()) add_new_crossings(edit.mesh(), *stitched, result);
   edit.replace(stitched->columns());

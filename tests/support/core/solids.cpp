@@ -11,7 +11,7 @@ namespace {
 LatticePoint random_point(Dice& dice, int size) { return {dice.below(size), dice.below(size), dice.below(size)}; }
 
 bool has_area(const std::array<LatticePoint, 3>& t) {
-  return cross(minus(t[1], t[0]), minus(t[2], t[0])) != LatticeVector{0, 0, 0};
+  return cross(difference(t[1], t[0]), difference(t[2], t[0])) != LatticeVector{0, 0, 0};
 }
 
 void add_triangle(SolidBuilder& to, const std::array<LatticePoint, 3>& t) {
@@ -21,7 +21,7 @@ void add_triangle(SolidBuilder& to, const std::array<LatticePoint, 3>& t) {
 }  // namespace
 
 std::int64_t volume_six(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
-  return dot(cross(minus(b, a), minus(c, a)), minus(d, a));
+  return dot(cross(difference(b, a), difference(c, a)), difference(d, a));
 }
 
 void SolidBuilder::add_cube(const LatticePoint& lowest, bool triangles) {

@@ -13,7 +13,7 @@ namespace ryosen::test {
 using LatticePoint = std::array<int, 3>;
 using LatticeVector = std::array<std::int64_t, 3>;
 
-inline LatticeVector minus(const LatticePoint& a, const LatticePoint& b) {
+inline LatticeVector difference(const LatticePoint& a, const LatticePoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 inline LatticeVector cross(const LatticeVector& u, const LatticeVector& v) {

@@ -54,7 +54,7 @@ class Sets {
 // The angle from one half-plane counter-clockwise around the edge to another, as something to compare: a whole turn where
 // they are one. Of two in the same part of the turn the one comes first from which the other is counter-clockwise.
 int part_of_turn(const EdgeOfAll& edge, const LatticePoint& from, const LatticePoint& to) {
-  const LatticeVector u = minus(edge.high, edge.low), v = minus(from, edge.low), w = minus(to, edge.low);
+  const LatticeVector u = difference(edge.high, edge.low), v = difference(from, edge.low), w = difference(to, edge.low);
   const std::int64_t turn = dot(u, cross(v, w));
   if (turn != 0) return turn > 0 ? 1 : 3;
   return dot(cross(u, v), cross(u, w)) > 0 ? 4 : 2;
@@ -66,8 +66,8 @@ bool comes_first(const EdgeOfAll& edge, const LatticePoint& from, const LatticeP
   };
   if (part(a) != part(b)) return part(a) < part(b);
   if (part(a) == 4 || part(a) == 2) return false;
-  const LatticeVector u = minus(edge.high, edge.low);
-  const std::int64_t turn = dot(u, cross(minus(a, edge.low), minus(b, edge.low)));
+  const LatticeVector u = difference(edge.high, edge.low);
+  const std::int64_t turn = dot(u, cross(difference(a, edge.low), difference(b, edge.low)));
   return backwards ? turn < 0 : turn > 0;
 }
 
@@ -104,7 +104,7 @@ void pair_around(const EdgeOfAll& edge, const std::vector<bool>& is_free, Sets& 
 }
 
 double area_of(const std::vector<LatticePoint>& face) {
-  const LatticeVector n = cross(minus(face[1], face[0]), minus(face[2], face[0]));
+  const LatticeVector n = cross(difference(face[1], face[0]), difference(face[2], face[0]));
   return std::sqrt(static_cast<double>(dot(n, n))) / 2;
 }
 

@@ -21,7 +21,7 @@ constexpr std::string_view coloured_rows =
 std::string coloured(std::string_view rows) { return std::string(coloured_head) + std::string(rows); }
 
 // The same numbers with a line end behind every `each`-th, or blanks alone.
-std::string laid_out(std::string_view rows, int each) {
+std::string spread_rows(std::string_view rows, int each) {
   std::string out;
   int count = 0;
   for (const char c : rows) {
@@ -35,12 +35,12 @@ TEST(ply_text, rows_may_be_spread_over_lines_in_any_way) {
   const MeshFile by_lines = read_sound("ply", coloured(coloured_rows));
   EXPECT_TRUE(by_lines.messages.empty());
   for (const int each : {0, 1, 2, 3, 4, 5, 7, 11, 100}) {
-    const MeshFile file = read_sound("ply", coloured(laid_out(coloured_rows, each)));
+    const MeshFile file = read_sound("ply", coloured(spread_rows(coloured_rows, each)));
     EXPECT_EQ(io_test::difference(by_lines, file), "") << each;
     ASSERT_EQ(file.messages.size(), 1u) << each;
     EXPECT_EQ(file.messages[0].code, "read_by_words");
   }
-  const MeshFile file = read_sound("ply", coloured(laid_out(coloured_rows, 3)));
+  const MeshFile file = read_sound("ply", coloured(spread_rows(coloured_rows, 3)));
   EXPECT_EQ(file.messages[0].line, 14u) << "the first row without a line for itself";
   EXPECT_EQ(file.mesh.vertex_lines.line(1), 16u);
   EXPECT_EQ(file.mesh.face_lines[0], 22u);
@@ -60,7 +60,7 @@ TEST(ply_text, a_vertex_or_face_on_two_lines_among_others_on_one) {
 }
 
 TEST(ply_text, one_number_more_or_less_leaves_the_error_of_the_line) {
-  const std::string spread = laid_out(coloured_rows, 3);
+  const std::string spread = spread_rows(coloured_rows, 3);
   EXPECT_EQ(read_refused("ply", coloured(spread + "0\n")).message.code, "missing_number");
   EXPECT_EQ(read_refused("ply", coloured(spread.substr(0, spread.size() - 2))).message.code, "missing_number");
   EXPECT_EQ(read_refused("ply", coloured(spread) + "0").message.line, 14u);
@@ -102,7 +102,7 @@ TEST(ply_text, points_without_z_lie_in_a_plane) {
 }
 
 TEST(ply_text, points_without_z_may_be_spread_too) {
-  const MeshFile file = read_sound("ply", std::string(flat_head) + laid_out(flat_rows, 3));
+  const MeshFile file = read_sound("ply", std::string(flat_head) + spread_rows(flat_rows, 3));
   EXPECT_EQ(file.mesh.positions[3], glm::dvec3(0, 1, 0));
   EXPECT_NE(find_message(file, "read_by_words"), nullptr);
 }

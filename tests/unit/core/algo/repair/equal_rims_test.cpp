@@ -86,7 +86,9 @@ TEST(equal_rims, among_many_are_told_by_the_first_of_each_kind) {
   for (std::uint32_t i = 0; i < 60; ++i) {
     const bool is_first = i < 2 || i == 3 || i == 4;
     EXPECT_EQ(found[i].has_value(), !is_first) << i;
-    if (found[i]) EXPECT_EQ(rims[found[i]->as].size(), rims[i].size());
+    if (found[i]) {
+      EXPECT_EQ(rims[found[i]->as].size(), rims[i].size());
+    }
   }
 }
 

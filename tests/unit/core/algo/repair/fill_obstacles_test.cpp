@@ -29,13 +29,13 @@ AlgorithmResult filled_across(Mesh& mesh, std::string_view crossing = "refuse") 
 using Change = IndexedMesh (*)(IndexedMesh);
 
 IndexedMesh as_it_is(IndexedMesh list) { return list; }
-IndexedMesh mirrored(IndexedMesh list) {
+IndexedMesh in_mirror(IndexedMesh list) {
   for (glm::dvec3& p : list.positions) p.x = -p.x;
   for (std::size_t f = 0; f < list.face_count(); ++f)
     std::reverse(list.corners.begin() + list.face_offsets[f], list.corners.begin() + list.face_offsets[f + 1]);
   return list;
 }
-IndexedMesh scaled(IndexedMesh list) {
+IndexedMesh shrunk(IndexedMesh list) {
   for (glm::dvec3& p : list.positions) p = p * 0x1p-30 + glm::dvec3(0, 0, 1);
   return list;
 }
@@ -55,12 +55,12 @@ IndexedMesh shuffled(IndexedMesh list) {
   }
   return other;
 }
-constexpr Change changes[] = {as_it_is, mirrored, scaled, on_its_side, shuffled};
+constexpr Change changes[] = {as_it_is, in_mirror, shrunk, on_its_side, shuffled};
 
 TEST(fill_obstacles, faces_without_area_at_the_rim_are_mended_first) {
   for (const Change change : changes) {
     Mesh mesh = from_indexed(change(report_list("degenerate_rim.off")));
-    const double scale = change == scaled ? 0x1p-90 : 1;
+    const double scale = change == shrunk ? 0x1p-90 : 1;
     const AlgorithmResult result = filled_across(mesh);
     EXPECT_EQ(result.left, 0u) << result.text.en;
     EXPECT_NE(result.text.en.find("one face without area at a rim was removed first"), std::string::npos)

@@ -96,7 +96,7 @@ void expect_closed(const Mesh& mesh, double volume) {
 }
 
 TEST(stitch, the_reported_box_is_closed_by_the_default_repairs) {
-  for (const std::string kinds : {usual + ",weld_close=0.001,fill_holes", std::string("stitch")}) {
+  for (const std::string& kinds : {usual + ",weld_close=0.001,fill_holes", std::string("stitch")}) {
     const RecipeResult result = *run_recipe(from_indexed(report_list("t_junction.off")), recipe_of(kinds).steps, {});
     expect_closed(result.mesh, 2);
     EXPECT_EQ(compute_figures(result.mesh).vertices, 10u) << "no point is added";

@@ -9,8 +9,6 @@
 namespace ryosen::test {
 namespace {
 
-std::string report(const std::string& name) { return RYOSEN_SOURCE_DIR "/tests/data/reports/" + name; }
-
 std::size_t count_lines(const std::string& text, const std::string& beginning) {
   std::istringstream lines(text);
   std::size_t count = 0;
@@ -35,7 +33,7 @@ TEST(file_reports, are_read_as_they_are_meant) {
        {Counts{"cr_header.ply", 0, 3, 1, 1, {}}, Counts{"tristrips.ply", 0, 8, 4, 4, {}},
         Counts{"ncoff.off", 1, 4, 4, 4, {"content_mismatch"}}, Counts{"realsense.ply", 1, 3, 1, 1, {"read_by_words"}},
         Counts{"usemtl_backslash.obj", 1, 4, 1, 1, {"unknown_keyword"}}}) {
-    const ProgramRun run = run_program({"check", report(known.file), "--json"});
+    const ProgramRun run = run_program({"check", report_file(known.file), "--json"});
     EXPECT_EQ(run.exit_code, known.exit_code) << known.file << run.err;
     EXPECT_EQ(run.line()["vertices"], known.vertices) << known.file;
     EXPECT_EQ(run.line()["triangles"], known.triangles) << known.file;
@@ -48,9 +46,10 @@ TEST(file_reports, are_read_as_they_are_meant) {
 TEST(file_reports, colours_go_out_as_bytes) {
   const TemporaryFolder folder;
   for (const char* format : {"ply-ascii", "ply-little", "ply-big"}) {
-    ASSERT_EQ(run_program({"convert", report("colours_to_ply.obj"), "-o", "o.ply", "--format", format}, folder.path())
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        run_program({"convert", report_file("colours_to_ply.obj"), "-o", "o.ply", "--format", format}, folder.path())
+            .exit_code,
+        0);
     EXPECT_NE(read_file(folder.at("o.ply")).find("property uchar red\nproperty uchar green\nproperty uchar blue\n"),
               std::string::npos)
         << format;
@@ -63,9 +62,9 @@ TEST(file_reports, colours_go_out_as_bytes) {
 
 TEST(file_reports, colours_and_normals_of_ncoff_are_told_apart) {
   const TemporaryFolder folder;
-  ASSERT_EQ(
-      run_program({"convert", report("ncoff.off"), "-o", "o.ply", "--format", "ply-ascii"}, folder.path()).exit_code,
-      0);
+  ASSERT_EQ(run_program({"convert", report_file("ncoff.off"), "-o", "o.ply", "--format", "ply-ascii"}, folder.path())
+                .exit_code,
+            0);
   const std::string text = read_file(folder.at("o.ply"));
   EXPECT_NE(text.find("property float nz\nproperty uchar red"), std::string::npos) << text;
   EXPECT_NE(text.find("\n0 0 0 0 0 -1 255 0 0 255\n"), std::string::npos) << text;
@@ -74,8 +73,9 @@ TEST(file_reports, colours_and_normals_of_ncoff_are_told_apart) {
 TEST(file_reports, what_an_edit_wrote_is_written_the_same_again) {
   const TemporaryFolder folder;
   for (const char* format : {"ply-ascii", "ply-little", "ply-big"}) {
-    ASSERT_EQ(run_program({"convert", report("st.ply"), "-o", "in.ply", "--format", format}, folder.path()).exit_code,
-              0);
+    ASSERT_EQ(
+        run_program({"convert", report_file("st.ply"), "-o", "in.ply", "--format", format}, folder.path()).exit_code,
+        0);
     for (const std::vector<std::string>& algorithm :
          {std::vector<std::string>{"weld_equal"}, {"subdivide"}, {"simplify", "--faces", "1"}}) {
       std::vector<std::string> arguments{algorithm[0], "in.ply", "-o", "a.ply"};
@@ -95,16 +95,17 @@ TEST(file_reports, texture_coordinates_that_are_left_over_are_not_written) {
     EXPECT_LE(run_program(arguments, folder.path()).exit_code, 1);
     return count_lines(read_file(folder.at("out.obj")), "vt ");
   };
-  EXPECT_EQ(vt_of({"simplify", report("leftover_vt.obj"), "--faces", "2", "-o", "out.obj"}), 4u);
-  const std::size_t all = count_lines(read_file(report("leftover_vt.obj")), "vt ");
-  EXPECT_EQ(vt_of({"convert", report("leftover_vt.obj"), "-o", "out.obj"}), all);
-  EXPECT_EQ(vt_of({"edit", report("leftover_vt.obj"), "--do", "expect V 49; delete f0; undo", "-o", "out.obj"}), all);
+  EXPECT_EQ(vt_of({"simplify", report_file("leftover_vt.obj"), "--faces", "2", "-o", "out.obj"}), 4u);
+  const std::size_t all = count_lines(read_file(report_file("leftover_vt.obj")), "vt ");
+  EXPECT_EQ(vt_of({"convert", report_file("leftover_vt.obj"), "-o", "out.obj"}), all);
+  EXPECT_EQ(vt_of({"edit", report_file("leftover_vt.obj"), "--do", "expect V 49; delete f0; undo", "-o", "out.obj"}),
+            all);
 }
 
 TEST(file_reports, a_name_that_swallows_a_face_is_warned_of_with_its_line) {
   const TemporaryFolder folder;
   const ProgramRun run =
-      run_program({"convert", report("usemtl_backslash.obj"), "-o", "out.obj", "--json"}, folder.path());
+      run_program({"convert", report_file("usemtl_backslash.obj"), "-o", "out.obj", "--json"}, folder.path());
   EXPECT_EQ(run.exit_code, 0);
   ASSERT_EQ(run.line()["messages"].size(), 1u);
   EXPECT_EQ(run.line()["messages"][0]["line"], 6);

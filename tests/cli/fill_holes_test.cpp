@@ -11,8 +11,6 @@
 namespace ryosen::test {
 namespace {
 
-std::string report(const std::string& name) { return RYOSEN_SOURCE_DIR "/tests/data/reports/" + name; }
-
 Json figures_of(const std::string& path) { return run_program({"check", path, "--json"}).line(); }
 
 // As ASCII with properties of type float.
@@ -36,18 +34,18 @@ std::string float_ply(const IndexedMesh& list) {
 TEST(fill_holes, keeps_the_files_of_reports_in_shape) {
   const TemporaryFolder folder;
   const std::string out = folder.at("out.off");
-  ASSERT_EQ(run_program({"fill_holes", report("planar_hole.off"), "-o", out}).exit_code, 0);
+  ASSERT_EQ(run_program({"fill_holes", report_file("planar_hole.off"), "-o", out}).exit_code, 0);
   EXPECT_NEAR(figures_of(out)["volume"].get<double>(), 2.3776, 1e-4);
-  ASSERT_EQ(run_program({"fill_holes", report("degenerate_rim.off"), "-o", out, "--overwrite"}).exit_code, 0);
+  ASSERT_EQ(run_program({"fill_holes", report_file("degenerate_rim.off"), "-o", out, "--overwrite"}).exit_code, 0);
   EXPECT_EQ(figures_of(out)["closed"], true);
   EXPECT_NEAR(figures_of(out)["volume"].get<double>(), 9, 1e-9);
-  const ProgramRun refused = run_program({"fill_holes", report("pierced_hole.off"), "-o", out, "--overwrite"});
+  const ProgramRun refused = run_program({"fill_holes", report_file("pierced_hole.off"), "-o", out, "--overwrite"});
   EXPECT_NE(refused.out.find("crosses the surface or itself at f3, crossing=allow fills anyway"), std::string::npos)
       << refused.out;
   EXPECT_EQ(figures_of(out)["boundary_loops"], 2);
-  const Json allowed =
-      run_program({"fill_holes", report("pierced_hole.off"), "-o", out, "--overwrite", "--crossing", "allow", "--json"})
-          .line();
+  const Json allowed = run_program({"fill_holes", report_file("pierced_hole.off"), "-o", out, "--overwrite",
+                                    "--crossing", "allow", "--json"})
+                           .line();
   EXPECT_EQ(allowed["changed"], 1);
   EXPECT_EQ(allowed["crossings"], 1);
   EXPECT_EQ(figures_of(out)["boundary_loops"], 1) << "that of the triangle which pierces it";
@@ -69,7 +67,7 @@ TEST(fill_holes, is_flat_in_files_of_floats_whose_rims_were_turned) {
 
 TEST(fill_holes, is_named_among_repairs_as_it_is_written_there) {
   const auto said = [](const char* kinds) {
-    return run_program({"repair", report("planar_hole.off"), "--kinds", kinds, "--lang", "en"}).out;
+    return run_program({"repair", report_file("planar_hole.off"), "--kinds", kinds, "--lang", "en"}).out;
   };
   EXPECT_TRUE(said("fill_holes").starts_with("fill_holes: One hole was filled")) << said("fill_holes");
   EXPECT_TRUE(said("fill_holes=9").starts_with("fill_holes=9: One hole was filled"));

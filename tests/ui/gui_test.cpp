@@ -18,7 +18,7 @@ using test::Laid;
 using test::window;
 
 // Save of the panel that writes files, which its Cancel follows: the word alone is drawn elsewhere too.
-constexpr const char *save_button = "Save Cancel", *save_button_ja = "保存取り消し";
+constexpr const char *save_in_dialog = "Save Cancel", *save_in_dialog_ja = "保存取り消し";
 
 TEST(texts, are_there_in_both_languages) {
   for (std::size_t i = 0; i < enum_count<UiText>; ++i) {
@@ -266,10 +266,10 @@ TEST(gui, an_existing_file_is_replaced_only_on_the_second_press) {
   ASSERT_TRUE(laid.session.run("split 0-1").done());
   ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
   laid.frames(3);
-  laid.click_on(save_button);
+  laid.click_on(save_in_dialog);
   EXPECT_EQ(test::read_file(path), before);
   EXPECT_EQ(laid.session.open_panel, "save");
-  laid.click_on(save_button);
+  laid.click_on(save_in_dialog);
   EXPECT_NE(test::read_file(path), before);
   EXPECT_EQ(laid.session.open_panel, "");
 }
@@ -287,7 +287,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
     ASSERT_TRUE(laid.gui.run(laid.session, "panel save").done());
     laid.frames(3);
     const int before = laid.gui.draw_data().TotalVtxCount;
-    laid.click_on(language == std::string_view("language en") ? save_button : save_button_ja);
+    laid.click_on(language == std::string_view("language en") ? save_in_dialog : save_in_dialog_ja);
     EXPECT_FALSE(folder.has("cube.stl")) << "it only told what would be lost";
     EXPECT_EQ(laid.session.open_panel, "save");
     EXPECT_GT(laid.gui.draw_data().TotalVtxCount, before + 100) << "a sentence per loss and what to do";
@@ -295,7 +295,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
     ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
     laid.frames(3);
   }
-  laid.click_on(save_button_ja);  // which the list has moved up
+  laid.click_on(save_in_dialog_ja);  // which the list has moved up
   EXPECT_TRUE(folder.has("cube.stl"));
   EXPECT_EQ(laid.session.open_panel, "");
   EXPECT_FALSE(laid.session.document().is_modified());

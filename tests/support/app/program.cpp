@@ -193,6 +193,8 @@ std::string read_file(const std::filesystem::path& path) {
 
 std::string asset(const std::string& name) { return std::string(RYOSEN_SOURCE_DIR) + "/assets/" + name; }
 
+std::string report_file(const std::string& name) { return RYOSEN_SOURCE_DIR "/tests/data/reports/" + name; }
+
 std::string shared_file(const std::string& name) {
   const std::string path = std::string(RYOSEN_SHARED_DIR) + "/" + name;
   return std::filesystem::exists(path) ? path : std::string();

@@ -79,6 +79,8 @@ std::string shell_word(std::string_view text);
 std::string shell_program();
 // A mesh of the assets folder.
 std::string asset(const std::string& name);
+// A file of people's reports, of tests/data/reports.
+std::string report_file(const std::string& name);
 // A file of the folder that lies beside the project; empty where it does not.
 std::string shared_file(const std::string& name);
 

@@ -218,8 +218,8 @@ void ProblemsPanel::draw_loose(PanelContext& context) {
   std::string names;
   for (const Element& face : loose->elements) names += " f" + std::to_string(face.index);
   const std::string count = grouped(static_cast<std::int64_t>(loose->elements.size()));
-  const Text select{"Select the loose pieces (" + count + ")", "切り離された部分を選択（" + count + "）"};
-  const Text remove{"Delete the loose pieces (" + count + ")", "切り離された部分を削除（" + count + "）"};
+  const Text select{"Select the loose pieces (" + count + ")", "離れた部分を選択（" + count + "）"};
+  const Text remove{"Delete the loose pieces (" + count + ")", "離れた部分を削除（" + count + "）"};
   for (const auto& [text, command] : {std::pair(select, "frame selected"), std::pair(remove, "delete selected")})
     if (link(context, text.in(context.language()).c_str())) {
       context.run("select" + names);

@@ -63,7 +63,7 @@ done
 if [ -n "${RYOSEN_LONG:-}" ]; then
   build "$root/build/fuzz" test_app
   LSAN_OPTIONS="suppressions='$root/tests/support/osmesa_leaks.txt':print_suppressions=0" \
-    ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L app -R "Monkey|gui|Viewport"
+    ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L app -R "Monkey|gui|Viewport|random_scripts"
   # The driver of a display keeps what it has, and has been unloaded when leaks are looked for.
   ASAN_OPTIONS=detect_leaks=0 \
     ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L app -R "Window"

@@ -8,8 +8,8 @@ namespace ryosen {
 
 namespace {
 
-// What is used of Xlib.h. The library is loaded, as GLFW loads it: the program is built without its package, and runs
-// where it is missing.
+// The part of Xlib.h that is used. The library is loaded, as GLFW loads it: the program is built without its package,
+// and runs where it is missing.
 struct Display;
 using Window = unsigned long;
 using Atom = unsigned long;

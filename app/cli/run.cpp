@@ -39,7 +39,7 @@ ExitCode run_command(const CommandLine& line) {
   return command->run(line.arguments, line.console);
 }
 
-// What was to be said cannot be; what is done stays done.
+// Reports that the output cannot be written; the work itself stays done.
 Text unwritable_stdout() {
   Text text{"Standard output cannot be written.", "標準出力に書き込めません。"};
   std::string names, names_ja;

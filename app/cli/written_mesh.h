@@ -24,7 +24,7 @@ class WrittenMesh {
   FindingCounts counts_{};
 };
 
-// What is said of a repair that was undone since its file would be no better.
+// Tells that a repair was undone because its file would be no better.
 AlgorithmResult undone_in_file(AlgorithmResult result);
 
 }  // namespace ryosen::cli

@@ -27,7 +27,7 @@ fs::path whole(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path, ignored);
 }
 
-// What the document's file was like, and a hash of its content as long as it is that.
+// The known state of the document's file, with a hash of its content while the file is still in that state.
 std::string file_remark(const Document& document) {
   const FileState& known = document.known_file();
   if (!known.is_known()) return {};

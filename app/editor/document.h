@@ -114,7 +114,7 @@ class Document {
 
   // Whether the file is another one than was read or saved; never where the document has none.
   FileState::Change change_on_disk() const { return on_disk_.since(path_); }
-  // What the file was like then.
+  // The state of the file when it was last read or saved.
   const FileState& known_file() const { return on_disk_; }
   void know_file_as(FileState state) { on_disk_ = state; }
   // Takes the file as it is for that from now on, so that the next save may replace it.

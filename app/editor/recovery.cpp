@@ -194,7 +194,7 @@ Outcome replay(Session& session, const LostSession& lost) {
   return outcome;
 }
 
-// What goes on has this script where all of it begins as the script says, else one of its own.
+// The recovered document continues this script if it began as the script says; otherwise it gets a script of its own.
 void hand_over(Autosave& autosave, Session& session, OwnedScript& script, const LostSession& lost, SessionStart start,
                Outcome& outcome) {
   const bool is_of_script = start.hash == lost.start.hash && start.original == lost.start.original;

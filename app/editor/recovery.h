@@ -58,7 +58,7 @@ struct LostSession {
   bool is_saved() const { return saved_edits == edits.size(); }
 };
 
-// What the edits of a lost session are done on, where the document's file is another than it was when they were made.
+// The mesh on which the edits of a lost session are replayed when the document's file has changed since.
 enum class RecoverOnto {
   unchanged,  // there is no such difference, else nothing is done
   as_was,  // the mesh that they were made on; the document knows its file as it was then, so that no save replaces it
@@ -69,7 +69,7 @@ enum class RecoverOnto {
 bool can_be_as_was(const LostSession& lost);
 // Whether they can be done on the file as it is now: none was saved, and the file is there.
 bool can_be_as_is(const LostSession& lost);
-// What has become of the document's file since the edits were made. One with the same content has not changed. Cost: that
+// The change of the document's file since the edits were made. The same content is no change. Cost: that
 // of reading it.
 FileState::Change change_of_file(const LostSession& lost);
 

@@ -17,7 +17,7 @@ class RepairRows {
   bool draw(PanelContext& context, ProblemKind kind, bool is_mended);
   // The button of all that keep the geometry, and what it would do. True when it was pressed.
   bool draw_all(PanelContext& context, bool is_mended);
-  // What those cannot do for a kind: the repairs for it that move geometry and want no values. True when one was pressed.
+  // Shows the other repairs for a kind: those that move geometry and need no values. True when one was pressed.
   bool draw_beyond_all(PanelContext& context, ProblemKind kind, bool is_mended);
   // A trial that nobody looks at any more ends. Behind all rows of a frame.
   void end_frame(PanelContext& context);

@@ -47,7 +47,7 @@ struct Comparison {
 // Cost: about the effort per form and relation, plus building each form once.
 Comparison compare_forms(const Mesh& mesh, const Effort& effort = {});
 
-// What text 002, section 2.3, says of the memory of two of its own forms.
+// The claim of text 002, section 2.3, about the memory of two of its own forms.
 struct SizeClaim {
   std::string_view smaller, larger;  // ids of forms
   std::string_view en, ja;           // the claim

@@ -1,4 +1,4 @@
-// What a file gives back of the mesh that is written to it.
+// The mesh that a file gives back when it is read again.
 #pragma once
 
 #include "core/io/formats.h"

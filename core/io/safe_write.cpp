@@ -41,7 +41,7 @@ Failure not_durable(const std::filesystem::path& path, int error) {
 std::mutex names_in_place_mutex;
 std::vector<std::string> names_in_place;
 
-// What has been written stays so where there is no memory to note it.
+// Notes a written file; without memory for the note the file stays written.
 void note_in_place(const std::filesystem::path& path) {
   try {
     const std::lock_guard lock(names_in_place_mutex);

@@ -49,8 +49,8 @@ class Telling {
     if (step.marks.size() < most_marks) step.marks.push_back({role, element});
   }
 
-  // By the sum V - E + F + B + I = 2 S of one closed surface, or one face with its boundary loop, beside points by
-  // themselves, each of which is an I and an S.
+  // Follows from the sum V - E + F + B + I = 2 S of one closed surface, or one face with its boundary loop, beside
+  // points by themselves, each of which is an I and an S.
   static Delta delta_of(const HullStep& step, const ElementCounts& before, const ElementCounts& after) {
     const int e = static_cast<int>(after.edges) - static_cast<int>(before.edges),
               f = static_cast<int>(after.faces) - static_cast<int>(before.faces),

@@ -47,8 +47,8 @@ struct Source {
   int line = 0;
 };
 
-// By how much the terms of V - E + F + (B + W + I) - H = 2(S - G) change, as in the totals. No B or no G where there is none
-// before or after (analysis/euler_poincare.h).
+// The changes of the terms of V - E + F + (B + W + I) - H = 2(S - G), as in the totals. No B or no G where there is
+// none before or after (analysis/euler_poincare.h).
 struct Delta {
   std::int64_t v = 0, e = 0, f = 0;
   std::optional<std::int64_t> b = 0;

@@ -209,7 +209,7 @@ void ProblemsPanel::draw_left(PanelContext& context) {
   }
 }
 
-// What came off in the last repair is offered for deletion.
+// Offers to delete the loose pieces of the last repair.
 void ProblemsPanel::draw_loose(PanelContext& context) {
   const RepairReport* const report = context.session.last_repair();
   if (!report) return;

@@ -96,7 +96,7 @@ bool Remesher::split_long(Progress& progress) {
   return true;
 }
 
-// Of one that splits there: pieces of features do not count.
+// Whether splitting the edge makes one that is too short; pieces of features do not count.
 bool Remesher::makes_short_edges(Edge e, double along) const {
   const Halfedge h = halfedge(e);
   const glm::dvec3 place = SplitEdge{h, along}.position(mesh_);
@@ -166,7 +166,7 @@ bool Remesher::try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJu
   return true;
 }
 
-// Of the faces around v none turns away when it lies at `place`, and no edge becomes too short.
+// Whether no face around v turns away and no edge becomes too short when v lies at `place`.
 bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
   for (const Halfedge h : outgoing(mesh_, v)) {
     const glm::dvec3& end = mesh_.position(mesh_.to(h));

@@ -59,7 +59,7 @@ class Remesher {
   // By length, those that `is_wanted`.
   template <class IsWanted>
   std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
-  // Of an edge that a step would make, and the one that it comes of.
+  // Whether an edge of length `made` in place of one of length `before` is too short.
   bool is_too_short(double made, double before) const { return made < least_ && made < before; }
   bool makes_short_edges(Edge e, double along) const;
   std::optional<double> split_place(Edge e) const;

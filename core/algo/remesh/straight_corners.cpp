@@ -80,7 +80,7 @@ class StraightCorners {
     int depth;
   };
 
-  // By parts at the vertex farthest from the line, and in the middle where that leads on and on.
+  // Divides at the vertex farthest from the line, or in the middle after too many divisions.
   void choose(const std::vector<Vertex>& chain) {
     constexpr int deep = 64;
     std::vector<Range> waiting{{0, chain.size() - 1, 0}};

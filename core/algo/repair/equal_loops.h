@@ -25,7 +25,7 @@ struct EqualLoops {
   std::vector<Face> closed_alone;  // faces of closed parts that run like no other
 };
 
-// Of faces on the same loop of points, regardless of direction and start, one stays: where the pairs of faces
+// Keeps one of the faces on the same loop of points, regardless of direction and start: where the pairs of faces
 // (pair_faces.h) make no difference, the lowest. A face of a closed part goes only where all of that part goes, because
 // a lower part has the same faces; another face goes where no face that stays is paired with it. O(n log n).
 EqualLoops find_equal_loops(const Mesh& mesh);

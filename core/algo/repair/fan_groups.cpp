@@ -51,7 +51,7 @@ std::vector<FanGroups::Pair> FanGroups::pairs_of(std::span<const Halfedge> sides
   return pairs;
 }
 
-// Of two pairs with the same fans at both ends each fan becomes two. Two sides alone with the same fans are paired.
+// Exchanges two pairs with the same fans at both ends, so that each fan becomes two; pairs two single sides.
 bool FanGroups::exchange_two(std::span<const Halfedge> sides) {
   std::vector<Pair> pairs = pairs_of(sides);
   const auto fans = [](const Pair& p) { return std::pair(p.fan_at_start, p.fan_at_end); };

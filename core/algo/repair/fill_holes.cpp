@@ -301,7 +301,7 @@ class HoleFiller {
     Sheets(edit_).settle(corners);
   }
 
-  // Of a pair both stay out, or else the later one.
+  // Excludes both patches of a pair, or the later one only.
   void exclude(bool both, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, WhyOpen why,
                std::vector<WhyOpen>& cause) {
     const std::vector<WhyOpen> before = cause;
@@ -342,7 +342,7 @@ class HoleFiller {
   std::vector<std::vector<Base>> bases_;  // by hole
   std::vector<bool> touched_;             // by vertex: points on loops that were filled
   std::vector<bool> is_like_;             // by hole: whether it equals others
-  // Of one way: the patches, the holes that they are for, ascending, and those for equal rims before they were finished.
+  // For the current way: the patches, their holes in ascending order, and the unfinished patches for equal rims.
   std::vector<PlannedPatch> planned_;
   std::vector<std::uint32_t> planned_for_;
   std::vector<HolePatch> arranged_;

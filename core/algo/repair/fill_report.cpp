@@ -28,7 +28,7 @@ Text names_of(const Mesh& mesh, std::span<const Element> elements) {
   return names;
 }
 
-// What crosses, and how to fill nevertheless.
+// Names the faces that cross, and the value that fills anyway.
 Text crossed_text(const Mesh& mesh, std::span<const Hole> holes) {
   std::vector<Element> crossed;
   std::vector<Face> faces;

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<H
   return order;
 }
 
-// Of the sides at one angle, by ascending face: those that end an inside come first, each time the lowest face nearest
+// Orders sides at one angle, given by ascending face: those that end an inside first, the lowest face nearest
 // to its inside.
 template <class Iterator>
 void put_nearest_inside(Iterator begin, Iterator end) {

@@ -103,7 +103,7 @@ class Pairing {
   std::uint32_t patch(Halfedge side) { return patches_.root(m_.face(side).index); }
   bool is_forward(Halfedge side) const { return point(m_, m_.from(side)) < point(m_, m_.to(side)); }
 
-  // By patch its place in the order in which patches are set free.
+  // The rank of each patch in the order in which patches are set free.
   std::vector<std::uint32_t> rank_patches() {
     std::vector<double> areas(m_.face_slots(), 0);
     std::vector<std::uint32_t> order;

@@ -15,7 +15,7 @@ namespace {
 
 bool is_weighed(const HoleLoop& hole) { return hole.size() <= most_weighed_corners; }
 
-// By how much edges grow with each unit of distance from the rim: slowly where the triangles are to be even, and fast
+// The growth of edges per unit of distance from the rim: slowly where the triangles are to be even, and fast
 // where a few do.
 constexpr double growth_of_fair = 0.1, growth_of_flat = 0.4;
 

@@ -64,7 +64,7 @@ class RecipeRun {
   }
 
  private:
-  // What came off in any round, beside what the last step that changed something has left.
+  // Adds the loose pieces of all rounds to what the last changing step left.
   static void tell_loose(const Mesh& before, const Mesh& after, std::vector<AlgorithmResult>& steps) {
     for (AlgorithmResult& step : steps) std::erase_if(step.left_for, tells_of_loose_pieces);
     const auto last =

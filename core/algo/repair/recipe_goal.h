@@ -1,4 +1,4 @@
-// What a list of repairs is for, and whether it came nearer to that.
+// The goal of a list of repairs, and whether a round came nearer to it.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ namespace {
 // A ray begins that far from its triangle, in units of about the largest coordinate: more than the rounding of its centre.
 constexpr double first_step = 1e-10;
 
-// Of a triangle, in bits.
+// The sides of a triangle that are seen, as bits.
 enum Seen : std::uint8_t { nowhere = 0, from_front = 1, from_behind = 2 };
 
 class Looking {

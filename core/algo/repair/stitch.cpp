@@ -55,7 +55,7 @@ class Stitching {
       is_concerned_[i] = near.point_of[i] == Vertex(i) && is_place[near.first[i].index];
   }
 
-  // Those of one side come from its end to its start, so the side is always the part at the start.
+  // Points of one side come from its end to its start, so the side is always the part at the start.
   void put_in(Edit& edit, const TJunction& junction) {
     if (parts_.empty() || junction.side != side_) {
       end_of_side_ = 1;

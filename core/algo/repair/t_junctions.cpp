@@ -30,7 +30,7 @@ struct Segment {
     reach = distance + rounding * (largest_magnitude(a) + largest_magnitude(b));
   }
 
-  // What lies within the reach, and little more.
+  // Visits the points within the reach, and few others.
   Frustum beam() const {
     const Box box = box_of(std::array{a, b});
     Frustum beam = frustum_of_box({box.lowest - reach, box.highest + reach});
@@ -88,7 +88,7 @@ class Search {
     auto order() const { return std::tie(side, place, is_beside, point); }
   };
 
-  // Of several points at one place the lowest.
+  // The lowest of several points at one place.
   void collect_points() {
     for (const Halfedge side : sides_)
       for (const Vertex v : {m_.from(side), m_.to(side)}) points_.push_back(near_.point_of[v.index]);

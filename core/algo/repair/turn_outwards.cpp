@@ -141,7 +141,7 @@ class Patches {
     }
   }
 
-  // By face whether its patch is turned round in the mesh that is looked at, which is the same one however patches are
+  // Whether the patch of each face is turned in the examined mesh, which is the same one however patches are
   // turned: else another centre, or another way to cut a face into triangles, could turn a patch back.
   std::vector<bool> turned_to_first() {
     std::vector<bool> is_met(kinds_.size(), false), turns(kinds_.size(), false), faces(of_face_.size(), false);

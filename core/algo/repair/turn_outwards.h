@@ -8,7 +8,7 @@
 
 namespace ryosen {
 
-// By face slot whether the patch of the face is to be turned round, as a whole; empty where none is. A patch is faces
+// Tells by face slot whether the patch of the face should turn; empty where none should. A patch is faces
 // joined over edges of two faces. One that is closed is turned where its faces do not look outwards at even depth and
 // inwards at odd depth inside other closed ones (nest_shells), so all shells that cross look outwards where nothing is
 // around them. One that is open is turned where its area seen from behind is more than 1.5 times that from the front

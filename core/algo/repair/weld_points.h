@@ -28,7 +28,7 @@ struct WeldedSides {
   std::size_t points = 0;    // that were welded to others
   std::vector<Edge> joined;  // the sides that were joined, by the numbers that their edges had
 };
-// What both do: welds the points that are near each other, edges between them apart. The only write of the edit.
+// The common part of both: welds points that are near each other, edges between them apart. The only write of the edit.
 WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress);
 
 }  // namespace ryosen

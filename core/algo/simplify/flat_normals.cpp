@@ -12,7 +12,7 @@ namespace ryosen {
 
 namespace {
 
-// Of length 1; none where there is no area.
+// The unit normal of a face; none where it has no area.
 std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
   FacePolygon polygon;
   polygon.read(mesh, f);

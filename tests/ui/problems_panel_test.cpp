@@ -4,6 +4,7 @@
 #include <imgui_internal.h>  // which windows are tooltips
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "app/editor/words.h"
 #include "core/analysis/problems.h"
@@ -171,7 +172,8 @@ TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs)
     for (double y = 16; y < 560; y += 7) {
       laid.gui.pointer({500, 400});
       laid.open(file);
-      const glm::dvec2 at{1060, header.y + y};
+      const double right = laid.session.view_origin.x + laid.session.view.width;  // where the column begins
+      const glm::dvec2 at{glm::mix(right, static_cast<double>(test::tall_window.width), 0.2), header.y + y};
       laid.click(at);
       const std::vector<HistoryEntry> first = laid.session.document().history();
       laid.click(at);

@@ -62,8 +62,11 @@ TEST_F(ScopedCommandTest, that_is_long_and_wrong_fails_where_it_was_typed) {
 TEST_F(ScopedCommandTest, is_suggested) {
   const ScopedCommand probe(test::probe_row());
   type("prob");
-  click({460, 240});  // the first suggestion
-  click({700, 212});  // the field, behind its text
+  click_on("utsavertexonthefirst");
+  click(test::DrawnText(gui).place("probe"));  // the field, which is drawn before its suggestions
+  gui.key(ImGuiKey_End, true);
+  frames(1);
+  gui.key(ImGuiKey_End, false);
   type("4");
   enter();
   EXPECT_EQ(gui.said().en, "probe 4: done");

@@ -14,7 +14,7 @@ namespace {
 
 using test::window;
 
-constexpr glm::dvec2 in_view{640, 560}, on_panel{100, 114};  // on a face of the torus; on a row of the tools
+constexpr glm::dvec2 in_view{640, 560};  // on a face of the torus
 
 class WindowInputTest : public testing::Test {
  protected:
@@ -41,12 +41,13 @@ class WindowInputTest : public testing::Test {
   Session& session_ = laid_.session;
   Gui& gui_ = laid_.gui;
   WindowInput input_{gui_, session_};
+  const glm::dvec2 on_panel_ = laid_.place_of("Swapedge");  // a row of the tools
   double now_s_ = 1;
 };
 
 TEST_F(WindowInputTest, a_press_on_a_panel_that_ends_over_the_view) {
-  input_.move({on_panel});
-  press(on_panel);
+  input_.move({on_panel_});
+  press(on_panel_);
   EXPECT_TRUE(gui_has_a_button());
   EXPECT_FALSE(moves_view());
   release(in_view);
@@ -59,8 +60,8 @@ TEST_F(WindowInputTest, a_press_in_the_view_that_ends_over_a_panel) {
   input_.move({in_view});
   press(in_view);
   EXPECT_TRUE(moves_view());
-  input_.move({on_panel});
-  release(on_panel);
+  input_.move({on_panel_});
+  release(on_panel_);
   EXPECT_FALSE(input_.is_dragging());
   EXPECT_FALSE(moves_view());
   EXPECT_FALSE(gui_has_a_button());
@@ -69,13 +70,13 @@ TEST_F(WindowInputTest, a_press_in_the_view_that_ends_over_a_panel) {
 
 TEST_F(WindowInputTest, a_press_on_a_panel_during_a_drag_is_released_too) {
   press(in_view, MouseButton::right);
-  input_.move({on_panel});
-  press(on_panel);
+  input_.move({on_panel_});
+  press(on_panel_);
   EXPECT_TRUE(gui_has_a_button());
-  release(on_panel);
+  release(on_panel_);
   EXPECT_FALSE(gui_has_a_button());
   EXPECT_TRUE(input_.is_dragging());
-  release(on_panel, MouseButton::right);
+  release(on_panel_, MouseButton::right);
   EXPECT_FALSE(input_.is_dragging());
 }
 
@@ -87,8 +88,8 @@ TEST_F(WindowInputTest, losing_the_keyboard_ends_every_press_without_a_click) {
   release(in_view);  // the window system may still tell
   EXPECT_TRUE(session_.selection.empty());
 
-  input_.move({on_panel});
-  press(on_panel);
+  input_.move({on_panel_});
+  press(on_panel_);
   input_.let_go();
   EXPECT_FALSE(gui_has_a_button());
 }
@@ -180,9 +181,9 @@ TEST_F(WindowInputTest, a_click_may_move_as_far_as_the_display_is_fine) {
 TEST_F(WindowInputTest, a_click_on_a_panel_is_where_it_was_made_though_the_pointer_goes_on_at_once) {
   WindowInput fast(gui_, session_, {}, [this] { frames(3); });
   fast.resize(window);
-  fast.move({on_panel});
-  fast.press(MouseButton::left, {on_panel});
-  fast.release(MouseButton::left, {on_panel});
+  fast.move({on_panel_});
+  fast.press(MouseButton::left, {on_panel_});
+  fast.release(MouseButton::left, {on_panel_});
   fast.move({in_view});
   frames(2);
   EXPECT_NE(session_.tool, "") << "the row of the tool was clicked";
@@ -336,7 +337,7 @@ TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own
 TEST_F(WindowInputTest, what_was_under_the_pointer_is_lit_no_more_when_it_is_on_a_panel) {
   input_.move({in_view});
   ASSERT_TRUE(session_.hover());
-  input_.move({on_panel});  // at once, as it can
+  input_.move({on_panel_});  // at once, as it can
   EXPECT_FALSE(session_.hover());
 
   ASSERT_TRUE(session_.run("select f0").done());
@@ -347,7 +348,7 @@ TEST_F(WindowInputTest, what_was_under_the_pointer_is_lit_no_more_when_it_is_on_
     for (int x = 0; x < window.width && !session_.pointed_handle(); x += 6)
       input_.move({{static_cast<double>(x), static_cast<double>(y)}});
   ASSERT_TRUE(session_.pointed_handle());
-  input_.move({on_panel});
+  input_.move({on_panel_});
   EXPECT_FALSE(session_.pointed_handle());
 }
 

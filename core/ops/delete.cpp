@@ -7,7 +7,9 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/lines/arguments.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/pinch.h"
+#include "core/ops/rules/settled_points.h"
 #include "core/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -88,7 +90,7 @@ std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
   return reasons;
 }
 
-void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, SettledPoints* known) {
   const Mesh& m = edit.mesh();
   std::vector<Halfedge> unused = deletion.wires;
   std::vector<Vertex> bare = deletion.vertices, points;
@@ -97,7 +99,10 @@ void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
       unused.push_back(h);
       points.push_back(point(m, m.from(h)));
     }
-  for (Face f : deletion.faces) sheets.remove_face(f);
+  for (Face f : deletion.faces) {
+    if (known) known->loses(f);
+    sheets.remove_face(f);
+  }
   for (Halfedge h : unused) {
     if (!m.is_alive(h) || !m.is_wire(edge(h))) continue;
     bare.insert(bare.end(), {m.from(h), m.to(h)});
@@ -108,7 +113,10 @@ void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
   bare.erase(std::unique(bare.begin(), bare.end()), bare.end());
   std::erase_if(bare, [&](Vertex v) { return !m.is_alive(v) || !m.is_isolated(v); });
   sheets.remove_vertices(bare);
-  sheets.settle(points);
+  if (known)
+    known->settle();
+  else
+    sheets.settle(points);
 }
 
 OpEffect Delete::apply(Edit& edit) const {
@@ -117,5 +125,23 @@ OpEffect Delete::apply(Edit& edit) const {
   delete_elements(edit, sheets, deletion_of(edit.mesh(), element));
   return sheets.finish();
 }
+
+namespace {
+
+class Deletes : public OneByOne {
+ public:
+  explicit Deletes(Edit& edit) : OneByOne(edit), sheets_(edit), known_(sheets_) {}
+  void apply(const AnyOp& op) override {
+    delete_elements(edit_, sheets_, deletion_of(edit_.mesh(), std::get<Delete>(op).element), &known_);
+  }
+
+ private:
+  Sheets sheets_;
+  SettledPoints known_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> deletes_in_series(Edit& edit) { return std::make_unique<Deletes>(edit); }
 
 }  // namespace ryosen

@@ -20,6 +20,10 @@
 
 namespace ryosen {
 
+class SettledPoints;
+// Each costs what is near the faces that go, not all copies of their points.
+std::unique_ptr<OpSeries> deletes_in_series(Edit& edit);
+
 struct Delete {
   Element element;  // a vertex, edge or face
 
@@ -32,7 +36,13 @@ struct Delete {
                                '\0',
                                OpTargetKind::any,
                                OpGroup::fill,
-                               "remove"};
+                               "remove",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               deletes_in_series};
 
   static Parsed<Delete> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Delete at(const Mesh& mesh, const OpTarget& target);
@@ -50,7 +60,8 @@ struct Deletion {
   std::vector<Vertex> vertices;
 };
 
-// Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points.
-void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion);
+// Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points, or where it is one
+// of several in a row, which share what they know (rules/settled_points.h), what is near the faces.
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, SettledPoints* known = nullptr);
 
 }  // namespace ryosen

@@ -146,9 +146,16 @@ void Sheets::close_double_edges(std::vector<Vertex>& vertices) {
   }
 }
 
-void Sheets::settle(std::span<const Vertex> points) {
+bool Sheets::is_settled(std::span<const Vertex> points) {
+  if (!edit_.mesh().has_copies()) return true;
+  std::vector<Vertex> vertices = live_copies(edit_.mesh(), points), doubled;
+  add_double_ends(vertices, doubled);
+  return doubled.empty() && sheets_to_open(vertices).empty() && sheets_to_join(vertices).empty();
+}
+
+std::vector<Vertex> Sheets::settle(std::span<const Vertex> points) {
   const Mesh& m = edit_.mesh();
-  if (!m.has_copies()) return;
+  if (!m.has_copies()) return {};
   std::vector<Vertex> vertices = live_copies(m, points);
   std::vector<Halfedge> to_open = sheets_to_open(vertices);
   const std::vector<Halfedge> to_join = sheets_to_join(vertices);
@@ -167,9 +174,10 @@ void Sheets::settle(std::span<const Vertex> points) {
   for (Halfedge h : to_open) open(h);
   for (Vertex v : touched) separate(v);
   for (Halfedge h : to_join) join_sheet(h);
-  touched.insert(touched.end(), vertices.begin(), vertices.end());
-  touched = live_copies(m, touched);
-  close_double_edges(touched);
+  vertices.insert(vertices.end(), touched.begin(), touched.end());
+  vertices = live_copies(m, vertices);
+  close_double_edges(vertices);
+  return touched;
 }
 
 }  // namespace ryosen

@@ -30,14 +30,6 @@ std::vector<Halfedge> cycle_of(const Mesh& m, Halfedge start) {
   return found;
 }
 
-// Like leave_copies(); where v is the copy after the other one, which is lower, without a walk around all of them.
-void leave_copies_of(Edit& edit, Vertex lower, Vertex v) {
-  const Mesh& m = edit.mesh();
-  if (m.next_copy(lower) != v) return leave_copies(edit, v);
-  edit.set_copy_links(lower, m.next_copy(v), point(m, v));
-  edit.set_copy_links(v, v, v);
-}
-
 }  // namespace
 
 std::vector<Vertex> live_copies(const Mesh& m, std::span<const Vertex> given) {
@@ -107,7 +99,7 @@ Vertex Sheets::take_out(const Fan& fan) {
   edit_.set_halfedge(copy, fan.last);
   edit_.set_halfedge(v, rest);
   hold_outside(edit_, v);
-  join_copies(edit_, v, copy);
+  rings_.join(v, copy);
   return copy;
 }
 
@@ -126,7 +118,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     edit_.connect(into, out);
     edit_.connect(before, after);
     rename(moved, stays);
-    leave_copies_of(edit_, stays, goes);
+    rings_.leave(goes);
     edit_.remove(goes);
     effect_.deleted.push_back(goes);
     hold_outside(edit_, stays);
@@ -145,7 +137,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
   rename(cycle_of(m, after), copy);
   edit_.set_halfedge(copy, after);
   edit_.set_halfedge(p, out);
-  join_copies(edit_, p, copy);
+  rings_.join(p, copy);
 }
 
 void Sheets::join_edges(Halfedge h, Halfedge back) {
@@ -200,29 +192,12 @@ Halfedge Sheets::open(Halfedge h) {
 
 void Sheets::remove_vertices(std::span<const Vertex> descending) {
   const Mesh& m = edit_.mesh();
-  const auto goes = [&](Vertex v) {
-    return std::binary_search(descending.begin(), descending.end(), v, std::greater<>());
-  };
-  std::unordered_map<Vertex, Vertex> heirs;  // of points that go: the copies that go in their place
-  std::unordered_set<Vertex> known;
-  for (Vertex v : descending) {
-    const Vertex p = point(m, v);
-    if (!has_copies(m, v) || !known.insert(p).second) continue;
-    std::vector<Vertex> stay, go;
-    for_each_copy(m, p, [&](Vertex copy) { (goes(copy) ? go : stay).push_back(copy); });
-    if (goes(p) && !stay.empty()) {
-      // The last copy with edges or, if there is none, the last one.
-      const auto heir = std::max_element(stay.begin(), stay.end(), [&](Vertex x, Vertex y) {
-        return std::pair(!m.is_isolated(x), x) < std::pair(!m.is_isolated(y), y);
-      });
-      heirs[p] = *heir;
-      *std::find(go.begin(), go.end(), p) = *heir;
-      stay.erase(heir);
-      stay.insert(stay.begin(), p);
-    }
-    for (Vertex copy : go) edit_.set_copy_links(copy, copy, copy);
-    if (!stay.empty()) link_copies(edit_, stay);
-  }
+  std::unordered_map<Vertex, std::vector<Vertex>> going;  // by point
+  std::unordered_map<Vertex, Vertex> heirs;               // of points that go: the copies that go in their place
+  for (Vertex v : descending)
+    if (has_copies(m, v)) going[point(m, v)].push_back(v);
+  for (const auto& [p, copies] : going)
+    if (const Vertex heir = rings_.leave_all(copies)) heirs[p] = heir;
   for (Vertex v : descending) {
     if (const auto heir = heirs.find(v); heir != heirs.end()) {
       rename(leaving(m, heir->second), v);

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/ops/op.h"
+#include "core/ops/rules/copy_rings.h"
 
 namespace ryosen {
 
@@ -56,7 +57,8 @@ struct SettledPoint {
 // The surgery of one operator. Records what was created, deleted and changed; finish() returns it.
 class Sheets {
  public:
-  explicit Sheets(Edit& edit) : edit_(edit), before_(edit.mesh().lengths()) {}
+  explicit Sheets(Edit& edit) : edit_(edit), rings_(edit), before_(edit.mesh().lengths()) {}
+  const Mesh& mesh() const { return edit_.mesh(); }
 
   // Moves a fan that shares its vertex with other fans or wires to a new copy of the point. Returns the copy.
   Vertex take_out(const Fan& fan);
@@ -73,14 +75,16 @@ class Sheets {
   // Restores the structure that reading gives, around these points: exactly two faces in opposite directions share one
   // edge; at all other edges the faces are cut apart, unless the boundary loop has exactly two halfedges. Where
   // anything was cut or joined, every vertex gets one fan. Points may be given by any live copy; dead vertices are
-  // skipped.
-  void settle(std::span<const Vertex> points);
+  // skipped. Returns the vertices around which it cut or joined, their copies among them.
+  std::vector<Vertex> settle(std::span<const Vertex> points);
+  // Whether settle() would find nothing to do there.
+  bool is_settled(std::span<const Vertex> points);
   // The same around a known point that these vertices have become copies of. Cost: what is around them and around what
   // is listed, which is kept.
   void settle_joined(std::vector<Vertex> joined, SettledPoint& known);
   // Deletes an isolated vertex. If it is the representative of its point, another copy takes over the number.
   void remove_vertex(Vertex v) { remove_vertices({&v, 1}); }
-  // The same for several, given in descending order. Cost: the copies of their points, once.
+  // The same for several, given in descending order. Cost: the copies of their points, once for all calls.
   void remove_vertices(std::span<const Vertex> descending);
   // Unlinks an edge from its cycles and deletes it.
   void remove_edge(Halfedge h);
@@ -112,6 +116,7 @@ class Sheets {
   void drop(Edge e);
 
   Edit& edit_;
+  CopyRings rings_;
   ColumnLengths before_;
   OpEffect effect_;
   std::uint64_t looks_ = 0;

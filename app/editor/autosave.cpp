@@ -7,6 +7,7 @@
 
 #include "app/editor/commands.h"
 #include "app/editor/words.h"
+#include "core/io/formats.h"
 #include "core/io/gzip.h"
 #include "core/io/system_reason.h"
 
@@ -113,14 +114,25 @@ std::optional<Text> Autosave::keep_original(const fs::path& file) {
   return give_up({reason.en + ".", reason.ja + "。"});
 }
 
-// Copies the file that the session began with while it is as it was read, so that its edits come back whatever becomes of
-// that file. Without a copy they begin with the file itself.
-void Autosave::keep_start() {
-  const auto is_as_read = [&] {
-    return start_.state.is_known() && start_.state.since(start_.file) == FileState::Change::none;
-  };
-  if (!is_as_read() || copy_as_original(start_.file)) return;
-  if (!is_as_read()) start_.original.clear();  // the copy goes with the script
+// Writes the mesh that the session began with, for a file that has changed since. Keeps only what is read as the same
+// mesh: a format may hold less.
+void Autosave::write_original(const Document& document) {
+  const Format* format = format_to_write(start_.file, document.file());
+  if (!format || !format->write) format = find_format("ply");
+  const fs::path copy = script_->companion(std::string(format->extensions.front()));
+  if (!write_mesh_file(copy, document.contents_as_read(), {.format = format})) return;
+  Result<MeshFile> again = read_mesh_file(copy);
+  if (again && Document(std::move(again).value()).mesh().hash() == start_.hash) start_.original = copy;
+}
+
+// Copies the file that the session began with, so that its edits come back whatever becomes of that file. Without a copy
+// they begin with the file itself.
+void Autosave::keep_start(const Document& document) {
+  const auto is_as_read = [&] { return start_.state.since(start_.file) == FileState::Change::none; };
+  if (!start_.state.is_known()) return;
+  if (is_as_read() && !copy_as_original(start_.file) && is_as_read()) return;
+  start_.original.clear();
+  write_original(document);
 }
 
 std::optional<Text> Autosave::open_script(const Session& session) {
@@ -134,7 +146,7 @@ std::optional<Text> Autosave::open_script(const Session& session) {
   text += start_.file.empty() ? "new\n" : "open " + file_argument(start_.file.string()) + "\n";
   std::optional<Text> warning;
   if (start_.original.empty())
-    keep_start();
+    keep_start(session.document());
   else  // it is a companion of the lost script and would be deleted with it
     warning = keep_original(start_.original);
   if (!start_.original.empty()) text += original_remark(start_.original);

@@ -50,8 +50,9 @@ class Autosave {
   std::optional<Text> open_script(const Session& session);
   std::optional<Text> append(const std::string& text);
   std::error_code copy_as_original(const std::filesystem::path& file);
+  void write_original(const Document& document);
   std::optional<Text> keep_original(const std::filesystem::path& file);
-  void keep_start();
+  void keep_start(const Document& document);
   std::optional<Text> give_up(const Text& reason);
   std::string saved_remark() const;
   // What the script has to say of the document behind so many new lines; empty where these say it.

@@ -287,6 +287,15 @@ MeshFile Document::contents() const {
   return file;
 }
 
+MeshFile Document::contents_as_read() const {
+  Mesh mesh = without_trial();
+  for (Journal journal = journal_; journal.can_undo();) journal.undo(mesh);
+  FileTables tables = tables_;
+  if (const auto first = other_quarantine_.begin(); first != other_quarantine_.end() && first->first < position())
+    tables.quarantine = first->second;
+  return edited_file(file_, mesh, tables);
+}
+
 std::vector<Message> Document::losses(const std::filesystem::path& path) const {
   const Format* const format = format_to_write(path.empty() ? path_ : path, file_);
   if (!format || !format->write) return {};

@@ -140,6 +140,8 @@ class Document {
   Unsaved unsaved() const;
   // The document as it would be written: all live elements and the data of the file; never what is on trial.
   MeshFile contents() const;
+  // The document as it was read, before its first edit. O(mesh + history).
+  MeshFile contents_as_read() const;
   // What writing to a file of this name would lose, and which removed elements it would still contain, one warning
   // each; empty if the extension is unknown.
   std::vector<Message> losses(const std::filesystem::path& path) const;

@@ -191,6 +191,44 @@ TEST_F(RecoveryChange, can_be_what_the_edits_are_done_on) {
   }
 }
 
+TEST_F(RecoveryChange, before_the_first_edit_keeps_both_choices) {
+  struct Case {
+    const char* file;
+    std::vector<std::string> lines;
+  };
+  const Case cases[] = {{"torus.off", {"split 0-1"}},
+                        {"cube.obj", {"collapse 0-1 mid", "poke f3"}},
+                        {"ball.off", {"split 0-1", "collapse 2-3 mid"}},
+                        {"hanging_pair.obj", {"repair default"}},
+                        {"two_quads.obj", {"delete f1"}},
+                        {"../tests/data/reports/tristrips.ply", {"poke f0"}},
+                        {"../tests/data/reports/realsense.ply", {"poke f0"}},
+                        {"../tests/data/reports/stl_report.stl", {"poke f0"}},
+                        {"points.xyz", {"delete v1"}}};
+  files_.write("points.xyz", "0 0 0\n1 0 0\n0 1 .1\n");
+  const std::string theirs = test::read_file(test::asset("tetrahedron.off"));
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.file);
+    const std::string name = fs::path(c.file).filename().string();
+    path_ = name == "points.xyz" ? files_.at(name) : files_.copy(test::asset(c.file), name);
+    {
+      auto crashed = open(path_);
+      files_.write(name, theirs);
+      for (const std::string& line : c.lines) crashed->run(line);
+      hash_ = crashed->session.mesh().hash();
+      log_ = crashed->session.log();
+    }
+    auto again = open_nothing();
+    const std::string told = expect_told(*again, by_another);
+    EXPECT_NE(told.find("recover 1 as_was"), std::string::npos) << told;
+    EXPECT_NE(told.find("recover 1 as_is"), std::string::npos) << told;
+    expect_recovered(*again, "recover 1 as_was");
+    EXPECT_EQ(on_disk(), theirs);
+    again->autosave.finish();
+    EXPECT_TRUE(kept().empty());
+  }
+}
+
 TEST_F(RecoveryChange, is_none_where_the_bytes_are_equal) {
   const std::function<void()> ways[] = {
       [&] { fs::last_write_time(path_, fs::last_write_time(path_) + std::chrono::hours(1)); }, [&] { write(content_); },
@@ -306,13 +344,10 @@ TEST_F(RecoveryChange, that_was_kept_before_the_crash_is_not_told_again) {
   EXPECT_NE(on_disk(), moved_torus());
 }
 
-// It is another one before the first edit, so that there is no copy of what that was done on.
-TEST_F(RecoveryChange, before_the_first_edit_leaves_the_file_as_it_is) {
-  auto crashed = open(path_);
+TEST_F(RecoveryChange, without_a_copy_leaves_the_file_as_it_is) {
+  crash({"split 0-1"});
   write(moved_torus());
-  crashed->run("split 0-1");
-  crashed.reset();
-  EXPECT_EQ(kept().size(), 1u);
+  forget_copies();
   auto again = open_nothing();
   const std::string told = expect_told(*again, by_another);
   EXPECT_EQ(told.find("as_was"), std::string::npos) << told;

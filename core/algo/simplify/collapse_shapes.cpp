@@ -110,16 +110,18 @@ bool CollapseSurface::turns_small_face(Halfedge corner, const glm::dvec3& positi
                        glm::cross(larger * side, larger * (at(position) - x)));
 }
 
-bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_input) const {
+bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, Minds minds) const {
   const glm::dvec3& place = placing.place;
   const Vertex a = mesh_.from(h), b = mesh_.to(h);
   const glm::vec3 together = states_[a.index].normal + states_[b.index].normal;
   // A face between points of one line, as those of a boundary, is thin where the surface lies, or stands in a wall above it:
-  // it is to look clearly along what its corners stand for, not only not against it. Between points that are locked this is
-  // a rule: nothing after it could mend such a face.
-  const auto is_on_line = [&](Vertex v) { return mesh_.is_boundary(v) || states_[v.index].flags != 0; };
-  const auto is_locked = [&](Vertex v) { return (states_[v.index].flags & (fixed | on_locked_boundary)) != 0; };
-  const bool ends_on_line = is_on_line(a) || is_on_line(b), ends_locked = is_locked(a) || is_locked(b);
+  // it is to look clearly along what its corners stand for, not only not against it. So is one with two such points, from
+  // which such a face may come. Between points that are locked this is a rule: nothing after it could mend such a face.
+  const unsigned line_flags = minds == Minds::input ? 0xff : fixed | on_locked_boundary;
+  const auto is_on_line = [&](Vertex v) {
+    return (minds != Minds::nothing && mesh_.is_boundary(v)) || (states_[v.index].flags & line_flags) != 0;
+  };
+  const bool ends_on_line = is_on_line(a) || is_on_line(b);
   const auto turns = [&](Halfedge corner) {
     const Face f = mesh_.face(corner);
     const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
@@ -134,14 +136,13 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, bool minds_
     if (turns_too_far(before, after)) return true;
     const glm::dvec3 others = glm::dvec3(x.normal) + glm::dvec3(y.normal), now = others + glm::dvec3(together),
                      then = others + glm::dvec3(p.normal);
-    const double clear_cosine = minds_input ? 0.5 : 0.3;
+    const int on_line = ends_on_line + is_on_line(mesh_.from(next)) + is_on_line(mesh_.from(prev));
+    const double clear_cosine = minds == Minds::input && on_line == 3 ? 0.5 : 0.3;
     if (looks_along(after, now, clear_cosine)) return false;
-    const Vertex u = mesh_.from(next), v = mesh_.from(prev);
-    if (minds_input ? ends_on_line && is_on_line(u) && is_on_line(v) : ends_locked && is_locked(u) && is_locked(v))
-      return looks_along(before, then, clear_cosine);
-    return minds_input && !(glm::dot(after, now) > 0) && glm::dot(before, then) > 0;
+    if (minds == Minds::input && !(glm::dot(after, now) > 0) && glm::dot(before, then) > 0) return true;
+    return on_line >= 2 && looks_along(before, then, clear_cosine);
   };
-  return any_changed_corner(h, place, turns, [&](Vertex v) { return minds_input ? nullptr : facts_of_hub(v); });
+  return any_changed_corner(h, place, turns, [&](Vertex v) { return minds == Minds::input ? nullptr : facts_of_hub(v); });
 }
 
 namespace {

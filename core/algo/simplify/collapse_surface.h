@@ -71,10 +71,16 @@ class CollapseSurface {
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
-  // Whether a face would turn too far or lose its area. Minding the input, also whether one would look against the faces
-  // that its corners stand for: no rule, but where such collapses come last, small turns do not add up to a large one.
-  // Judged to the bit of what is written where a face is so small that scaling may lose its shape.
-  bool turns_face(Halfedge h, const Placing& placing, bool minds_input = false) const;
+  // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last, small
+  // turns do not add up to a large one.
+  enum class Minds {
+    input,   // the faces that its corners stand for; at boundaries and seams clearly
+    lines,   // the same, of faces with two corners or more on a boundary alone
+    nothing  // the same, of faces with two locked corners or more alone
+  };
+  // Whether a face would turn too far or lose its area, or look against what it minds. Judged to the bit of what is written
+  // where a face is so small that scaling may lose its shape.
+  bool turns_face(Halfedge h, const Placing& placing, Minds minds = Minds::nothing) const;
   // That of a placing, in units of the mesh; to the bit that of an end where it is one.
   glm::dvec3 position_of(const Placing& placing) const {
     return placing.at ? mesh_.position(placing.at) : scale_.restored(placing.place);

@@ -95,12 +95,19 @@ bool Simplifier::collapse_all(Progress& progress) {
       if (goal_.removes_small_parts) remove_noted_parts();
       if (!progress.go_on(first_faces - mesh_.live().faces, first_faces - goal_.faces)) return false;
     }
-  } while (!is_at_goal() && (minds_input_ || collapses_ > before) && find_further(progress));
+  } while (!is_at_goal() && minds_less(collapses_ > before) && find_further(progress));
   return !progress.is_cancelled();
 }
 
+// Whether there is more to try where nothing collapses any more; as long as lines are minded, once more while something did.
+bool Simplifier::minds_less(bool has_collapsed) {
+  using Minds = CollapseSurface::Minds;
+  if (minds_ == Minds::nothing) return has_collapsed;
+  minds_ = minds_ == Minds::input || has_collapsed ? Minds::lines : Minds::nothing;
+  return true;
+}
+
 bool Simplifier::find_further(Progress& progress) {
-  minds_input_ = false;
   bool found = false;
   const CollapseSurface::Standstill still(surface_);
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
@@ -177,7 +184,7 @@ Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& l
 
 Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing, Legality legality) {
   const Halfedge h = freedom.halfedge;
-  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing, minds_input_) ||
+  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
       surface_.narrows_face(h, placing.place))
     return Answer::refused;
   if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {

@@ -88,6 +88,7 @@ class Simplifier {
   // Until the goal is reached or no edge can collapse; false where it was cancelled.
   bool collapse_all(Progress& progress);
   // Adds the edges that can collapse after all; false where there are none.
+  bool minds_less(bool has_collapsed);
   bool find_further(Progress& progress);
   // What may be removed where it is smaller than the error.
   double small_size() const { return surface_.limits_error() ? surface_.error_limit() : error_max_; }
@@ -170,7 +171,7 @@ class Simplifier {
               passed_on_ = 0;
   std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
   double error_max_ = 0;
-  bool minds_input_ = true;  // until nothing else can collapse
+  CollapseSurface::Minds minds_ = CollapseSurface::Minds::input;  // less where nothing else can collapse
 };
 
 }  // namespace ryosen

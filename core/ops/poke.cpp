@@ -6,7 +6,9 @@
 #include "core/geometry/is_finite.h"
 #include "core/mesh/face_polygon.h"
 #include "core/ops/lines/arguments.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/equal_face_index.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 
@@ -89,5 +91,26 @@ OpEffect Poke::apply(Edit& edit) const {
   edit.set_halfedge(centre, twin(spokes[0]));
   return effect;
 }
+
+namespace {
+
+class Pokes : public OneByOne {
+ public:
+  explicit Pokes(Edit& edit) : OneByOne(edit), equal_(edit.mesh()) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Face f = std::get<Poke>(op).face;
+    Verdict verdict;
+    if (!is_gone(edit_.mesh(), f, verdict)) refuse_rings(edit_.mesh(), f, verdict);
+    if (!verdict.legal()) return verdict.reasons[0].rule;
+    return equal_.has_equal(f) ? std::optional(Rule::loses_duplicate) : std::nullopt;
+  }
+
+ private:
+  EqualFaceIndex equal_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> pokes_in_series(Edit& edit) { return std::make_unique<Pokes>(edit); }
 
 }  // namespace ryosen

@@ -16,6 +16,9 @@
 
 namespace ryosen {
 
+// See rules/equal_face_index.h.
+std::unique_ptr<OpSeries> pokes_in_series(Edit& edit);
+
 struct Poke {
   Face face;
   std::optional<glm::dvec3> target = {};  // position of m; default: the mean of the corners
@@ -30,7 +33,12 @@ struct Poke {
                                OpTargetKind::face,
                                OpGroup::refine,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               pokes_in_series};
 
   static Parsed<Poke> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Poke at(const Mesh&, const OpTarget& target) { return {target.face}; }

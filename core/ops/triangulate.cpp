@@ -4,7 +4,9 @@
 #include <cassert>
 
 #include "core/ops/lines/arguments.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/corner_values.h"
+#include "core/ops/rules/equal_face_index.h"
 #include "core/ops/rules/face_geometry.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/face_triangles.h"
@@ -24,13 +26,14 @@ struct Cut {
   Verdict verdict;
 };
 
-Cut cut_of(const Mesh& m, Face f) {
+// `equal` is another face on its points, if there is one.
+Cut cut_of(const Mesh& m, Face f, Face equal) {
   Cut cut;
   if (!has_more_than_three(m, f)) {
     cut.verdict.refuse(Rule::triangulated, {f});
     return cut;
   }
-  if (const Face other = equal_face(m, f)) cut.verdict.refuse(Rule::loses_duplicate, {f, other});
+  if (equal) cut.verdict.refuse(Rule::loses_duplicate, {f, equal});
   cut.polygon.read(m, f);
   cut.triangles = triangles_of_face(m, cut.polygon);
   if (!cut.triangles.empty()) return cut;
@@ -41,6 +44,8 @@ Cut cut_of(const Mesh& m, Face f) {
   cut.verdict.reasons.push_back(std::move(reason));
   return cut;
 }
+
+Cut cut_of(const Mesh& m, Face f) { return cut_of(m, f, has_more_than_three(m, f) ? equal_face(m, f) : Face()); }
 
 // Finds the halfedges between corners and creates new edges on first use.
 class Sides {
@@ -122,8 +127,10 @@ Verdict Triangulate::check(const Mesh& mesh) const {
     return cut_of(mesh, face).verdict;
   }
   // Legal if any face can be triangulated; else report the reasons of the first non-triangle.
+  EqualFaceIndex equal(mesh);
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i)) || !has_more_than_three(mesh, Face(i))) continue;
+    if (!verdict.legal() && equal.has_equal(Face(i))) continue;
     const Verdict own = cut_of(mesh, Face(i)).verdict;
     if (own.legal()) return {};
     if (verdict.legal()) verdict = own;
@@ -151,12 +158,40 @@ OpEffect Triangulate::apply(Edit& edit) const {
     return effect;
   }
   const std::uint32_t slots = m.face_slots();
+  EqualFaceIndex equal(m);
   for (std::uint32_t i = 0; i < slots; ++i) {
-    if (!m.is_alive(Face(i)) || !has_more_than_three(m, Face(i))) continue;
-    const Cut cut = cut_of(m, Face(i));
+    if (!m.is_alive(Face(i)) || !has_more_than_three(m, Face(i)) || equal.has_equal(Face(i))) continue;
+    const Cut cut = cut_of(m, Face(i), Face());
     if (cut.verdict.legal()) apply_cut(edit, Face(i), cut, effect);
   }
   return effect;
 }
+
+namespace {
+
+class Triangulations : public OneByOne {
+ public:
+  explicit Triangulations(Edit& edit) : OneByOne(edit), equal_(edit.mesh()) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Mesh& m = edit_.mesh();
+    const Face f = std::get<Triangulate>(op).face;
+    if (!is_there(m, f)) return Rule::deleted;
+    if (has_more_than_three(m, f) && equal_.has_equal(f)) return Rule::loses_duplicate;
+    cut_ = cut_of(m, f, Face());
+    return cut_.verdict.legal() ? std::nullopt : std::optional(cut_.verdict.reasons[0].rule);
+  }
+  void apply(const AnyOp& op) override {
+    OpEffect effect;
+    apply_cut(edit_, std::get<Triangulate>(op).face, cut_, effect);
+  }
+
+ private:
+  EqualFaceIndex equal_;
+  Cut cut_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> triangulations_in_series(Edit& edit) { return std::make_unique<Triangulations>(edit); }
 
 }  // namespace ryosen

@@ -18,6 +18,9 @@
 
 namespace ryosen {
 
+// See rules/equal_face_index.h.
+std::unique_ptr<OpSeries> triangulations_in_series(Edit& edit);
+
 struct Triangulate {
   Face face;  // none: all faces
 
@@ -31,7 +34,12 @@ struct Triangulate {
                                OpTargetKind::face,
                                OpGroup::refine,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               triangulations_in_series};
 
   static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Triangulate at(const Mesh&, const OpTarget& target) { return {target.face}; }

@@ -5,6 +5,8 @@
 
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
+#include "core/ops/euler/unite_loop.h"
+#include "core/ops/euler/unite_series.h"
 #include "core/ops/op_series.h"
 #include "core/ops/rules/corner_values.h"
 #include "core/ops/rules/plain_faces.h"
@@ -37,6 +39,18 @@ const Rule* DissolveSeries::known_refusal(Face f, Face g) const {
   return found != refused_.end() && found->second.at == changes(f, g) ? &found->second.rule : nullptr;
 }
 
+std::vector<Halfedge> DissolveSeries::chain_of(Halfedge h) const {
+  return takes_ == Takes::chain ? chain_through(mesh(), h) : std::vector{h};
+}
+
+// Whether no point between the edges of its chain has copies, as far as that is known.
+bool DissolveSeries::is_known_chain(Halfedge h) const {
+  const Mesh& m = mesh();
+  if (takes_ == Takes::edge || (!has_two_edges(m, m.from(h)) && !has_two_edges(m, m.to(h)))) return true;
+  const auto found = known_chains_.find(edge(h));
+  return found != known_chains_.end() && found->second == changes(m.face(h), m.face(twin(h)));
+}
+
 void DissolveSeries::refuse(Face f, Face g, Rule rule) {
   refused_.insert_or_assign(key(f, g), Refusal{rule, changes(f, g)});
 }
@@ -55,11 +69,16 @@ std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
   if (!f || !g) return Rule::boundary;
   if (f == g) return Rule::same_face;
   if (is_cut_on_points(m, h)) return Rule::copies;
-  if (const Rule* const known = known_refusal(f, g)) return *known;
-  std::vector<Halfedge> chain = chain_through(m, h);
+  const Rule* const known = known_refusal(f, g);
+  if (known && is_known_chain(h)) return *known;
+  std::vector<Halfedge> chain = chain_of(h);
   looks_ += chain.size();
   for (const Halfedge side : chain)
     if (is_cut_on_points(m, side) || (side != chain[0] && has_copies(m, m.from(side)))) return Rule::copies;
+  if (known) {
+    for (const Halfedge side : chain) known_chains_[edge(side)] = changes(f, g);
+    return *known;
+  }
   const Union both = judge_union(m, chain, known_, &looks_);
   if (both == Union::plain) {
     plain_ = std::move(chain);
@@ -70,13 +89,14 @@ std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
     return Rule::loop;
   }
   looks_ += known_.corner_count(m, f) + known_.corner_count(m, g);
-  const Verdict verdict = Dissolve{h}.check(m);
+  const Verdict verdict = takes_ == Takes::chain ? Dissolve{h}.check(m) : UniteLoop{h}.check(m);
   return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
 }
 
 // Faces that may be united have one chain between them, so that what is said of it is said of the two.
 std::optional<Rule> DissolveSeries::doubt(const Dissolve& op) {
-  const std::vector<Reason> doubts = op.warnings(mesh());
+  const std::vector<Reason> doubts =
+      takes_ == Takes::chain ? op.warnings(mesh()) : UniteLoop{op.halfedge}.warnings(mesh());
   if (doubts.empty()) return std::nullopt;
   if (!plain_.empty()) refuse(mesh().face(plain_[0]), mesh().face(twin(plain_[0])), doubts[0].rule);
   return doubts[0].rule;
@@ -89,7 +109,10 @@ void DissolveSeries::apply(const Dissolve& op) {
     return;
   }
   settle();
-  op.apply(edit_);
+  if (takes_ == Takes::chain)
+    op.apply(edit_);
+  else
+    UniteLoop{op.halfedge}.apply(edit_);
 }
 
 void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
@@ -147,25 +170,66 @@ void DissolveSeries::forget_all() {
   numbers_.clear();
   changes_.clear();
   refused_.clear();
+  known_chains_.clear();
   plain_.clear();
 }
 
 namespace {
 
+// Vertices with two edges are taken out by a series of their own: each is told where the other has changed the mesh.
 class Dissolves : public OpSeries {
  public:
-  explicit Dissolves(Edit& edit) : series_(edit) {}
-  std::optional<Rule> broken_rule(const AnyOp& op) override { return series_.broken_rule(std::get<Dissolve>(op)); }
-  std::optional<Rule> doubt(const AnyOp& op) override { return series_.doubt(std::get<Dissolve>(op)); }
-  void apply(const AnyOp& op) override { series_.apply(std::get<Dissolve>(op)); }
+  explicit Dissolves(Edit& edit) : edit_(edit), of_edges_(edit), of_vertices_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    return is_two_edged(op) ? of_vertices_.broken_rule(op.vertex) : of_edges_.broken_rule(op);
+  }
+  std::optional<Rule> doubt(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    return is_two_edged(op) ? std::nullopt : of_edges_.doubt(op);
+  }
+  void apply(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    if (is_two_edged(op)) {
+      of_edges_.settle();
+      of_vertices_.apply(op.vertex);
+    } else if (op.vertex) {
+      of_edges_.settle();
+      of_vertices_.forget(op.apply(edit_));
+    } else {
+      of_edges_.apply(op);
+      of_vertices_ = UniteSeries(edit_);
+    }
+  }
+  void settle() override { of_edges_.settle(); }
+
+ private:
+  bool is_two_edged(const Dissolve& op) const {
+    return op.vertex && edit_.mesh().is_alive(op.vertex) && has_two_edges(edit_.mesh(), op.vertex);
+  }
+
+  Edit& edit_;
+  DissolveSeries of_edges_;
+  UniteSeries of_vertices_;
+};
+
+class UnitedLoops : public OpSeries {
+ public:
+  explicit UnitedLoops(Edit& edit) : series_(edit, DissolveSeries::Takes::edge) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override { return series_.broken_rule(as_dissolve(op)); }
+  std::optional<Rule> doubt(const AnyOp& op) override { return series_.doubt(as_dissolve(op)); }
+  void apply(const AnyOp& op) override { series_.apply(as_dissolve(op)); }
   void settle() override { series_.settle(); }
 
  private:
+  static Dissolve as_dissolve(const AnyOp& op) { return {std::get<UniteLoop>(op).halfedge}; }
+
   DissolveSeries series_;
 };
 
 }  // namespace
 
 std::unique_ptr<OpSeries> dissolves_in_series(Edit& edit) { return std::make_unique<Dissolves>(edit); }
+std::unique_ptr<OpSeries> unites_loops_in_series(Edit& edit) { return std::make_unique<UnitedLoops>(edit); }
 
 }  // namespace ryosen

@@ -19,7 +19,9 @@ namespace ryosen {
 
 class DissolveSeries {
  public:
-  explicit DissolveSeries(Edit& edit) : edit_(edit) {}
+  // What goes where an edge is dissolved: its whole chain, or that edge alone, as by unite_loop.
+  enum class Takes { chain, edge };
+  explicit DissolveSeries(Edit& edit, Takes takes = Takes::chain) : edit_(edit), takes_(takes) {}
 
   // The first rule that the operator breaks, as check() has it.
   std::optional<Rule> broken_rule(const Dissolve& op);
@@ -46,15 +48,19 @@ class DissolveSeries {
   std::uint64_t key(Face f, Face g) const;
   const Rule* known_refusal(Face f, Face g) const;
   void refuse(Face f, Face g, Rule rule);
+  std::vector<Halfedge> chain_of(Halfedge h) const;
+  bool is_known_chain(Halfedge h) const;
   void unite(const std::vector<Halfedge>& chain);
   void give_corners(Face from, Face to);
   void forget_all();
 
   Edit& edit_;
+  Takes takes_;
   LocalFacts known_;
   std::unordered_map<Face, Face> numbers_;  // by slot, where it is another
   std::unordered_map<Face, std::uint64_t> changes_;
-  std::unordered_map<std::uint64_t, Refusal> refused_;
+  std::unordered_map<std::uint64_t, Refusal> refused_;    // by both faces
+  std::unordered_map<Edge, std::uint64_t> known_chains_;  // the number of changes of both faces then
   std::vector<Halfedge> plain_;  // the chain that was found to be one whose faces may be united
   std::uint64_t looks_ = 0, change_ = 0;
 };

@@ -13,6 +13,9 @@
 
 namespace ryosen {
 
+// See unite_series.h.
+std::unique_ptr<OpSeries> unites_edges_in_series(Edit& edit);
+
 struct UniteEdge : OnVertex<UniteEdge> {
   static constexpr OpInfo info{"unite_edge",
                                "Unite edges",
@@ -24,7 +27,12 @@ struct UniteEdge : OnVertex<UniteEdge> {
                                OpTargetKind::vertex,
                                OpGroup::euler,
                                "jekv",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               unites_edges_in_series};
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;

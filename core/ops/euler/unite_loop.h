@@ -20,6 +20,9 @@ namespace ryosen {
 
 class LocalFacts;
 
+// See dissolve_series.h.
+std::unique_ptr<OpSeries> unites_loops_in_series(Edit& edit);
+
 struct UniteLoop : OnHalfedge<UniteLoop> {
   static constexpr OpInfo info{"unite_loop",
                                "Unite loops",
@@ -31,7 +34,12 @@ struct UniteLoop : OnHalfedge<UniteLoop> {
                                OpTargetKind::edge,
                                OpGroup::euler,
                                "kef",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               unites_loops_in_series};
 
   Verdict check(const Mesh& mesh) const;
   // For many questions about one mesh.

@@ -5,6 +5,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/euler/unite_edge.h"
+#include "core/ops/op_series.h"
 #include "core/ops/rules/face_lists.h"
 #include "core/ops/rules/surgery.h"
 
@@ -33,35 +34,63 @@ UniteSeries::Answer UniteSeries::answer_of_face(Face f, Face beyond, Vertex a, V
   return is_unsure ? Answer::unsure : Answer::yes;
 }
 
-UniteSeries::Answer UniteSeries::answer_of(Vertex v) {
+// In the order in which check() refuses.
+std::optional<Rule> UniteSeries::broken_rule(Vertex v) {
   const Mesh& m = mesh();
-  if (has_copies(m, v) || !has_two_edges(m, v)) return Answer::no;
+  is_sure_ = false;
+  if (!is_there(m, v)) return Rule::deleted;
+  if (has_copies(m, v)) return Rule::copies;
+  if (!has_two_edges(m, v)) return Rule::two_edges;
   const Halfedge out = m.halfedge(v), other = m.counter_clockwise(out);
   const Vertex a = m.to(out), b = m.to(other);
-  if (any_sheet_between(m, a, b)) return Answer::no;
-  Answer answer = Answer::yes;
+  if (any_sheet_between(m, a, b)) return Rule::edge_exists;
   const Face f = m.face(out), g = m.face(other);
+  bool is_sure = true;
   for (const auto& [face, beyond] : {std::pair{f, g}, std::pair{g, f}}) {
-    if (!face) continue;
-    const Answer own = answer_of_face(face, beyond, a, b);
-    if (own == Answer::no) return own;
-    if (own == Answer::unsure) answer = own;
+    const Answer answer = face ? answer_of_face(face, beyond, a, b) : Answer::yes;
+    if (answer == Answer::no && is_sure) return Rule::loop;
+    is_sure = is_sure && answer == Answer::yes;
   }
-  return answer;
+  is_sure_ = is_sure;
+  if (is_sure) return std::nullopt;
+  const Verdict verdict = UniteEdge{v}.check(m);
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
+void UniteSeries::apply(Vertex v) {
+  const OpEffect effect = UniteEdge{v}.apply(*edit_);
+  if (!is_sure_) return forget(effect);
+  for (const Face f : effect.changed) known_.lost_corner(f);
+}
+
+void UniteSeries::forget(const OpEffect& other) {
+  for (const Face f : other.changed) known_.forget(f);
+  for (const Element& e : other.deleted)
+    if (e.kind == Element::Kind::face) known_.forget(e.face());
 }
 
 bool UniteSeries::unite(Vertex v) {
-  const Answer answer = answer_of(v);
-  const UniteEdge op{v};
-  if (answer == Answer::no || (answer == Answer::unsure && !op.check(mesh()).legal())) return false;
-  const OpEffect effect = op.apply(edit_);
-  for (const Face f : effect.changed) {
-    if (answer == Answer::yes)
-      known_.lost_corner(f);
-    else
-      known_.forget(f);
-  }
+  if (broken_rule(v)) return false;
+  apply(v);
   return true;
 }
+
+namespace {
+
+class UnitedEdges : public OneByOne {
+ public:
+  explicit UnitedEdges(Edit& edit) : OneByOne(edit), series_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    return series_.broken_rule(std::get<UniteEdge>(op).vertex);
+  }
+  void apply(const AnyOp& op) override { series_.apply(std::get<UniteEdge>(op).vertex); }
+
+ private:
+  UniteSeries series_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> unites_edges_in_series(Edit& edit) { return std::make_unique<UnitedEdges>(edit); }
 
 }  // namespace ryosen

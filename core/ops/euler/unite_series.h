@@ -5,31 +5,39 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
-#include "core/mesh/edit.h"
+#include "core/ops/op.h"
 #include "core/ops/rules/local_facts.h"
 
 namespace ryosen {
 
 class UniteSeries {
  public:
-  explicit UniteSeries(Edit& edit) : edit_(edit) {}
+  explicit UniteSeries(Edit& edit) : edit_(&edit) {}
 
-  // Takes the vertex out as unite_edge does; false where that is not legal. In between nothing else changes the mesh.
+  // The first rule that unite_edge breaks, as its check() has it. In between nothing else changes the mesh, but for what
+  // is to be forgotten.
+  std::optional<Rule> broken_rule(Vertex v);
+  // Takes out the vertex that was asked about last, which may be.
+  void apply(Vertex v);
+  // Both; false where that is not legal.
   bool unite(Vertex v);
+  void forget(const OpEffect& other);
   // Corners and faces that were looked at: what the work is measured by.
   std::uint64_t looks() const { return looks_; }
 
  private:
+  // What is known of a face at the vertex: it loses a corner, or breaks a rule, or is to be checked by itself.
   enum class Answer { yes, no, unsure };
-  Answer answer_of(Vertex v);
   Answer answer_of_face(Face f, Face beyond, Vertex a, Vertex b);
   std::uint32_t corner_count(Face f);
 
-  const Mesh& mesh() const { return edit_.mesh(); }
+  const Mesh& mesh() const { return edit_->mesh(); }
 
-  Edit& edit_;
+  Edit* edit_;
   LocalFacts known_;
+  bool is_sure_ = false;  // of the last answer, that every face loses a corner
   std::uint64_t looks_ = 0;
 };
 

@@ -137,6 +137,29 @@ bool Neighbourhood::is_first_sheet(Edge e) {
   return star_edge(h, reversed).first_sheet == e;
 }
 
+// The lowest edge without faces between the same points, one of which has copies.
+Edge Neighbourhood::first_wire(Edge e) {
+  const auto keep = [&](Edge wire) {
+    const auto [a, b] = ends(mesh_, wire);
+    const std::uint64_t low = std::min(point(a), point(b)).index, high = std::max(point(a), point(b)).index;
+    Edge& first = first_wires_.try_emplace(low << 32 | high, wire).first->second;
+    return first = std::min(first, wire);
+  };
+  const auto [a, b] = ends(mesh_, e);
+  if (!is_whole_)
+    for (const Halfedge h : sheets_between(mesh_, a, b))
+      if (mesh_.is_wire(ryosen::edge(h))) keep(ryosen::edge(h));
+  if (is_whole_ && first_wires_.empty())
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
+      if (mesh_.is_alive(Edge(i)) && mesh_.is_wire(Edge(i)) && !is_single_sheet(halfedge(Edge(i)))) keep(Edge(i));
+  return keep(e);
+}
+
+bool Neighbourhood::is_first_wire(Edge e) {
+  const Halfedge h = halfedge(e);
+  return is_single_sheet(h) || (edge(h).faces() == 0 && first_wire(e) == e);
+}
+
 Face Neighbourhood::last_face(Halfedge h) {
   if (!is_single_sheet(h)) {
     bool reversed = false;

@@ -76,6 +76,8 @@ class Neighbourhood {
   PointEdge edge(Halfedge h);
   // Whether e is the representative sheet of its edge on points: the lowest slot with a face.
   bool is_first_sheet(Edge e);
+  // Of an edge without faces: whether it has none on points either, and is the lowest slot of those that have none.
+  bool is_first_wire(Edge e);
   // The highest face at the edge on points.
   Face last_face(Halfedge h);
   // All faces at it, one entry per side.
@@ -107,6 +109,7 @@ class Neighbourhood {
     bool has_nonmanifold_edge = false;
   };
 
+  Edge first_wire(Edge e);
   StarEdge star_edge(Halfedge h, bool& reversed);
   std::uint32_t& record_of(Vertex p);
   void gather_corners(Vertex p, StarRecord& record);
@@ -119,6 +122,7 @@ class Neighbourhood {
   std::vector<std::uint32_t> record_of_point_;
   std::unordered_map<Vertex, std::uint32_t> known_records_;
   std::unordered_map<Face, glm::dvec3> known_normals_;
+  std::unordered_map<std::uint64_t, Edge> first_wires_;  // by both points; with Reach::whole all that have copies
 
   std::vector<StarRecord> records_;
   std::vector<Halfedge> corners_;

@@ -38,12 +38,7 @@ bool is_misoriented_edge(Neighbourhood& around, Edge e) {
 
 // Where faces join the same points, the edge that has them speaks for all.
 bool is_wire_edge(Neighbourhood& around, Edge e) {
-  const Mesh& mesh = around.mesh();
-  if (!mesh.is_wire(e)) return false;
-  const auto [a, b] = ends(mesh, e);
-  for (Halfedge h : sheets_between(mesh, a, b))
-    if (!mesh.is_wire(edge(h)) || edge(h) < e) return false;
-  return true;
+  return around.mesh().is_wire(e) && around.is_first_wire(e);
 }
 
 bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {

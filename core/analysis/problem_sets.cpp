@@ -47,14 +47,7 @@ bool is_further(Neighbourhood& around, Vertex v) {
 bool is_further(Neighbourhood& around, Edge e) {
   const Mesh& mesh = around.mesh();
   if (!mesh.exists(e) || !mesh.is_alive(e) || around.is_single_sheet(halfedge(e))) return false;
-  const auto has_face = [&](Edge sheet) {
-    return !mesh.is_outside(halfedge(sheet, 0)) || !mesh.is_outside(halfedge(sheet, 1));
-  };
-  if (has_face(e)) return !around.is_first_sheet(e);
-  const auto [p, q] = ends(mesh, e);
-  for (Halfedge h : sheets_between(mesh, p, q))
-    if (has_face(edge(h)) || edge(h) < e) return true;
-  return false;
+  return mesh.is_wire(e) ? !around.is_first_wire(e) : !around.is_first_sheet(e);
 }
 
 void put(IndexSet& set, std::uint32_t index, bool is_member) {

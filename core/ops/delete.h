@@ -16,11 +16,11 @@
 #pragma once
 
 #include "core/ops/op.h"
-#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 
 class SettledPoints;
+class Sheets;
 // Each costs what is near the faces that go, not all copies of their points.
 std::unique_ptr<OpSeries> deletes_in_series(Edit& edit);
 

@@ -82,8 +82,10 @@ std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfe
   return same;
 }
 
-// The halfedge between two vertices, on points; none where no edge joins them.
+// The halfedge between two vertices, on points; none where no edge joins them. Between two points that both have copies
+// nothing may collapse, by whichever sheet.
 Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
+  if (has_copies(mesh, from) && has_copies(mesh, to)) return any_sheet_between(mesh, from, to);
   const std::vector<Halfedge> sheets = sheets_between(mesh, from, to);
   return sheets.empty() ? Halfedge() : sheets.front();
 }
@@ -173,10 +175,10 @@ class Calls {
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     return parse_op(mesh(), op_.along_edge, words).op;
   }
-  // A vertex by its slot, which is enough where it stands for its point: a name that tells copies apart costs as many
-  // looks as there are.
+  // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many looks as
+  // there are.
   std::string name_of_one(const Element& e) const {
-    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : name_of(mesh(), e);
+    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), e);
   }
   std::optional<Rule> broken_rule(const AnyOp& op) {
     const auto rule = series_->broken_rule(op);

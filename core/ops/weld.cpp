@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -77,7 +79,8 @@ WeldPairs pairs_of_edges(const Mesh& m, Halfedge first, Halfedge second) {
   return pairs;
 }
 
-void check_edges_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict& verdict) {
+// Whether two edges have sides that may be welded, whatever comes of it.
+void check_sides_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict& verdict) {
   if (same_point(m, m.from(first), m.from(second)) && same_point(m, m.to(first), m.to(second)))
     return verdict.refuse(Rule::same_edge, {edge(first)});
   if (same_point(m, m.from(first), m.to(second)) && same_point(m, m.to(first), m.from(second)))
@@ -93,7 +96,30 @@ void check_edges_to_weld(const Mesh& m, Halfedge first, Halfedge second, Verdict
   // ends.
   for (const auto& [x, y] : {std::pair(m.from(h), m.from(g)), std::pair(m.to(h), m.to(g))})
     if (same_point(m, x, y)) return verdict.refuse(Rule::common_face, {m.face(twin(h)), point(m, x)});
-  judge_weld(m, pairs_of_edges(m, first, second), verdict);
+}
+
+// The first rule that check_copies() refuses by.
+std::optional<Rule> first_rule_of_copies(const Mesh& m, Vertex a, Vertex b) {
+  for (Vertex v : {a, b})
+    if (!m.is_isolated(v) && !m.is_boundary(v)) return Rule::no_gap;
+  if (m.is_isolated(a) || m.is_isolated(b)) return std::nullopt;
+  if (have_edge(m, a, b)) return Rule::edge_exists;
+  return can_be_one(m, a, b) ? std::nullopt : std::optional(Rule::common_neighbour);
+}
+
+// The first rule that a weld breaks.
+std::optional<Rule> first_rule_of(const Mesh& m, const Weld& op) {
+  Verdict verdict;
+  if (op.first) {
+    if (!is_gone(m, op.first, verdict) && !is_gone(m, op.second, verdict))
+      check_sides_to_weld(m, op.first, op.second, verdict);
+    if (!verdict.legal()) return verdict.reasons[0].rule;
+    return first_rule_of_weld(m, pairs_of_edges(m, op.first, op.second));
+  }
+  if (is_gone(m, op.a, verdict) || is_gone(m, op.b, verdict)) return Rule::deleted;
+  if (op.a == op.b) return Rule::same_vertex;
+  if (same_point(m, op.a, op.b)) return first_rule_of_copies(m, op.a, op.b);
+  return first_rule_of_weld(m, {{point(m, op.b), point(m, op.a)}});
 }
 
 }  // namespace
@@ -148,7 +174,8 @@ Verdict Weld::check(const Mesh& mesh) const {
   Verdict verdict;
   if (first) {
     if (is_gone(mesh, first, verdict) || is_gone(mesh, second, verdict)) return verdict;
-    check_edges_to_weld(mesh, first, second, verdict);
+    check_sides_to_weld(mesh, first, second, verdict);
+    if (verdict.legal()) judge_weld(mesh, pairs_of_edges(mesh, first, second), verdict);
     return verdict;
   }
   if (is_gone(mesh, a, verdict) || is_gone(mesh, b, verdict)) return verdict;
@@ -207,7 +234,7 @@ void know(const Mesh& m, Vertex v, bool has_new_fan, SettledPoint& known) {
   if (has_new_fan) known.unsettled.push_back(v);
 }
 
-void forget(SettledPoint& known) { known = {{}, {}, {}, known.looks}; }
+void forget(SettledPoint& known) { known = {{}, {}, {}, {}, known.looks}; }
 
 // What is looked at where two points become one: all of the one that comes, and what has changed at the other one.
 std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, SettledPoint& known) {
@@ -232,9 +259,10 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   WeldPairs pairs;
   if (first) pairs = pairs_of_edges(m, first, second);
   if (are_two_points) pairs = {{b, a}};
-  bool is_known = are_two_points && known.at && m.is_alive(known.at) && same_point(m, known.at, a);
+  bool is_known = !first && known.at && m.is_alive(known.at) && same_point(m, known.at, a) &&
+                  (are_two_points || known.changed.empty());
   std::vector<Vertex> joined, touched;
-  if (is_known) joined = take_joined(m, b, known);
+  if (is_known && are_two_points) joined = take_joined(m, b, known);
   for (const auto& [goes, stays] : pairs) {
     move_whole(edit, sheets, stays, place_of(m, *this, goes, stays));
     unite_points(edit, sheets, goes, stays);
@@ -251,10 +279,11 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
       }
     touched.push_back(std::min(goes, stays));
   }
-  if (is_known) {
+  if (is_known && are_two_points) {
     std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
     sheets.settle_joined(std::move(joined), known);
-  } else {
+  } else if (
+      !is_known) {  // else two copies of a settled point make one vertex, by which nothing is to be cut or joined
     sheets.settle(touched);
     forget(known);
   }
@@ -262,7 +291,8 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   const bool are_one = !first && m.is_alive(a) && m.is_alive(b) && can_be_one(m, a, b);
   if (are_one) make_one(edit, sheets, a, b);
   // Where an isolated vertex has come and gone, nothing was looked at.
-  if (are_two_points && (is_known || m.is_alive(touched.front()))) know(m, m.is_alive(a) ? a : b, are_one, known);
+  const Vertex stays = !first && m.is_alive(a) ? a : b;
+  if (!first && m.is_alive(stays) && (is_known || m.is_alive(touched.front()))) know(m, stays, are_one, known);
   return sheets.finish();
 }
 
@@ -272,7 +302,19 @@ namespace {
 class Welds : public OneByOne {
  public:
   using OneByOne::OneByOne;
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Weld* const weld = std::get_if<Weld>(&op);
+    if (!weld) return OneByOne::broken_rule(op);
+    const Mesh& m = edit_.mesh();
+    const bool are_points =
+        !weld->first && is_there(m, weld->a) && is_there(m, weld->b) && !same_point(m, weld->a, weld->b);
+    if (!are_points) return first_rule_of(m, *weld);
+    const auto [rule, is_new] = rules_.try_emplace({point(m, weld->a), point(m, weld->b)});
+    if (is_new) rule->second = first_rule_of(m, *weld);
+    return rule->second;
+  }
   void apply(const AnyOp& op) override {
+    rules_.clear();
     if (const Weld* const weld = std::get_if<Weld>(&op))
       weld->apply(edit_, known_);
     else
@@ -285,8 +327,16 @@ class Welds : public OneByOne {
     const Mesh& m = edit_.mesh();
     const Halfedge h = halfedge_of(op);
     const Vertex both[] = {m.from(h), m.to(h)};
+    std::vector<Vertex> around;
+    for (const Halfedge side : {h, twin(h)})
+      if (!m.is_outside(side))
+        for (const Vertex v : vertices_around(m, m.face(side))) around.push_back(v);
     ryosen::apply(edit_, op);
     if (!known_.at) return;
+    for (const Vertex v : around)
+      if (m.is_alive(v))
+        if (const auto beside = known_.beside.find(point(m, v)); beside != known_.beside.end())
+          beside->second.push_back(v);
     const bool is_there = m.is_alive(known_.at);
     for (const Vertex v : both)
       if (m.is_alive(v) && is_there && same_point(m, v, known_.at)) return known_.changed.push_back(v);
@@ -294,6 +344,7 @@ class Welds : public OneByOne {
   }
 
   SettledPoint known_;
+  std::map<std::pair<Vertex, Vertex>, std::optional<Rule>> rules_;  // by both points, until something is done
 };
 
 }  // namespace

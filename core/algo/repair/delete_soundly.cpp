@@ -10,6 +10,7 @@
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/delete.h"
+#include "core/ops/rules/sheets.h"
 
 namespace ryosen {
 

@@ -15,6 +15,7 @@
 #include "core/ops/collapse_edge.h"
 #include "core/ops/delete.h"
 #include "core/ops/dissolve.h"
+#include "core/ops/rules/sheets.h"
 #include "core/ops/swap_edge.h"
 
 namespace ryosen {

@@ -47,22 +47,26 @@ void CopyRings::join(Vertex v, Vertex alone) {
   before_[m.next_copy(alone)] = alone;
 }
 
-void CopyRings::leave(Vertex v) {
-  const Vertex p = point(edit_.mesh(), v);
-  if (p != v && get_to_know(p)) return unlink(v);
+void CopyRings::leave(Vertex v, Vertex other) {
+  const Mesh& m = edit_.mesh();
+  const Vertex p = point(m, v);
+  if (p != v && m.next_copy(other) == v) return unlink(v, other);
+  if (p != v && get_to_know(p)) return unlink(v, before_.at(v));
   rings_.erase(p);
   leave_copies(edit_, v);
 }
 
-// Takes out a copy of a known point that is not its representative.
-void CopyRings::unlink(Vertex v) {
+// Takes out a copy that is not the representative of its point.
+void CopyRings::unlink(Vertex v, Vertex before) {
   const Mesh& m = edit_.mesh();
-  const Vertex p = point(m, v), before = before_.at(v), after = m.next_copy(v);
+  const Vertex p = point(m, v), after = m.next_copy(v);
   edit_.set_copy_links(before, after, p);
   edit_.set_copy_links(v, v, v);
+  const auto ring = rings_.find(p);
+  if (ring == rings_.end()) return;
   before_[after] = before;
   before_.erase(v);
-  rings_.at(p).erase(v);
+  ring->second.erase(v);
 }
 
 Vertex CopyRings::leave_all(std::span<const Vertex> going) {
@@ -77,7 +81,7 @@ Vertex CopyRings::leave_all(std::span<const Vertex> going) {
     go.front() = heir ? heir : go.back();
     if (!heir) go.pop_back();
   }
-  for (const Vertex v : go) unlink(v);
+  for (const Vertex v : go) unlink(v, before_.at(v));
   if (rings_.at(p).size() == 1) rings_.erase(p);
   return heir;
 }

@@ -19,8 +19,8 @@ class CopyRings {
 
   // As join_copies(), for a vertex with a higher number and without copies.
   void join(Vertex v, Vertex alone);
-  // As leave_copies().
-  void leave(Vertex v);
+  // As leave_copies(); where v is the copy after another one, which is named, without a walk around all of them.
+  void leave(Vertex v, Vertex other);
   // Unlinks these copies of one point, each once. Where the representative goes and others stay, one of these is unlinked
   // in its place, which is returned: the last one with edges or, if there is none, the last one.
   Vertex leave_all(std::span<const Vertex> going);
@@ -29,7 +29,7 @@ class CopyRings {
   bool knows(Vertex p) const { return rings_.contains(p); }
   // Of a point with so many copies that a walk around them costs more than what is kept.
   bool get_to_know(Vertex p);
-  void unlink(Vertex v);
+  void unlink(Vertex v, Vertex before);
   Vertex leave_small(std::span<const Vertex> going);
 
   Edit& edit_;

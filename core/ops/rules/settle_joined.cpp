@@ -1,5 +1,6 @@
 // Sheets::settle_joined(): settle() for a point that grows, without a look at what has come to it before.
 #include <algorithm>
+#include <unordered_set>
 
 #include "core/base/sort_unique.h"
 #include "core/mesh/circulate.h"
@@ -33,26 +34,34 @@ std::vector<Halfedge> Sheets::first_halves(std::span<const Halfedge> halves, Ver
   return first;
 }
 
-// The vertices that settle() would look at where something is cut or joined, less those of the point that are settled.
-std::vector<Vertex> Sheets::left_at(const SettledPoint& known, std::span<const Vertex> touched) {
+// The vertices that settle() would look at where something is cut or joined, less those that are settled.
+std::vector<Vertex> Sheets::left_at(SettledPoint& known, std::span<const Vertex> touched) {
   const Mesh& m = edit_.mesh();
-  std::vector<Vertex> here, others, all;
-  const auto add = [&](Vertex v) { (same_point(m, v, known.at) ? here : others).push_back(v); };
-  for (const Vertex v : known.unsettled)
-    if (m.is_alive(v)) here.push_back(v);
-  std::for_each(touched.begin(), touched.end(), add);
+  std::vector<Vertex> all = known.unsettled;
+  std::unordered_set<Vertex> met;
+  const auto add = [&](Vertex v) {
+    const Vertex p = point(m, v);
+    all.push_back(v);
+    if (same_point(m, v, known.at) || !met.insert(p).second) return;
+    const auto [beside, is_new] = known.beside.try_emplace(p);
+    if (is_new) for_each_copy(m, p, [&](Vertex copy) { beside->second.push_back(copy); });
+    all.insert(all.end(), beside->second.begin(), beside->second.end());
+  };
   const auto gather = [&] {
-    all = live_copies(m, others);
-    all.insert(all.end(), here.begin(), here.end());
+    std::erase_if(all, [&](Vertex v) { return !m.is_alive(v); });
     sort_unique(all);
   };
+  std::for_each(touched.begin(), touched.end(), add);
   gather();
+  std::vector<Vertex> ends;
   for (const Vertex v : all)
     for (const Halfedge h : outgoing(m, v)) {
       ++looks_;
-      if (is_cut_on_points(m, h)) add(m.to(h));
+      if (is_cut_on_points(m, h)) ends.push_back(m.to(h));
     }
+  std::for_each(ends.begin(), ends.end(), add);
   gather();
+  for (const Vertex p : met) known.beside[p].clear();
   return all;
 }
 
@@ -84,8 +93,13 @@ void Sheets::settle_joined(std::vector<Vertex> joined, SettledPoint& known) {
   sort_unique(all);
   close_double_edges(all);
   known.unsettled.clear();
-  for (Vertex v : all)
-    if (m.is_alive(v) && fans_at(m, v).size() > 1) known.unsettled.push_back(v);
+  for (Vertex v : all) {
+    if (!m.is_alive(v) || count_fans(m, v) < 2) continue;
+    if (same_point(m, v, known.at))
+      known.unsettled.push_back(v);
+    else if (const auto beside = known.beside.find(point(m, v)); beside != known.beside.end())
+      beside->second.push_back(v);
+  }
 }
 
 }  // namespace ryosen

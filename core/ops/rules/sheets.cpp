@@ -118,7 +118,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     edit_.connect(into, out);
     edit_.connect(before, after);
     rename(moved, stays);
-    rings_.leave(goes);
+    rings_.leave(goes, stays);
     edit_.remove(goes);
     effect_.deleted.push_back(goes);
     hold_outside(edit_, stays);

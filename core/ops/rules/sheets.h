@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "core/ops/op.h"
@@ -51,6 +52,8 @@ struct SettledPoint {
   Vertex at;                      // one of its copies; none: nothing is known
   std::vector<Vertex> changed;    // vertices of it around which something else has changed since then
   std::vector<Vertex> unsettled;  // vertices that may have several fans
+  // The same of other points, whose copies have all been looked at: their vertices that may have several fans.
+  std::unordered_map<Vertex, std::vector<Vertex>> beside;
   std::uint64_t looks = 0;        // halfedges that were looked at so far: what the work is measured by
 };
 
@@ -105,7 +108,7 @@ class Sheets {
   void open_beside(std::span<const Halfedge> to_join, std::vector<Halfedge>& to_open);
   std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices);
   std::vector<Halfedge> first_halves(std::span<const Halfedge> halves, Vertex at) const;
-  std::vector<Vertex> left_at(const SettledPoint& known, std::span<const Vertex> touched);
+  std::vector<Vertex> left_at(SettledPoint& known, std::span<const Vertex> touched);
   void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found);
   // Joins two edges with one face each, on opposite sides, into one.
   void close_pair(Halfedge h, Halfedge other);

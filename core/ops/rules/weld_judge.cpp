@@ -28,6 +28,10 @@ class WeldJudge {
     }
   }
 
+  bool has_common_face() const {
+    return std::any_of(stars_.begin(), stars_.end(), [&](const Star& s) { return has_common_face(s); });
+  }
+
   void judge() {
     for (const Star& star : stars_) walk(star);
     for (Face f : torn_)
@@ -65,6 +69,14 @@ class WeldJudge {
     Points points = loops_of(m_, f).corners;
     for (std::uint32_t& p : points) p = after(Vertex(p)).index;
     return point_set(points);
+  }
+
+  bool has_common_face(const Star& star) const {
+    return any_of_copies(m_, star.point, [&](Vertex copy) {
+      if (m_.is_isolated(copy)) return false;
+      const auto faces = faces_around(m_, copy);
+      return std::any_of(faces.begin(), faces.end(), [&](Face f) { return f && touches(m_, f, star.other); });
+    });
   }
 
   // Whatever two merged points share is found from either of them.
@@ -168,6 +180,14 @@ void judge_weld(const Mesh& mesh, const WeldPairs& pairs, Verdict& verdict, std:
   WeldJudge judge(mesh, pairs, verdict);
   judge.judge();
   if (looks) *looks += judge.looks();
+}
+
+std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs) {
+  Verdict verdict;
+  WeldJudge judge(mesh, pairs, verdict);
+  if (judge.has_common_face()) return Rule::common_face;
+  judge.judge();
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
 }
 
 }  // namespace ryosen

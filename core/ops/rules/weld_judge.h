@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,5 +22,8 @@ using WeldPairs = std::vector<std::pair<Vertex, Vertex>>;
 // a gap, and faces that come to be on the same points. At most two pairs, of four different points. `looks` is added the
 // halfedges and corners that were looked at around the smaller points.
 void judge_weld(const Mesh& mesh, const WeldPairs& pairs, Verdict& verdict, std::uint64_t* looks = nullptr);
+// The first rule that it refuses by. Cost: no more than that, and where a face has both points of a pair, what is met
+// around the smaller point before it.
+std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs);
 
 }  // namespace ryosen

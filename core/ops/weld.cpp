@@ -146,7 +146,8 @@ std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Elem
 Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
   ArgumentReader in(mesh, arguments, info.syntax);
   Weld op;
-  if (in.peek().find('-') != std::string_view::npos) {
+  const std::string_view name = in.peek();
+  if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
     op.first = in.halfedge();
     op.second = in.halfedge();
   } else {

@@ -1,11 +1,14 @@
 // `repair`, and the script command of the same name.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <sstream>
 #include <tuple>
 
 #include "app/editor/session.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
+#include "tests/support/core/solids.h"
 
 namespace ryosen::test {
 namespace {
@@ -280,6 +283,53 @@ TEST(repair, solids_that_share_a_face_stay_closed_and_a_second_run_does_nothing)
       EXPECT_EQ(check["manifold"], true);
       EXPECT_EQ(run_program({"repair", out, "--json"}).line()["rounds"], 0);
     }
+}
+
+std::string off_of(const IndexedMesh& mesh) {
+  std::ostringstream text;
+  text << "OFF\n" << mesh.positions.size() << " " << mesh.face_offsets.size() - 1 << " 0\n";
+  for (const auto& p : mesh.positions) text << p.x << " " << p.y << " " << p.z << "\n";
+  for (std::size_t f = 1; f < mesh.face_offsets.size(); ++f) {
+    text << mesh.face_offsets[f] - mesh.face_offsets[f - 1];
+    for (std::size_t i = mesh.face_offsets[f - 1]; i < mesh.face_offsets[f]; ++i) text << " " << mesh.corners[i];
+    text << "\n";
+  }
+  return text.str();
+}
+
+// As exporters write them, each face with points of its own.
+TEST(repair, loose_faces_of_solids_that_touch_become_closed_ones) {
+  std::array<SolidBuilder, 7> solids;
+  std::array<std::size_t, 7> parts{2, 2, 8, 2, 2, 2, 3};
+  for (const int x : {0, 1}) {
+    solids[0].add_cube({x, 0, 0});
+    solids[1].add_cube({x, 0, 0}, true);
+    for (int i = 0; i < 4; ++i) solids[2].add_cube({x, i % 2, i / 2});
+    solids[3].add_cube({x, x, 0}, true);  // on an edge
+    solids[4].add_cube({x, x, x});        // in a point
+    solids[5].add_tetrahedron({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2 * x - 1}}});
+    solids[6].add_cube({0, 0, x});
+  }
+  solids[6].add_tetrahedron({{{1, 0, 1}, {1, 1, 1}, {3, 0, 1}, {3, 0, 2}}});
+  const TemporaryFolder folder;
+  Dice dice(1);
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    solids[i].shuffle(dice);
+    const std::string path = folder.write("a" + std::to_string(i) + ".off", off_of(solids[i].loose()));
+    for (const char* const format : {"off", "obj", "ply"}) {
+      SCOPED_TRACE(std::to_string(i) + " " + format);
+      const std::string in = folder.at("in" + std::to_string(i) + "." + format);
+      const std::string out = folder.at("out" + std::to_string(i) + "." + format);
+      run_program({"convert", path, "-o", in});
+      run_program({"repair", in, "-o", out});
+      const Json check = run_program({"check", out, "--json"}).line();
+      EXPECT_EQ(check["components"], parts[i]);
+      EXPECT_EQ(check["boundary_edges"], 0);
+      EXPECT_EQ(check["manifold"], true);
+      EXPECT_NEAR(check["volume"].get<double>(), static_cast<double>(solids[i].volume_six()) / 6, 1e-12);
+      EXPECT_EQ(run_program({"repair", out, "--json"}).line()["rounds"], 0);
+    }
+  }
 }
 
 TEST(repair, the_recipe_of_the_readme_leaves_the_bunny_closed_and_does_nothing_again) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/algo/repair/pair_faces.h"
 #include "core/algo/repair/recipe.h"
 #include "core/analysis/figures.h"
+#include "core/analysis/neighbourhood.h"
 #include "core/indexed/from_indexed.h"
 #include "core/indexed/to_indexed.h"
 #include "core/mesh/circulate.h"
@@ -20,7 +22,7 @@ namespace {
 
 const std::string usual_repairs = "give_places,remove_duplicates,weld_equal,orient,detach_nonmanifold";
 
-const std::uint64_t pairing_seeds = is_long_run() ? 20000 : 1200;
+const std::uint64_t pairing_seeds = is_long_run() ? 30000 : 400;
 
 SolidBuilder soup(std::uint64_t seed) {
   return seed % 3 == 0 ? random_triangles(seed) : random_solids_and_sheets(seed);
@@ -30,8 +32,9 @@ TEST(pairing, is_the_rule_read_word_by_word) {
   std::size_t closed = 0, open = 0, is_free = 0;
   for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = soup(seed);
-    const PairedList truth = pair_by_asking_all(built.faces());
-    const FacePairing paired = pair_faces(from_indexed(built.indexed()));
+    const Mesh mesh = from_indexed(built.indexed());
+    const PairedList truth = pair_by_asking_all(triangles_of(mesh));
+    const FacePairing paired = pair_faces(mesh);
     for (std::size_t f = 0; f < built.faces().size(); ++f) {
       EXPECT_EQ(paired.is_closed[f], truth.is_closed[f]) << "face " << f << " of seed " << seed;
       EXPECT_EQ(paired.is_free[f], truth.is_free[f]) << "face " << f << " of seed " << seed;
@@ -80,55 +83,117 @@ std::map<Loop, int> faces_without_boundary(const Mesh& m) {
   return found;
 }
 
-// The law: no face of a closed part gets a boundary edge, and boundary edges become more only at sides set free. The
-// two faces of an edge in one direction have no pair: they may come apart, and once they are turned others have pairs.
-void expect_law(const SolidBuilder& built, const std::string& kinds, std::uint64_t seed) {
-  const PairedList truth = pair_by_asking_all(built.faces());
-  const RecipeResult result = *run_recipe(from_indexed(built.indexed()), recipe_of(kinds).steps, {});
+// Whether the faces with a boundary edge lie on others, as those back to back do.
+bool are_open_back_to_back(const Mesh& m) {
+  std::map<Loop, int> alike;
+  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i))) ++alike[loop_of(m, Face(i))];
+  const std::map<Loop, int> whole = faces_without_boundary(m);
+  return std::all_of(alike.begin(), alike.end(), [&](const auto& a) { return a.second > 1 || whole.at(a.first) == 1; });
+}
+
+// A side of a face by the face and its places.
+using PlacedSide = std::tuple<Face, Loop>;
+
+// The boundary edges but for these sides.
+std::size_t boundary_beside(const Mesh& m, const std::set<PlacedSide>& sides) {
+  std::size_t found = 0;
+  Neighbourhood around(m);
+  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
+    if (m.is_alive(Face(i)))
+      for (const Halfedge h : halfedges_around(m, Face(i))) {
+        const glm::dvec3 a = m.position(m.from(h)), b = m.position(m.to(h));
+        found +=
+            around.edge(h).is_boundary() && !sides.contains({Face(i), canonical({{a.x, a.y, a.z}, {b.x, b.y, b.z}})});
+      }
+  return found;
+}
+
+// The law: no face of a closed part gets a boundary edge, and boundary edges become more only at sides set free: in the
+// mesh as it is, or as it is without the duplicates that go. Two faces in one direction have no pair.
+void expect_law(const Mesh& mesh, const std::string& kinds) {
+  SCOPED_TRACE(kinds);
+  const RecipeResult result = *run_recipe(mesh, recipe_of(kinds).steps, {});
+  const TriangleList list = triangles_of(mesh);
+  const PairedList truth = pair_by_asking_all(list);
   const std::map<Loop, int> whole = faces_without_boundary(result.mesh);
-  std::map<Loop, int> wanted;
-  for (std::size_t f = 0; f < built.faces().size(); ++f)
-    if (truth.is_closed[f]) wanted[loop_of(built.faces()[f])] = 1;
-  for (const auto& [loop, one] : wanted) {
-    const auto found = whole.find(loop);
-    EXPECT_TRUE(found != whole.end() && found->second >= one) << kinds << " tears a closed part of seed " << seed;
+  TriangleList left{list.places, {}};
+  std::vector<Face> faces;  // by face of those left
+  std::size_t open = 0;
+  for (std::uint32_t f = 0; f < list.faces.size(); ++f) {  // there are no dead ones
+    if (truth.is_closed[f]) {
+      EXPECT_GE(whole.at(loop_of(mesh, Face(f))), 1) << "a closed part is torn";
+    }
+    if (!result.mesh.is_alive(Face(f))) continue;
+    left.faces.push_back(list.faces[f]);
+    faces.emplace_back(f);
+    open += truth.open_sides[f];
   }
-  const Figures figures = compute_figures(result.mesh);
-  if (kinds != usual_repairs || truth.misoriented == 0) {
-    EXPECT_LE(figures[ProblemKind::boundary_loop], truth.boundary + truth.free_sides + 2 * truth.misoriented)
-        << kinds << ", seed " << seed;
+  const PairedList after = pair_by_asking_all(left);
+  std::set<PlacedSide> alike;
+  for (const auto& [face, corner] : after.sides_alike) {
+    const std::array<std::size_t, 3>& points = left.faces[face];
+    alike.emplace(faces[face], loop_of({left.places[points[corner]], left.places[points[(corner + 1) % 3]]}));
   }
-  EXPECT_TRUE(figures.manifold) << kinds << ", seed " << seed;
-  EXPECT_FALSE(run_recipe(result.mesh, recipe_of(kinds).steps, {})->is_changed) << kinds << " again, seed " << seed;
+  open = std::max(open, std::accumulate(after.open_sides.begin(), after.open_sides.end(), std::size_t{0}));
+  EXPECT_LE(boundary_beside(result.mesh, alike), open);
+  EXPECT_TRUE(compute_figures(result.mesh).manifold);
+  EXPECT_FALSE(run_recipe(result.mesh, recipe_of(kinds).steps, {})->is_changed) << "again";
 }
 
 TEST(pairing, no_closed_part_is_torn_and_nothing_opens_but_where_a_patch_is_set_free) {
   for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {
-    const SolidBuilder built = soup(seed);
-    expect_law(built, "detach_nonmanifold", seed);
-    expect_law(built, usual_repairs, seed);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Mesh mesh = from_indexed(soup(seed).indexed());
+    expect_law(mesh, "detach_nonmanifold");
+    expect_law(mesh, usual_repairs);
   }
 }
 
-TEST(pairing, unions_of_solids_merged_by_points_come_apart_closed_with_their_volume) {
+TEST(pairing, unions_of_solids_come_apart_closed_with_their_volume_merged_by_points_or_not) {
   std::size_t parts = 0, shared = 0;
-  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 5000u : 200u) && !HasFailure(); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 5000u : 100u) && !HasFailure(); ++seed) {
     const SolidBuilder built = random_union(seed);
-    const Mesh mesh = from_indexed(built.indexed());
-    shared += compute_figures(mesh)[ProblemKind::nonmanifold_edge] > 0;
-    const RecipeResult result = *run_recipe(mesh, recipe_of(usual_repairs).steps, {});
-    const Figures figures = compute_figures(result.mesh);
-    EXPECT_EQ(figures[ProblemKind::boundary_loop], 0u);
-    EXPECT_TRUE(figures.closed && figures.manifold);
-    EXPECT_EQ(figures.faces, built.faces().size());
-    ASSERT_TRUE(figures.volume);
-    EXPECT_NEAR(*figures.volume, static_cast<double>(built.volume_six()) / 6, 1e-9);
-    EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual_repairs).steps, {})->is_changed) << "again";
-    parts += figures.components;
+    shared += compute_figures(from_indexed(built.indexed()))[ProblemKind::nonmanifold_edge] > 0;
+    for (const IndexedMesh& source : {built.indexed(), built.loose()}) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", points " + std::to_string(source.positions.size()));
+      const RecipeResult result = *run_recipe(from_indexed(source), recipe_of(usual_repairs).steps, {});
+      const Figures figures = compute_figures(result.mesh);
+      EXPECT_EQ(figures.faces, built.faces().size());
+      EXPECT_TRUE(figures.manifold);
+      EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual_repairs).steps, {})->is_changed) << "again";
+      parts += figures.components;
+      if (figures[ProblemKind::boundary_loop] > 0 && are_open_back_to_back(result.mesh)) continue;
+      EXPECT_EQ(figures[ProblemKind::boundary_loop], 0u);
+      ASSERT_TRUE(figures.volume);
+      EXPECT_NEAR(*figures.volume, static_cast<double>(built.volume_six()) / 6, 1e-9);
+    }
   }
-  EXPECT_GT(shared, 150u) << "hardly any touch";
+  EXPECT_GT(shared, 75u) << "hardly any touch";
   EXPECT_GT(parts, 800u);
+}
+
+// Where faces have points of their own those back to back stay apart at one edge, for none may be there twice.
+TEST(pairing, closed_parts_of_loose_faces_close) {
+  std::size_t closed = 0;
+  for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const SolidBuilder built = soup(seed);
+    const PairedList truth = pair_by_asking_all(triangles_of(from_indexed(built.indexed())));
+    const RecipeResult result = *run_recipe(from_indexed(built.loose()), recipe_of(usual_repairs).steps, {});
+    const std::map<Loop, int> whole = faces_without_boundary(result.mesh);
+    std::map<Loop, int> alike;
+    for (const auto& face : built.faces()) ++alike[loop_of(face)];
+    for (std::size_t f = 0; f < built.faces().size(); ++f) {
+      const Loop loop = loop_of(built.faces()[f]);
+      if (!truth.is_closed[f] || alike[loop] > 1) continue;
+      EXPECT_EQ(whole.at(loop), 1) << "face " << f;
+      ++closed;
+    }
+    EXPECT_TRUE(compute_figures(result.mesh).manifold);
+    EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual_repairs).steps, {})->is_changed) << "again";
+  }
+  EXPECT_GT(closed, 5 * pairing_seeds);
 }
 
 }  // namespace

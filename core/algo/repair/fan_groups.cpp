@@ -38,12 +38,17 @@ void FanGroups::find_fans(const std::vector<std::vector<Halfedge>>& edges) {
   groups_.reset(fans_);
 }
 
+bool FanGroups::begin_together(Halfedge a, Halfedge b) const {
+  const Vertex v = mesh_.from(a), w = mesh_.from(b);
+  return place_ ? (*place_)[v.index] == (*place_)[w.index] : same_point(mesh_, v, w);
+}
+
 // Forward as the first side runs.
 std::vector<FanGroups::Pair> FanGroups::pairs_of(std::span<const Halfedge> sides) const {
   std::vector<Pair> pairs;
   for (const Halfedge side : sides) {
     const Halfedge other = across_.at(side);
-    if (same_point(mesh_, mesh_.from(side), mesh_.from(sides[0])))
+    if (begin_together(side, sides[0]))
       pairs.push_back({side, other, fan_.at(side), fan_.at(mesh_.next(side))});
     else if (!other)
       pairs.push_back({other, side, fan_.at(mesh_.next(side)), fan_.at(side)});

@@ -11,10 +11,11 @@
 namespace ryosen {
 
 // A corner is the halfedge of its face that begins at the point. Corners of a point are in one fan where pairs of sides
-// connect them. The mesh must outlive it and not change, but for what is told by rename().
+// connect them. The mesh must outlive it and not change, but for what is told by rename(). Points at one place count as
+// one where `place` has by vertex slot the one that stands for it.
 class FanGroups {
  public:
-  explicit FanGroups(const Mesh& mesh) : mesh_(mesh) {}
+  explicit FanGroups(const Mesh& mesh, const std::vector<Vertex>* place = nullptr) : mesh_(mesh), place_(place) {}
 
   // Adds a side of a face at one of the points, and the side that it is paired with, or none.
   void add_side(Halfedge side, Halfedge across) { across_[side] = across; }
@@ -45,8 +46,10 @@ class FanGroups {
   bool exchange_two(std::span<const Halfedge> sides);
   void set_pair(Halfedge forward, Halfedge backward);
   void give_new_fan(Halfedge corner);
+  bool begin_together(Halfedge a, Halfedge b) const;
 
   const Mesh& mesh_;
+  const std::vector<Vertex>* place_;
   std::vector<Halfedge> corners_;
   std::unordered_map<Halfedge, Halfedge> across_;
   std::unordered_map<Halfedge, std::uint32_t> fan_;

@@ -47,16 +47,6 @@ std::vector<bool> faces_to_turn(const Mesh& m, Progress& progress) {
   return turned;
 }
 
-// Whether a face of a closed part (pair_faces.h) bounds none any more.
-bool is_part_torn(const Mesh& before, const Mesh& after) {
-  const FacePairing had = pair_faces(before);
-  if (!had.has_nonmanifold_edges) return false;
-  const FacePairing has = pair_faces(after);
-  for (std::size_t f = 0; f < had.is_closed.size(); ++f)
-    if (had.is_closed[f] && !has.is_closed[f]) return true;
-  return false;
-}
-
 }  // namespace
 
 std::size_t count_turned_wrong(const Mesh& mesh, Progress& progress) {
@@ -71,7 +61,7 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
   if (progress.is_cancelled()) return {};
   if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
     TurnedMesh now = turn_faces(m, turned);
-    if (is_part_torn(m, Mesh(now.columns))) {
+    if (is_torn(m, Mesh(now.columns))) {
       Mesh apart = m;
       Edit on_apart(apart, nullptr);
       detach_nonmanifold(on_apart, {}, progress);

@@ -7,7 +7,6 @@
 #include "core/geometry/is_finite.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
 #include "core/mesh/face_polygon.h"
 
 namespace ryosen {
@@ -23,10 +22,11 @@ namespace {
 
 // The corners of a polygon in an order that depends neither on its start nor on its direction, so that two faces back
 // to back have the same triangles.
-std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<Halfedge>& corners) {
+std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<Vertex>& place,
+                                           const std::vector<Halfedge>& corners) {
   std::vector<std::uint32_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto number = [&](std::uint32_t i) { return point(mesh, mesh.from(corners[i])).index; };
+  const auto number = [&](std::uint32_t i) { return place[mesh.from(corners[i]).index].index; };
   const auto lowest = std::min_element(order.begin(), order.end(),
                                        [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
   std::rotate(order.begin(), lowest, order.end());
@@ -52,7 +52,7 @@ void EdgePairer::triangulate(Face f) {
   std::iota(order.begin(), order.end(), 0);
   std::vector<CornerTriangle> triangles;
   if (polygon.loop_ends().size() == 1) {
-    order = canonical_order(mesh_, corners);
+    order = canonical_order(mesh_, place_, corners);
     std::vector<glm::dvec3> places;
     for (const std::uint32_t i : order) places.push_back(polygon.places()[i]);
     ryosen::triangulate(places, triangles);
@@ -103,7 +103,7 @@ void EdgePairer::pair(std::span<const Halfedge> sides) {
   std::vector<SideAround> around;
   for (const Halfedge side : sides)
     around.push_back(
-        {side, mesh_.face(side), !same_point(mesh_, mesh_.from(side), from), place_beside(side, start, end)});
+        {side, mesh_.face(side), place_[mesh_.from(side).index] != place_[from.index], place_beside(side, start, end)});
   std::sort(around.begin(), around.end(), [](const SideAround& a, const SideAround& b) {
     return a.face != b.face ? a.face < b.face : a.side < b.side;
   });

@@ -8,18 +8,19 @@
 #include <queue>
 #include <tuple>
 
+#include "core/algo/repair/fan_groups.h"
 #include "core/algo/repair/pair_at_edge.h"
+#include "core/algo/repair/point_merger.h"
 #include "core/analysis/disjoint_sets.h"
 #include "core/analysis/measures.h"
 #include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
 
 namespace ryosen {
 
 namespace {
 
 struct PairedSide {
-  Vertex low, high;  // points
+  Vertex low, high;  // places
   Halfedge halfedge;
   bool is_forward;  // from low to high
 
@@ -38,19 +39,24 @@ struct ManyFaced {
 
 class Pairing {
  public:
-  explicit Pairing(const Mesh& mesh) : m_(mesh), patches_(mesh.face_slots()) {
+  // By `place` that of each vertex; what the links join may stay so.
+  Pairing(const Mesh& mesh, const std::vector<Vertex>& place, bool keeps_joined)
+      : m_(mesh), place_(place), keeps_joined_(keeps_joined), patches_(mesh.face_slots()) {
     out_.across.resize(mesh.halfedge_slots());
     out_.is_free.resize(mesh.face_slots(), false);
     has_boundary_.resize(mesh.face_slots(), false);
   }
 
   FacePairing run() {
+    find_shared_places();
     pair_at_plain_edges();
-    pair_at_shared_points();
+    pair_at_shared_places();
     out_.has_nonmanifold_edges = !edges_.empty();
+    out_.open_sides = at_boundary_.size();
     if (!edges_.empty()) {
       set_patches_free();
       pair_by_angle();
+      if (keeps_joined_) keep_edges_single();
     }
     find_parts();
     return std::move(out_);
@@ -63,15 +69,30 @@ class Pairing {
     patches_.join(m_.face(h).index, m_.face(other).index);
   }
 
-  // Where no end has copies an edge has the faces that its links say.
+  void find_shared_places() {
+    is_shared_.resize(m_.vertex_slots(), false);
+    std::vector<Vertex> first(m_.vertex_slots());  // by place
+    for (std::uint32_t i = 0; i < m_.vertex_slots(); ++i) {
+      if (!m_.is_alive(Vertex(i))) continue;
+      Vertex& known = first[place_[i].index];
+      if (!known)
+        known = Vertex(i);
+      else
+        is_shared_[known.index] = is_shared_[i] = true;
+    }
+  }
+
+  // Where no end shares its place an edge has the faces that its links say.
   void pair_at_plain_edges() {
     for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
       const Halfedge h(i);
       if (!m_.is_alive(h) || m_.is_outside(h)) continue;
-      if (has_copies(m_, m_.from(h)) || has_copies(m_, m_.to(h))) {
-        const Vertex a = point(m_, m_.from(h)), b = point(m_, m_.to(h));
-        sides_.push_back({std::min(a, b), std::max(a, b), h, a < b});
-      } else if (m_.is_outside(twin(h))) {
+      const Vertex from = m_.from(h), to = m_.to(h);
+      const bool is_joined = !m_.is_outside(twin(h));
+      if ((is_shared_[from.index] || is_shared_[to.index]) && !(keeps_joined_ && is_joined)) {
+        const Vertex a = place_[from.index], b = place_[to.index];
+        if (a != b) sides_.push_back({std::min(a, b), std::max(a, b), h, a < b});
+      } else if (!is_joined) {
         at_boundary_.push_back(m_.face(h));
       } else {
         pair(h, twin(h));
@@ -79,7 +100,7 @@ class Pairing {
     }
   }
 
-  void pair_at_shared_points() {
+  void pair_at_shared_places() {
     std::sort(sides_.begin(), sides_.end());
     for (std::size_t first = 0, last = 0; first < sides_.size(); first = last) {
       for (last = first; last < sides_.size() && sides_[last].is_beside(sides_[first]);) ++last;
@@ -101,7 +122,7 @@ class Pairing {
   }
 
   std::uint32_t patch(Halfedge side) { return patches_.root(m_.face(side).index); }
-  bool is_forward(Halfedge side) const { return point(m_, m_.from(side)) < point(m_, m_.to(side)); }
+  bool is_forward(Halfedge side) const { return place_[m_.from(side).index] < place_[m_.to(side).index]; }
 
   // The rank of each patch in the order in which patches are set free.
   std::vector<std::uint32_t> rank_patches() {
@@ -169,11 +190,32 @@ class Pairing {
   }
 
   void pair_by_angle() {
-    EdgePairer pairer(m_, out_.across);
-    for (ManyFaced& edge : edges_) {
-      std::erase_if(edge.sides, [&](Halfedge h) { return out_.is_free[m_.face(h).index]; });
-      if (!edge.sides.empty()) pairer.pair(edge.sides);
+    EdgePairer pairer(m_, place_, out_.across);
+    for (const ManyFaced& edge : edges_) {
+      std::vector<Halfedge> sides = edge.sides;
+      out_.open_sides += std::erase_if(sides, [&](Halfedge h) { return out_.is_free[m_.face(h).index]; });
+      if (!sides.empty()) pairer.pair(sides);
     }
+  }
+
+  // Exchanges pairs where two vertices would have two edges.
+  void keep_edges_single() {
+    std::vector<bool> is_end(m_.vertex_slots(), false);  // by place
+    std::vector<std::vector<Halfedge>> edges;
+    for (ManyFaced& edge : edges_) {
+      for (const Vertex v : {m_.from(edge.sides[0]), m_.to(edge.sides[0])}) is_end[place_[v.index].index] = true;
+      edges.push_back(std::move(edge.sides));
+    }
+    FanGroups fans(m_, &place_);
+    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
+      const Halfedge corner(i);
+      if (!m_.is_alive(corner) || m_.is_outside(corner) || !is_end[place_[m_.from(corner).index].index]) continue;
+      fans.add_corner(corner);
+      for (const Halfedge side : {corner, m_.prev(corner)}) fans.add_side(side, out_.across[side.index]);
+    }
+    fans.find_fans(edges);
+    for (const std::vector<Halfedge>& sides : edges)
+      for (const Halfedge side : sides) out_.across[side.index] = fans.across(side);
   }
 
   void find_parts() {
@@ -193,17 +235,34 @@ class Pairing {
   }
 
   const Mesh& m_;
+  const std::vector<Vertex>& place_;
+  const bool keeps_joined_;
+  std::vector<bool> is_shared_;  // whether another vertex is at the vertex's place
   FacePairing out_;
   DisjointSets patches_;
   std::vector<bool> has_boundary_;  // by patch
   std::vector<Face> at_boundary_;
-  std::vector<PairedSide> sides_;  // at points with copies
+  std::vector<PairedSide> sides_;  // at places of several vertices
   std::vector<ManyFaced> edges_;
   std::vector<bool> is_free_;  // by rank
 };
 
 }  // namespace
 
-FacePairing pair_faces(const Mesh& mesh) { return Pairing(mesh).run(); }
+FacePairing pair_faces(const Mesh& mesh) { return Pairing(mesh, points_by_slot(mesh), false).run(); }
+
+FacePairing pair_at_places(const Mesh& mesh, const std::vector<Vertex>& place) {
+  return Pairing(mesh, place, true).run();
+}
+
+bool is_torn(const Mesh& before, const Mesh& after) {
+  const FacePairing had = pair_faces(before);
+  if (!had.has_nonmanifold_edges) return false;
+  const FacePairing has = pair_faces(after);
+  if (has.open_sides > had.open_sides) return true;
+  for (std::size_t f = 0; f < had.is_closed.size(); ++f)
+    if (had.is_closed[f] && !has.is_closed[f]) return true;
+  return false;
+}
 
 }  // namespace ryosen

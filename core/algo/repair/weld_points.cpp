@@ -8,8 +8,8 @@
 #include "core/algo/repair/collapse_near.h"
 #include "core/algo/repair/flat_faces.h"
 #include "core/algo/repair/join_points.h"
-#include "core/algo/repair/near_points.h"
 #include "core/algo/repair/new_crossings.h"
+#include "core/algo/repair/pair_faces.h"
 #include "core/algo/repair/point_merger.h"
 #include "core/algo/repair/sides_apart.h"
 #include "core/analysis/neighbourhood.h"
@@ -41,7 +41,7 @@ class Welding {
   }
 
   // The faces to turn so that sides that lie on each other run in opposite directions, where they can; empty: none.
-  std::vector<bool> faces_to_turn() const { return turns_of(m_, pairs()); }
+  std::vector<bool> faces_to_turn() const { return turns_of(m_, sides_at_one_place(m_, point_of_, place_)); }
 
   Welded weld(Edit& edit, Progress& progress) {
     Welded welded;
@@ -50,21 +50,44 @@ class Welding {
     const std::vector<SidePair> all = pairs();
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!progress.go_on(i, all.size())) return welded;
-      if (!all[i].runs_alike && join(all[i]))
+      if (join(all[i]))
         for (Halfedge h : {all[i].first, all[i].second}) welded.joined.push_back(edge(h));
     }
-    std::vector<JoinedPoints> classes;
-    for (const auto& [first, others] : mates_) {
-      const std::size_t apart = add_classes(first, others, classes);
-      if (apart > 1) welded.left.emplace_back(first);
-    }
+    const std::vector<JoinedPoints> classes = joined_classes(welded);
     for (const JoinedPoints& joined : classes) welded.points += joined.points.size() - 1;
     join_points(edit, classes);
     return welded;
   }
 
+  // Says what is left where nothing is done.
+  Welded leave() {
+    Welded welded;
+    PointMerger merger(m_, point_of_, points_to_merge());
+    merger_ = &merger;
+    joined_classes(welded);
+    return welded;
+  }
+
  private:
-  std::vector<SidePair> pairs() const { return sides_at_one_place(m_, point_of_, place_); }
+  // The sides that are paired across points, in the order of their places.
+  std::vector<SidePair> pairs() const {
+    std::vector<Vertex> place(m_.vertex_slots());
+    for (std::uint32_t i = 0; i < place.size(); ++i)
+      if (m_.is_alive(Vertex(i))) place[i] = place_[point_of_[i].index];
+    const auto ends = [&](Halfedge h, const std::vector<Vertex>& of) {
+      return std::minmax({of[m_.from(h).index], of[m_.to(h).index]});
+    };
+    const std::vector<Halfedge> across = pair_at_places(m_, place).across;
+    std::vector<SidePair> found;
+    for (std::uint32_t i = 0; i < across.size(); ++i) {
+      const Halfedge h(i), other = across[i];
+      if (other && h < other && ends(h, point_of_) != ends(other, point_of_)) found.push_back({h, other, false});
+    }
+    std::sort(found.begin(), found.end(), [&](const SidePair& a, const SidePair& b) {
+      return std::pair(ends(a.first, place), a.first) < std::pair(ends(b.first, place), b.first);
+    });
+    return found;
+  }
 
   void sort_mates() {
     for (auto& [first, others] : mates_) {
@@ -128,6 +151,13 @@ class Welding {
     if (is_sound && move(merged)) return true;
     for (; merges > 0; --merges) merger_->undo();
     return false;
+  }
+
+  std::vector<JoinedPoints> joined_classes(Welded& welded) const {
+    std::vector<JoinedPoints> classes;
+    for (const auto& [first, others] : mates_)
+      if (add_classes(first, others, classes) > 1) welded.left.emplace_back(first);
+    return classes;
   }
 
   // The classes of several points at one place. Isolated ones join the lowest other. Returns how many points stay apart.
@@ -205,16 +235,35 @@ AlgorithmResult result_of(const Welded& welded) {
   return result;
 }
 
-// Turning replaces all columns, which must be the only write of the edit: then everything is done on a copy.
 template <class Weld>
-Welded turn_and_weld(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
-  const std::vector<bool> turned = Welding(edit.mesh(), near, reach).faces_to_turn();
-  if (turned.empty()) return weld(edit, near);
-  Mesh copy(turn_faces(edit.mesh(), turned).columns);
-  Edit on_copy(copy, nullptr);
-  Welded welded = weld(on_copy, find_near_points(copy, reach));
-  on_copy.commit();
-  welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
+Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
+  Edit edit(copy, nullptr);
+  Welded welded = weld(edit, find_near_points(copy, reach));
+  edit.commit();
+  return welded;
+}
+
+// First as the faces are, so that no closed part has to be turned; nothing where that would tear one. Turning replaces
+// all columns, which must be the only write of the edit: then everything is done on a copy.
+template <class Weld>
+Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
+  const Mesh& m = edit.mesh();
+  if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges) return weld(edit, near);
+  Mesh copy = m;
+  Welded welded = weld_copy(copy, reach, weld);
+  if (is_torn(m, copy)) return Welding(m, near, reach).leave();
+  const std::vector<bool> turned = Welding(copy, find_near_points(copy, reach), reach).faces_to_turn();
+  if (!turned.empty()) {
+    Mesh now(turn_faces(copy, turned).columns);
+    const Welded more = weld_copy(now, reach, weld);
+    if (!is_torn(m, now)) {
+      copy = std::move(now);
+      welded.points += more.points;
+      welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
+      welded.left = more.left;
+      welded.joined.insert(welded.joined.end(), more.joined.begin(), more.joined.end());
+    }
+  }
   edit.replace(copy.columns());
   return welded;
 }
@@ -222,7 +271,7 @@ Welded turn_and_weld(Edit& edit, const NearPoints& near, const Reach& reach, Wel
 Welded weld_near(Edit& edit, const Reach& reach, Progress& progress) {
   const NearPoints near = find_near_points(edit.mesh(), reach);
   if (!near.are_any()) return {};
-  return turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& now) {
+  return weld_and_turn(edit, near, reach, [&](Edit& on, const NearPoints& now) {
     return Welding(on.mesh(), now, reach).weld(on, progress);
   });
 }
@@ -243,7 +292,7 @@ AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progr
   const NearPoints near = find_near_points(edit.mesh(), reach);
   if (!near.are_any()) return result_of({});
   const Mesh before = edit.mesh();
-  const Welded welded = turn_and_weld(edit, near, reach, [&](Edit& on, const NearPoints& at_first) {
+  const Welded welded = weld_and_turn(edit, near, reach, [&](Edit& on, const NearPoints& at_first) {
     const std::size_t collapsed = collapse_near(on, at_first, progress);
     const NearPoints now = collapsed > 0 ? find_near_points(on.mesh(), reach) : at_first;
     Welded result = Welding(on.mesh(), now, reach).weld(on, progress);

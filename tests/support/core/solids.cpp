@@ -86,6 +86,18 @@ IndexedMesh SolidBuilder::indexed() const {
   return mesh;
 }
 
+IndexedMesh SolidBuilder::loose() const {
+  IndexedMesh mesh;
+  for (const auto& face : faces_) {
+    for (const LatticePoint& p : face) {
+      mesh.corners.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.push_back({p[0], p[1], p[2]});
+    }
+    mesh.face_offsets.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+  return mesh;
+}
+
 SolidBuilder random_union(std::uint64_t seed) {
   Dice dice(seed);
   SolidBuilder built;

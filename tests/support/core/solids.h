@@ -39,6 +39,8 @@ class SolidBuilder {
   // Six times the volume of what was added.
   std::int64_t volume_six() const;
   IndexedMesh indexed() const;
+  // With points of its own for each face.
+  IndexedMesh loose() const;
 
  private:
   std::vector<std::vector<LatticePoint>> faces_;

@@ -4,14 +4,16 @@
 #include <map>
 #include <tuple>
 
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
+
 namespace ryosen::test {
 
 namespace {
 
-using Faces = std::vector<std::vector<LatticePoint>>;
 struct EdgeSide {
-  std::size_t face;
-  bool is_forward;  // from the smaller to the larger point
+  std::size_t face, corner;  // where it begins
+  bool is_forward;           // from the lower to the higher point
   LatticePoint apex;
 };
 
@@ -20,19 +22,19 @@ struct EdgeOfAll {
   std::vector<EdgeSide> sides;
 };
 
-std::vector<EdgeOfAll> edges_of(const Faces& faces) {
-  std::map<std::pair<LatticePoint, LatticePoint>, EdgeOfAll> edges;
-  for (std::size_t f = 0; f < faces.size(); ++f)
+std::vector<EdgeOfAll> edges_of(const TriangleList& list) {
+  std::map<std::pair<std::size_t, std::size_t>, EdgeOfAll> edges;
+  for (std::size_t f = 0; f < list.faces.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
-      const LatticePoint a = faces[f][i], b = faces[f][(i + 1) % 3];
+      const std::size_t a = list.faces[f][i], b = list.faces[f][(i + 1) % 3];
       EdgeOfAll& edge = edges[std::minmax(a, b)];
-      edge.low = std::min(a, b);
-      edge.high = std::max(a, b);
-      edge.sides.push_back({f, a < b, faces[f][(i + 2) % 3]});
+      edge.low = list.places[std::min(a, b)];
+      edge.high = list.places[std::max(a, b)];
+      edge.sides.push_back({f, i, a < b, list.places[list.faces[f][(i + 2) % 3]]});
     }
-  std::vector<EdgeOfAll> list;
-  for (auto& [ends, edge] : edges) list.push_back(edge);
-  return list;
+  std::vector<EdgeOfAll> found;
+  for (auto& [ends, edge] : edges) found.push_back(std::move(edge));
+  return found;
 }
 
 class Sets {
@@ -103,23 +105,44 @@ void pair_around(const EdgeOfAll& edge, const std::vector<bool>& is_free, Sets& 
   for (const EdgeSide* side : left) is_open[side->face] = true;
 }
 
-double area_of(const std::vector<LatticePoint>& face) {
-  const LatticeVector n = cross(difference(face[1], face[0]), difference(face[2], face[0]));
+double area_of(const TriangleList& list, const std::array<std::size_t, 3>& face) {
+  const LatticePoint &a = list.places[face[0]], &b = list.places[face[1]], &c = list.places[face[2]];
+  const LatticeVector n = cross(difference(b, a), difference(c, a));
   return std::sqrt(static_cast<double>(dot(n, n))) / 2;
 }
 
 }  // namespace
 
-PairedList pair_by_asking_all(const Faces& faces) {
+TriangleList triangles_of(const Mesh& mesh) {
+  TriangleList list;
+  std::map<Vertex, std::size_t> number;  // by point
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    if (!mesh.is_alive(Vertex(i)) || point(mesh, Vertex(i)) != Vertex(i)) continue;
+    number[Vertex(i)] = list.places.size();
+    const glm::dvec3 p = mesh.position(Vertex(i));
+    list.places.push_back({static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)});
+  }
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_alive(Face(f))) continue;
+    std::array<std::size_t, 3> face{};
+    std::size_t corner = 0;
+    for (const Vertex v : vertices_around(mesh, Face(f))) face.at(corner++) = number.at(point(mesh, v));
+    list.faces.push_back(face);
+  }
+  return list;
+}
+
+PairedList pair_by_asking_all(const TriangleList& list) {
+  const std::vector<std::array<std::size_t, 3>>& faces = list.faces;
   PairedList out;
   out.is_free.resize(faces.size(), false);
-  const std::vector<EdgeOfAll> edges = edges_of(faces);
+  const std::vector<EdgeOfAll> edges = edges_of(list);
   Sets patches(faces.size());
   for (const EdgeOfAll& e : edges)
     if (e.sides.size() == 2 && e.sides[0].is_forward != e.sides[1].is_forward)
       patches.join(e.sides[0].face, e.sides[1].face);
   std::vector<double> area(faces.size(), 0);
-  for (std::size_t f = 0; f < faces.size(); ++f) area[patches.of(f)] += area_of(faces[f]);
+  for (std::size_t f = 0; f < faces.size(); ++f) area[patches.of(f)] += area_of(list, faces[f]);
   std::vector<bool> has_boundary(faces.size(), false);
   for (const EdgeOfAll& e : edges)
     if (e.sides.size() == 1) has_boundary[patches.of(e.sides[0].face)] = true;
@@ -140,16 +163,19 @@ PairedList pair_by_asking_all(const Faces& faces) {
   }
   Sets parts(faces.size());
   std::vector<bool> is_open(faces.size(), false);
+  out.open_sides.resize(faces.size(), 0);
   for (const EdgeOfAll& e : edges) {
-    out.boundary += e.sides.size() == 1;
     if (e.sides.size() >= 3) {
       pair_around(e, out.is_free, parts, is_open);
-      for (const EdgeSide& s : e.sides) out.free_sides += out.is_free[s.face];
+      for (const EdgeSide& s : e.sides) out.open_sides[s.face] += out.is_free[s.face];
     } else if (e.sides.size() == 2 && e.sides[0].is_forward != e.sides[1].is_forward) {
       parts.join(e.sides[0].face, e.sides[1].face);
     } else {
-      out.misoriented += e.sides.size() == 2;
-      for (const EdgeSide& s : e.sides) is_open[s.face] = true;
+      if (e.sides.size() == 1) ++out.open_sides[e.sides[0].face];
+      for (const EdgeSide& s : e.sides) {
+        is_open[s.face] = true;
+        if (e.sides.size() == 2) out.sides_alike.emplace_back(s.face, s.corner);
+      }
     }
   }
   std::vector<bool> part_is_open(faces.size(), false);

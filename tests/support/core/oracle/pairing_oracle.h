@@ -2,19 +2,30 @@
 // by word, by trying all and with whole numbers only. Slow.
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
+#include "core/mesh/mesh.h"
 #include "tests/support/core/solids.h"
 
 namespace ryosen::test {
 
-struct PairedList {
-  std::vector<bool> is_closed, is_free;  // by face
-  std::size_t free_sides = 0;            // sides of free faces at edges of three or more faces
-  std::size_t misoriented = 0;           // edges of two faces in one direction
-  std::size_t boundary = 0;              // edges of one face
+// Points may lie at one place.
+struct TriangleList {
+  std::vector<LatticePoint> places;               // by point
+  std::vector<std::array<std::size_t, 3>> faces;  // points
 };
 
-PairedList pair_by_asking_all(const std::vector<std::vector<LatticePoint>>& faces);
+// The triangles of a mesh on places of whole numbers.
+TriangleList triangles_of(const Mesh& mesh);
+
+struct PairedList {
+  std::vector<bool> is_closed, is_free;  // by face
+  std::vector<std::size_t> open_sides;   // by face: at edges of one face, and of free ones at edges of three or more
+  std::vector<std::pair<std::size_t, std::size_t>> sides_alike;  // face and corner, at edges of two in one direction
+};
+
+PairedList pair_by_asking_all(const TriangleList& list);
 
 }  // namespace ryosen::test

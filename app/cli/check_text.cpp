@@ -108,6 +108,8 @@ std::string to_text(const NamedProblem& named, const Console& console) {
   }
   if (problem.where) text += std::string(console.text("; first at ", "；最初の位置 ")) + place(*problem.where);
   if (problem.line) text += std::string(console.text(", line ", "、行 ")) + number(problem.line);
+  const std::string_view by_hand = console.text(problem.row().by_hand_en, problem.row().by_hand_ja);
+  if (!is_info && !by_hand.empty()) text += "\n    " + std::string(by_hand);
   return text + "\n";
 }
 

@@ -205,6 +205,8 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure_en = "Pairs of triangles back to back that hang on one edge at most.",
      .figure_ja = "背中合わせの三角形の組の数。",
      .face = closes_hanging_pair,
+     .by_hand_en = "No repair takes these away, since they bound a closed part: delete one of the two, or both.",
+     .by_hand_ja = "閉じた部分の壁なので自動では除きません。一方または両方を削除してください。",
      .about = pair_of_face},
     {.kind = ProblemKind::isolated_vertex,
      .id = "isolated_vertex",

@@ -64,7 +64,7 @@ TEST(repair, keeps_all_geometry_unless_asked_and_says_what_is_left) {
   EXPECT_EQ(report["status"], "warnings");
   ASSERT_TRUE(repair_of(report, "remove_duplicates") && repair_of(report, "weld_equal"));
   EXPECT_EQ((*repair_of(report, "remove_duplicates"))["changed"], 1);
-  EXPECT_EQ((*repair_of(report, "remove_duplicates"))["solves"], Json::array({"duplicate_face", "hanging_pair"}));
+  EXPECT_EQ((*repair_of(report, "remove_duplicates"))["solves"], Json::array({"duplicate_face"}));
   EXPECT_EQ((*repair_of(report, "weld_equal"))["changed"], 2);
   EXPECT_EQ(repair_of(report, "fill_holes"), nullptr);
   EXPECT_EQ(report["vertices"], 5);
@@ -330,6 +330,26 @@ TEST(repair, loose_faces_of_solids_that_touch_become_closed_ones) {
       EXPECT_EQ(run_program({"repair", out, "--json"}).line()["rounds"], 0);
     }
   }
+}
+
+TEST(repair, a_pair_back_to_back_stays_and_is_said_to_be_deleted) {
+  const TemporaryFolder folder;
+  const std::string out = folder.at("o.obj");
+  const ProgramRun run = run_program({"repair", asset("hanging_pair.obj"), "-o", out});
+  EXPECT_NE(run.out.find("\n    No repair takes these away, since they bound a closed part: delete one of the two"),
+            std::string::npos)
+      << run.out;
+  Session session(Document::open(asset("hanging_pair.obj")).value());
+  ASSERT_TRUE(session.run("repair default").done());
+  const std::string told = ryosen::told(*session.last_repair(), session.mesh()).en;
+  EXPECT_NE(told.find("Hanging pair: no repair takes it away, \"delete\" does"), std::string::npos) << told;
+  const auto hanging = [](const std::string& path) {
+    return run_program({"check", path, "--json"}).line()["hanging_pairs"].get<int>();
+  };
+  EXPECT_EQ(hanging(out), 1);
+  const std::string none = folder.at("none.obj");
+  EXPECT_EQ(run_program({"edit", out, "-o", none, "--do", "select f2; delete selected"}).exit_code, 0);
+  EXPECT_EQ(hanging(none), 0);
 }
 
 TEST(repair, the_recipe_of_the_readme_leaves_the_bunny_closed_and_does_nothing_again) {

@@ -43,7 +43,7 @@ std::vector<AlgorithmRow> repair_rows() {
        "同じ点の並びを持つ面は一つだけを残す（閉じた部分どうしの壁は両方残す）",
        {},
        true,
-       {Kind::duplicate_face, Kind::hanging_pair},
+       {Kind::duplicate_face},
        remove_duplicate_faces},
       {"weld_equal",
        "Weld equal points",

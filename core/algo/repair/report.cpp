@@ -47,8 +47,9 @@ Text reason_of(const RepairCall& call, const ProblemRow& kind) {
   const Text name{std::string(kind.name_en), std::string(kind.name_ja)};
   const bool is_among = is_for(call, kind.kind);
   if (others.en.empty())
-    return name + (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
-                            : Text{": no repair takes it away", "：直せる修復がないため"});
+    return name + (is_among
+                       ? Text{": this repair leaves it", "：この修復では残るため"}
+                       : Text{": no repair takes it away, \"delete\" does", "：修復では直らず、削除で取り除くため"});
   return name +
          (is_among ? Text{": this repair leaves it", "：この修復では残るため"}
                    : Text{": not among these repairs", "：ここには含まれないため"}) +

@@ -6,11 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/algo/repair/detach_nonmanifold.h"
 #include "core/algo/repair/new_crossings.h"
 #include "core/algo/repair/t_junctions.h"
 #include "core/algo/repair/weld_points.h"
 #include "core/base/count_text.h"
 #include "core/base/sort_unique.h"
+#include "core/mesh/circulate.h"
+#include "core/mesh/copies.h"
 #include "core/ops/split_edge.h"
 
 namespace ryosen {
@@ -22,8 +25,9 @@ class Stitching {
  public:
   Stitching(const Mesh& before, const NearPoints& near, const Reach& reach, const std::vector<TJunction>& junctions)
       : mesh(before), reach_(reach), is_concerned_(before.vertex_slots(), false) {
-    mark_places(near, junctions);
     Edit edit(mesh, nullptr);
+    take_bow_ties_apart(edit, junctions);
+    mark_places(near, junctions);
     for (const TJunction& junction : junctions) put_in(edit, junction);
     edit.commit();
   }
@@ -45,6 +49,22 @@ class Stitching {
   Mesh mesh;
 
  private:
+  // Gives each fan at a junction a point of its own, since only points of one fan are welded.
+  static void take_bow_ties_apart(Edit& edit, const std::vector<TJunction>& junctions) {
+    const Mesh& m = edit.mesh();
+    std::vector<Vertex> bow_ties;
+    for (const TJunction& junction : junctions) {
+      bool is_cut = false;  // an edge of three or more faces ends there
+      for_each_copy(m, junction.point, [&](Vertex copy) {
+        if (m.is_isolated(copy)) return;
+        for (const Edge e : edges_around(m, copy)) is_cut = is_cut || point_edge(m, halfedge(e, 0)).faces() > 2;
+      });
+      if (!is_cut) bow_ties.push_back(point(m, junction.point));
+    }
+    sort_unique(bow_ties);
+    detach_points(edit, std::move(bow_ties), {});
+  }
+
   // All points at the places of the junctions and of the ends of their sides.
   void mark_places(const NearPoints& near, const std::vector<TJunction>& junctions) {
     std::vector<bool> is_place(mesh.vertex_slots(), false);
@@ -52,7 +72,7 @@ class Stitching {
       for (const Vertex v : {junction.point, mesh.from(junction.side), mesh.to(junction.side)})
         is_place[near.first[near.point_of[v.index].index].index] = true;
     for (std::uint32_t i = 0; i < is_concerned_.size(); ++i)
-      is_concerned_[i] = near.point_of[i] == Vertex(i) && is_place[near.first[i].index];
+      is_concerned_[i] = near.point_of[i] && is_place[near.first[near.point_of[i].index].index];
   }
 
   // Points of one side come from its end to its start, so the side is always the part at the start.

@@ -10,6 +10,7 @@
 #include "core/algo/repair/sides_apart.h"
 #include "core/base/interruption.h"
 #include "core/base/sort_unique.h"
+#include "core/geometry/place_order.h"
 #include "core/pick/bvh.h"
 #include "core/pick/nearest.h"
 
@@ -17,7 +18,8 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::uint32_t most_sides = 8;  // at one point
+// How many sides that pass a point count: those along sides that end there, by their number, and others.
+constexpr std::uint32_t most_along = 8, most_along_each = 2, most_others = 256;
 
 // More than the rounding of a distance from a line, as a share of the largest coordinate.
 constexpr double rounding = 1e-12;
@@ -64,6 +66,13 @@ struct Segment {
   }
 };
 
+// The same number for places in one direction from p or the opposite one, but for rounding, and rarely for others.
+double number_of_direction(const glm::dvec3& p, const glm::dvec3& q) {
+  const glm::dvec3 way = glm::abs(q / 2.0 - p / 2.0);
+  const double most = std::max({way.x, way.y, way.z});
+  return most > 0 ? glm::dot(way / most, glm::dvec3(0.613, 0.257, 0.911)) : 0;
+}
+
 class Search {
  public:
   Search(const Mesh& m, const NearPoints& near, double distance)
@@ -104,7 +113,51 @@ class Search {
     std::vector<Primitive> primitives;
     for (const Vertex v : points_) primitives.push_back(Primitive::point(v.index));
     tree_.build(m_.positions(), std::move(primitives));
-    count_.assign(points_.size(), 0);
+    along_.assign(points_.size(), 0);
+    others_.assign(points_.size(), 0);
+    collect_ends();
+  }
+
+  std::uint32_t number_of(const glm::dvec3& place) const {
+    const auto at = std::lower_bound(points_.begin(), points_.end(), place,
+                                     [&](Vertex v, const glm::dvec3& p) { return is_before(m_.position(v), p); });
+    return static_cast<std::uint32_t>(at - points_.begin());
+  }
+
+  void collect_ends() {
+    ends_.resize(points_.size());
+    for (const Halfedge side : sides_) {
+      const glm::dvec3 &a = m_.position(m_.from(side)), &b = m_.position(m_.to(side));
+      ends_[number_of(a)].emplace_back(number_of_direction(a, b), m_.to(side));
+      ends_[number_of(b)].emplace_back(number_of_direction(a, b), m_.from(side));
+    }
+    for (auto& ends : ends_) std::sort(ends.begin(), ends.end());
+  }
+
+  // Whether a side that ends at the point may run along this one for a while: else there is nothing to join.
+  bool has_side_along(std::uint32_t i, const Segment& segment) const {
+    const glm::dvec3& p = m_.position(points_[i]);
+    const auto& ends = ends_[i];
+    if (distance_ == 0) {
+      constexpr double tolerance = 1e-9;
+      const double number = number_of_direction(segment.a, segment.b);
+      auto end = std::lower_bound(ends.begin(), ends.end(), std::pair(number - tolerance, Vertex(0)));
+      for (; end != ends.end() && end->first <= number + tolerance; ++end)
+        if (are_collinear(segment.a, segment.b, m_.position(end->second))) return true;
+      return false;
+    }
+    const auto is_near = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& q) {
+      const std::array places{a, b};
+      return nearest_place(places, Primitive::segment(0, 1, 0), q).distance <= segment.reach;
+    };
+    return std::any_of(ends.begin(), ends.end(), [&](const auto& end) {
+      const glm::dvec3& q = m_.position(end.second);
+      return is_near(segment.a, segment.b, q) || is_near(p, q, segment.a) || is_near(p, q, segment.b);
+    });
+  }
+
+  bool is_crowded(std::uint32_t i) const {
+    return along_[i] > most_along + most_along_each * ends_[i].size() || others_[i] > most_others;
   }
 
   void ask(Halfedge side) {
@@ -118,7 +171,10 @@ class Search {
       const double distance =
           nearest_place(m_.positions(), Primitive::segment(m_.from(side).index, m_.to(side).index, 0), p).distance;
       if (!(distance <= segment.reach)) return;
-      if (++count_[i] > most_sides) crowded.push_back(i);
+      const bool is_along = has_side_along(i, segment);
+      ++(is_along ? along_ : others_)[i];
+      if (is_crowded(i)) crowded.push_back(i);
+      if (!is_along) return;
       const bool is_on = segment.holds(p);
       const bool is_near = distance_ > 0 && distance <= distance_ && glm::distance(p, segment.a) > distance_ &&
                            glm::distance(p, segment.b) > distance_;
@@ -130,10 +186,10 @@ class Search {
   std::vector<TJunction> chosen() {
     std::vector<std::uint32_t> crowded;  // sides
     for (const Found& f : found_)
-      if (count_[f.number] > most_sides) crowded.push_back(f.side);
+      if (is_crowded(f.number)) crowded.push_back(f.side);
     sort_unique(crowded);
     std::erase_if(found_, [&](const Found& f) {
-      return count_[f.number] > most_sides || std::binary_search(crowded.begin(), crowded.end(), f.side);
+      return is_crowded(f.number) || std::binary_search(crowded.begin(), crowded.end(), f.side);
     });
     std::sort(found_.begin(), found_.end(), [](const Found& f, const Found& g) { return f.order() < g.order(); });
     found_.erase(std::unique(found_.begin(), found_.end(),
@@ -163,9 +219,11 @@ class Search {
   const NearPoints& near_;
   double distance_;
   std::vector<Halfedge> sides_;
-  std::vector<Vertex> points_;        // at their ends, at different places
-  Bvh tree_;                          // of these
-  std::vector<std::uint32_t> count_;  // by number of a point: sides that near
+  std::vector<Vertex> points_;  // at their ends, at different places
+  Bvh tree_;                    // of these
+  // By number of a point: the other ends of the lone sides there, by direction; sides that near, along such ones or not.
+  std::vector<std::vector<std::pair<double, Vertex>>> ends_;
+  std::vector<std::uint32_t> along_, others_;
   std::vector<Found> found_;
 };
 

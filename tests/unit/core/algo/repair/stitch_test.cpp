@@ -218,6 +218,63 @@ TEST(stitch, only_points_that_turn_no_triangle_go_in) {
   EXPECT_EQ(stitched(mesh, "distance=1").changed, 0u);
 }
 
+// A rectangle above the x axis from 0 to 8 and two below it, which meet at x = 3; `bow_ties` further triangles hang at
+// the point where they meet, each with that point alone.
+IndexedMesh seam_with_bow_ties(std::uint32_t bow_ties) {
+  IndexedMesh list =
+      list_of({{0, 0, 0}, {8, 0, 0}, {8, 1, 0}, {0, 1, 0}, {3, 0, 0}, {0, -1, 0}, {3, -1, 0}, {8, -1, 0}},
+              {0, 1, 2, 3, 0, 5, 6, 4, 4, 6, 7, 1}, {0, 4, 8, 12});
+  for (std::uint32_t i = 0; i < bow_ties; ++i) {
+    const double angle = 0.3 + 0.2 * i;
+    for (const double turn : {0.0, 0.1}) {
+      const double at = angle + turn;
+      list.positions.emplace_back(3 + 0.1 * std::sin(at), 0.2 * std::sin(7 * at), 2 + std::cos(at));
+    }
+    const auto last = static_cast<std::uint32_t>(list.positions.size() - 1);
+    for (const std::uint32_t corner : {4u, last - 1, last}) list.corners.push_back(corner);
+    list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
+  }
+  return list;
+}
+
+TEST(stitch, a_point_that_is_a_bow_tie_goes_in) {
+  for (const std::uint32_t bow_ties : {0u, 1u, 2u, 5u})
+    for (const glm::dvec3 scale : {glm::dvec3(1), glm::dvec3(-1, 3, 7), glm::dvec3(0x1p-200)})
+      for (const char* values : {"", "distance=0"}) {
+        SCOPED_TRACE(bow_ties);
+        IndexedMesh list = seam_with_bow_ties(bow_ties);
+        for (glm::dvec3& p : list.positions) p *= scale;
+        Mesh mesh = from_indexed(list);
+        EXPECT_EQ(stitched(mesh, values).changed, 1u);
+        const Figures figures = compute_figures(mesh);
+        EXPECT_EQ(figures.components, 1 + bow_ties);
+        EXPECT_TRUE(figures.manifold);
+        EXPECT_EQ(figures[ProblemKind::boundary_loop], 7 + 3 * bow_ties) << "edges";
+      }
+}
+
+// Many seams that cross at one point, each like the one above with its T-vertex there.
+TEST(stitch, many_sides_may_pass_one_point) {
+  for (const std::uint32_t seams : {2u, 5u, 9u, 20u, 100u}) {
+    IndexedMesh list;
+    for (std::uint32_t i = 0; i < seams; ++i) {
+      const auto first = static_cast<std::uint32_t>(list.positions.size());
+      const double x = 1.0 + i, y = seams;  // a whole multiple of this leads along the seam
+      for (const glm::dvec3& p : {glm::dvec3(-3 * x, -3 * y, 0), glm::dvec3(5 * x, 5 * y, 0),
+                                  glm::dvec3(5 * x, 5 * y, 1), glm::dvec3(-3 * x, -3 * y, 1), glm::dvec3(0, 0, 0),
+                                  glm::dvec3(-3 * x, -3 * y, -1), glm::dvec3(0, 0, -1), glm::dvec3(5 * x, 5 * y, -1)})
+        list.positions.push_back(p);
+      for (const std::uint32_t corner : {0u, 1u, 2u, 3u, 0u, 5u, 6u, 4u, 4u, 6u, 7u, 1u})
+        list.corners.push_back(first + corner);
+      for (std::uint32_t k = 1; k <= 3; ++k) list.face_offsets.push_back(12 * i + 4 * k);
+    }
+    Mesh mesh = from_indexed(list);
+    EXPECT_EQ(stitched(mesh).changed, seams);
+    EXPECT_EQ(compute_figures(mesh).components, seams) << "each seam is closed";
+    EXPECT_EQ(compute_figures(mesh)[ProblemKind::boundary_loop], 7 * seams);
+  }
+}
+
 // Walls around cells of a grid whose rows are cut at different places: all inner seams close.
 TEST(stitch, random_rows_of_bricks_become_one_sheet) {
   Dice dice(17);

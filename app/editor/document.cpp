@@ -13,6 +13,7 @@
 #include "core/algo/repair/guard.h"
 #include "core/base/count_text.h"
 #include "core/indexed/from_indexed.h"
+#include "core/io/coordinate_type.h"
 #include "core/io/edited_file.h"
 #include "core/io/elements.h"
 #include "core/io/file_target.h"
@@ -133,7 +134,9 @@ AlgorithmResult Document::run_in(Edit& edit, const AlgorithmRow& row, const Para
   const std::vector<Vertex> on_lines = vertices_on_lines(file_, mesh_.file_vertices());
   FindingCounts counts{};
   if (row.is_repair()) counts = count_findings(mesh_, on_lines);
-  return run_guarded(edit, row, {values, used, tables_.quarantine.size(), on_lines, wants}, progress, counts);
+  return run_guarded(edit, row,
+                     {values, used, tables_.quarantine.size(), on_lines, wants, holds_float_coordinates(file_)},
+                     progress, counts);
 }
 
 std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const ParameterValues& values,
@@ -176,7 +179,8 @@ std::optional<AlgorithmResult> Document::account_of(const AlgorithmRow& row, con
 BesideRepairs Document::beside_repairs() const {
   const std::size_t vertices = mesh_.file_vertices();
   return {tables_.quarantine, used_beside_the_mesh(file_, tables_.quarantine, vertices),
-          used_beside_the_mesh(file_, {}, vertices), vertices_on_lines(file_, vertices)};
+          used_beside_the_mesh(file_, {}, vertices), vertices_on_lines(file_, vertices),
+          holds_float_coordinates(file_)};
 }
 
 std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, std::string command,

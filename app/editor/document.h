@@ -33,8 +33,9 @@ struct HistoryEntry {
 struct BesideRepairs {
   std::vector<QuarantinedFace> quarantine;
   std::vector<Vertex> used, used_but_by_quarantine, on_lines;
+  std::optional<bool> holds_floats;
 
-  RecipeInput input() const { return {quarantine, used, used_but_by_quarantine, on_lines}; }
+  RecipeInput input() const { return {quarantine, used, used_but_by_quarantine, on_lines, holds_floats}; }
 };
 
 class Document {

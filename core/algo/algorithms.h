@@ -38,6 +38,7 @@ struct AlgorithmInput {
   std::size_t quarantined = 0;            // faces of the file that reading could not connect
   std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
   AlgorithmWants wants = {};
+  std::optional<bool> holds_floats = {};  // whether the file's coordinates are of type float; none: it has no such type
 };
 
 // What an algorithm left for one reason.

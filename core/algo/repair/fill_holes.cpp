@@ -1,19 +1,15 @@
 #include "core/algo/repair/fill_holes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
-#include "core/algo/repair/equal_rims.h"
 #include "core/algo/repair/fill_report.h"
-#include "core/algo/repair/folded_patch.h"
+#include "core/algo/repair/flat_sheets.h"
 #include "core/algo/repair/insert_patch.h"
 #include "core/algo/repair/new_crossings.h"
-#include "core/algo/repair/patch_crossings.h"
-#include "core/algo/repair/plan_patch.h"
+#include "core/algo/repair/patch_choice.h"
 #include "core/algo/repair/remove_degenerate.h"
-#include "core/base/sort_unique.h"
-#include "core/geometry/is_finite.h"
+#include "core/algo/repair/rims.h"
 #include "core/mesh/circulate.h"
 #include "core/mesh/copies.h"
 #include "core/ops/rules/sheets.h"
@@ -37,34 +33,6 @@ FillValues values_of(const ParameterValues& values) {
   return read;
 }
 
-double largest_coordinate(std::span<const glm::dvec3> places) {
-  double largest = 0;
-  for (const glm::dvec3& p : places)
-    if (is_finite(p)) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return largest;
-}
-
-// The pairs of patches that would make the same edge between points of loops; ascending, the earlier patch first.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_with_an_edge(std::span<const PlannedPatch> planned) {
-  using Made = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // points, patch
-  std::vector<Made> made;
-  for (std::uint32_t k = 0; k < planned.size(); ++k)
-    for (const CornerTriangle& t : planned[k].patch.triangles)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
-        const bool is_side = b == a + 1 || (a == 0 && b == planned[k].patch.corners - 1);
-        if (b < planned[k].patch.corners && !is_side)
-          made.emplace_back(std::minmax(planned[k].hole.points[a], planned[k].hole.points[b]), k);
-      }
-  sort_unique(made);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (std::size_t i = 0; i < made.size(); ++i)
-    for (std::size_t j = i + 1; j < made.size() && made[j].first == made[i].first; ++j)
-      pairs.emplace_back(made[i].second, made[j].second);
-  sort_unique(pairs);
-  return pairs;
-}
-
 // Gives every fan of faces a vertex of its own, as reading does: their borders are loops of their own then.
 Edit& with_fans_apart(Edit& edit) {
   Sheets sheets(edit);
@@ -73,21 +41,10 @@ Edit& with_fans_apart(Edit& edit) {
   return edit;
 }
 
-// Rules by which patches are taken.
-enum class Takes {
-  clear,          // those that cross nothing, and no other one of them
-  first,          // of those that exclude each other the first
-  crossing,       // also those that cross the surface or each other
-  self_crossing,  // all
-};
-
 class HoleFiller {
  public:
-  HoleFiller(Edit& edit, const FillValues& values, Progress& progress)
-      : edit_(with_fans_apart(edit)),
-        values_(values),
-        progress_(progress),
-        is_single_(are_all_floats(edit.mesh().positions())) {}
+  HoleFiller(Edit& edit, const FillValues& values, std::optional<bool> holds_floats, Progress& progress)
+      : edit_(with_fans_apart(edit)), values_(values), holds_floats_(holds_floats), progress_(progress) {}
 
   // Where holes are filled, further faces without area may be mended.
   void run() {
@@ -128,7 +85,8 @@ class HoleFiller {
     holes_ = all_holes();
     bases_.assign(holes_.size(), {});
     conflicts_.assign(holes_.size(), false);
-    read_rims();
+    rims_ = read_rims(mesh(), holes_, values_.shape, holds_floats_);
+    tell_flat_sheets(mesh(), rims_, holes_);
   }
 
   // Holes that a patch has touched since they were tried are tried again.
@@ -149,23 +107,6 @@ class HoleFiller {
     }
   }
 
-  void read_rims() {
-    const double largest = largest_coordinate(mesh().positions());
-    std::vector<std::vector<glm::dvec3>> rims(holes_.size());
-    styles_.assign(holes_.size(), {});
-    for (std::uint32_t i = 0; i < holes_.size(); ++i) {
-      if (holes_[i].cause != WhyOpen::untried) continue;
-      for (Halfedge h : loop(mesh(), holes_[i].start)) rims[i].push_back(mesh().position(mesh().from(h)));
-      styles_[i].snaps_to_floats = is_single_;
-      if (values_.shape != "fair") styles_[i].plane = RimPlane::of(rims[i], largest);
-      styles_[i].fairs = values_.shape == "fair" || (values_.shape == "auto" && !styles_[i].plane);
-    }
-    equal_ = find_equal_rims(rims, largest * (is_single_ ? 0x1p-21 : 0x1p-50));
-    is_like_.assign(holes_.size(), false);
-    for (const auto& equal : equal_)
-      if (equal) is_like_[equal->as] = true;
-  }
-
   bool is_touched(const Hole& hole) const {
     for (Halfedge h : loop(mesh(), hole.start))
       if (touched_[point(mesh(), mesh().from(h)).index]) return true;
@@ -180,7 +121,7 @@ class HoleFiller {
     for (std::size_t way = 0; !chosen.empty() && !progress_.is_cancelled(); ++way) {
       std::vector<std::uint32_t> with_way;
       for (std::uint32_t i : chosen)
-        if (way < ways_to_fill(styles_[i]).size()) with_way.push_back(i);
+        if (way < ways_to_fill(rims_.styles[i]).size()) with_way.push_back(i);
       if (with_way.empty()) break;
       try_way(takes, way, with_way);
       std::erase_if(chosen, [&](std::uint32_t i) { return holes_[i].cause == WhyOpen::filled; });
@@ -212,13 +153,13 @@ class HoleFiller {
   }
 
   void plan(Takes takes, std::size_t way_number, std::uint32_t i, PlannedPatch planned, Progress& progress) {
-    const WayToFill& way = ways_to_fill(styles_[i])[way_number];
-    PatchStyle style = styles_[i];
+    const WayToFill& way = ways_to_fill(rims_.styles[i])[way_number];
+    PatchStyle style = rims_.styles[i];
     style.may_cross = takes >= Takes::crossing;
     const HolePatch* const like = arranged_like(i);
     HolePatch arranged;
     PlanResult result;
-    if (like) arranged = patch_like(*like, *equal_[i], planned.hole);
+    if (like) arranged = patch_like(*like, *rims_.equal[i], planned.hole);
     if (!like || !joins_freely(planned.hole, arranged)) {
       arranged = {};
       result = arrange_patch(way, base_of(i, way, planned.hole, progress), planned.hole, style, arranged, progress);
@@ -233,15 +174,15 @@ class HoleFiller {
     }
     planned_.push_back(std::move(planned));
     planned_for_.push_back(i);
-    arranged_.push_back(is_like_[i] ? std::move(arranged) : HolePatch());
+    arranged_.push_back(rims_.is_like[i] ? std::move(arranged) : HolePatch());
   }
 
   // The patch that is arranged in this way for the rim that this one equals, if it is of the same style.
   const HolePatch* arranged_like(std::uint32_t i) const {
-    if (!equal_[i]) return nullptr;
-    const auto at = std::lower_bound(planned_for_.begin(), planned_for_.end(), equal_[i]->as);
-    if (at == planned_for_.end() || *at != equal_[i]->as) return nullptr;
-    const PatchStyle &own = styles_[i], &other = styles_[*at];
+    if (!rims_.equal[i]) return nullptr;
+    const auto at = std::lower_bound(planned_for_.begin(), planned_for_.end(), rims_.equal[i]->as);
+    if (at == planned_for_.end() || *at != rims_.equal[i]->as) return nullptr;
+    const PatchStyle &own = rims_.styles[i], &other = rims_.styles[*at];
     if (own.fairs != other.fairs || own.plane.has_value() != other.plane.has_value()) return nullptr;
     return &arranged_[static_cast<std::size_t>(at - planned_for_.begin())];
   }
@@ -268,80 +209,56 @@ class HoleFiller {
     return bases_[i].emplace_back(Base{way.triangulate, way.triangulate(hole, progress)}).triangles;
   }
 
-  // Finds what keeps patches out: themselves or the surface, or others.
-  PatchCrossings obstacles(Takes takes) const {
-    if (takes < Takes::crossing) return find_patch_crossings(mesh(), planned_, progress_);
-    PatchCrossings found{std::vector<bool>(planned_.size(), false), std::vector<Face>(planned_.size()), {}};
-    for (std::uint32_t k = 0; k < planned_.size() && takes == Takes::crossing; ++k)
-      found.crosses[k] = crosses_itself(planned_[k].patch);
-    return found;
-  }
-
   void insert_sound(Takes takes, std::size_t way) {
-    PatchCrossings found = obstacles(takes);
+    const PatchChoice choice = choose_patches(mesh(), planned_, takes, progress_);
     if (progress_.is_cancelled()) return;
-    const auto with_edge = pairs_with_an_edge(planned_);
-    std::vector<WhyOpen> cause(planned_.size(), WhyOpen::filled);
-    for (std::uint32_t k = 0; k < planned_.size(); ++k) {
-      if (!found.crosses[k]) continue;
-      cause[k] = WhyOpen::crosses;
-      note_crossed(planned_for_[k], found.crossed[k]);
-    }
-    exclude(takes == Takes::clear, with_edge, WhyOpen::edge_exists, cause);
-    exclude(takes == Takes::clear, found.pairs, WhyOpen::crosses, cause);
     std::vector<Vertex> corners;
     for (std::uint32_t k = 0; k < planned_.size(); ++k) {
       if (!progress_.go_on()) return;
-      Hole& hole = holes_[planned_for_[k]];
-      hole.cause = std::max(hole.cause, cause[k]);
-      if (cause[k] != WhyOpen::filled) continue;
+      const std::uint32_t i = planned_for_[k];
+      if (choice.crossed[k]) note_crossed(i, choice.crossed[k]);
+      if (choice.conflicts[k]) conflicts_[i] = true;
+      holes_[i].cause = std::max(holes_[i].cause, choice.cause[k]);
+      if (choice.cause[k] != WhyOpen::filled) continue;
       for (Halfedge h : planned_[k].hole.sides) corners.push_back(mesh().from(h));
       insert(takes, way, k);
     }
     Sheets(edit_).settle(corners);
   }
 
-  // Excludes both patches of a pair, or the later one only.
-  void exclude(bool both, std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs, WhyOpen why,
-               std::vector<WhyOpen>& cause) {
-    const std::vector<WhyOpen> before = cause;
-    const std::vector<WhyOpen>& is_in = both ? before : cause;
-    for (const auto& [a, b] : pairs) {
-      if (is_in[a] != WhyOpen::filled || is_in[b] != WhyOpen::filled) continue;
-      if (both) cause[a] = why;
-      cause[b] = why;
-      for (const std::uint32_t k : {a, b}) conflicts_[planned_for_[k]] = true;
-    }
-  }
-
   void insert(Takes takes, std::size_t way_number, std::uint32_t k) {
     const auto& [hole, patch] = planned_[k];
-    const PatchStyle& style = styles_[planned_for_[k]];
+    const PatchStyle& style = rims_.styles[planned_for_[k]];
     const WayToFill& way = ways_to_fill(style)[way_number];
     for (std::uint32_t point : hole.points) touched_[point] = true;
     insert_patch(edit_, hole, patch);
-    ++(!style.fairs ? filled_.flat : way.fairs ? filled_.fair : way.refines ? filled_.unfaired : filled_.bare);
+    count_kind(style, way.fineness);
     filled_.crossing += takes >= Takes::crossing;
     filled_.faces += patch.triangles.size();
     filled_.vertices += patch.new_vertices();
   }
 
+  void count_kind(const PatchStyle& style, Fineness fineness) {
+    ++(fineness == Fineness::bare   ? filled_.bare
+       : !style.fairs               ? filled_.flat
+       : fineness == Fineness::fair ? filled_.fair
+                                    : filled_.unfaired);
+  }
+
   Edit& edit_;
   const FillValues& values_;
+  std::optional<bool> holds_floats_;  // of the file, if its type tells it
   Progress& progress_;
-  bool is_single_;
   bool is_first_ = true;
   std::vector<Hole> holes_;
-  std::vector<PatchStyle> styles_;              // by hole
-  std::vector<std::optional<EqualRim>> equal_;  // by hole
-  std::vector<bool> conflicts_;                 // by hole: whether its patch and another one excluded each other
+  Rims rims_;                    // of these
+  std::vector<bool> conflicts_;  // by hole: whether its patch and another one excluded each other
   struct Base {
     decltype(WayToFill::triangulate) by;
     HoleTriangles triangles;
   };
   std::vector<std::vector<Base>> bases_;  // by hole
   std::vector<bool> touched_;             // by vertex: points on loops that were filled
-  std::vector<bool> is_like_;             // by hole: whether it equals others
   // For the current way: the patches, their holes in ascending order, and the unfinished patches for equal rims.
   std::vector<PlannedPatch> planned_;
   std::vector<std::uint32_t> planned_for_;
@@ -354,7 +271,7 @@ class HoleFiller {
 AlgorithmResult fill_holes(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const FillValues values = values_of(input.values);
   const std::optional<Mesh> before = values.allows_crossings ? std::optional(edit.mesh()) : std::nullopt;
-  HoleFiller filler(edit, values, progress);
+  HoleFiller filler(edit, values, input.holds_floats, progress);
   filler.run();
   if (progress.is_cancelled()) return {};
   AlgorithmResult result = filler.result();

@@ -16,7 +16,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::array<WhyOpenRow, 9> why_open_rows{{
+constexpr std::array<WhyOpenRow, 10> why_open_rows{{
     {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
     {WhyOpen::visits_twice,
      "the loop visits a point twice (# parts them)",
@@ -32,6 +32,8 @@ constexpr std::array<WhyOpenRow, 9> why_open_rows{{
      "境界が別の境界と重なっているため（# でつながります）",
      {weld_equal_points}},
     {WhyOpen::face_exists, "a face on the same three points is there already", "同じ三点の面がすでにあるため"},
+    {WhyOpen::flat_sheet, "it is the outer border of a flat sheet, which a patch would only double",
+     "平らなシートの外周で、ふさいでもシートに重なるだけのため"},
     {WhyOpen::without_area, "every patch has a face without area", "どのふさぎ方でも面積ゼロの面ができるため"},
     {WhyOpen::edge_exists, "every patch needs an edge that is there already",
      "どのふさぎ方でもすでにある稜線が必要になるため"},

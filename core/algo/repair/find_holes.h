@@ -22,6 +22,7 @@ enum class WhyOpen : std::uint8_t {
   has_wire,
   cut_edge,
   face_exists,
+  flat_sheet,
   without_area,
   edge_exists,
   crosses,

@@ -40,19 +40,23 @@ HoleTriangles unprojected_triangles(const HoleLoop& hole, Progress& progress) {
 }
 
 constexpr WayToFill fair_ways[] = {
-    {best_triangles, true, true},    {other_triangles, true, true},     {best_triangles, true, false},
-    {other_triangles, true, false},  {best_triangles, false, false},    {other_triangles, false, false},
-    {fan_around_middle, true, true}, {fan_around_middle, false, false},
+    {best_triangles, Fineness::fair},    {other_triangles, Fineness::fair},   {best_triangles, Fineness::even},
+    {other_triangles, Fineness::even},   {best_triangles, Fineness::divided}, {other_triangles, Fineness::divided},
+    {best_triangles, Fineness::bare},    {other_triangles, Fineness::bare},   {fan_around_middle, Fineness::fair},
+    {fan_around_middle, Fineness::bare},
 };
 
 constexpr WayToFill unfaired_ways[] = {
-    {best_triangles, true, false},   {other_triangles, true, false},    {best_triangles, false, false},
-    {other_triangles, false, false}, {fan_around_middle, false, false},
+    {best_triangles, Fineness::even},     {other_triangles, Fineness::even}, {best_triangles, Fineness::divided},
+    {other_triangles, Fineness::divided}, {best_triangles, Fineness::bare},  {other_triangles, Fineness::bare},
+    {fan_around_middle, Fineness::bare},
 };
 
 constexpr WayToFill planar_ways[] = {
-    {projected_triangles, true, false},    {unprojected_triangles, true, false}, {projected_triangles, false, false},
-    {unprojected_triangles, false, false}, {fan_around_middle, false, false},
+    {projected_triangles, Fineness::even},    {unprojected_triangles, Fineness::even},
+    {projected_triangles, Fineness::divided}, {unprojected_triangles, Fineness::divided},
+    {projected_triangles, Fineness::bare},    {unprojected_triangles, Fineness::bare},
+    {fan_around_middle, Fineness::bare},
 };
 
 WhyOpen cause_of(NoTriangles cause) {
@@ -91,7 +95,7 @@ void fair_in_turn(std::size_t turn, HolePatch& patch, const HoleLoop& hole, Prog
 void fair_and_refine(HolePatch& patch, const HoleLoop& hole, Progress& progress) {
   for (std::size_t turn = 0; turn < last_turn; ++turn) {
     fair_in_turn(turn, patch, hole, progress);
-    refine(patch, hole, growth_of_fair, progress);
+    refine(patch, hole, {growth_of_fair}, progress);
   }
 }
 
@@ -117,18 +121,19 @@ PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const 
   patch.places = hole.places;
   patch.triangles = base.triangles;
   if (patch.triangles.size() == patch.corners) add_middle(patch);
-  if (way.refines) swap_edges(patch, hole, progress);
+  const bool refines = way.fineness >= Fineness::divided, fairs = way.fineness == Fineness::fair;
+  if (refines) swap_edges(patch, hole, progress);
   if (has_flat_triangle(patch)) return {WhyOpen::without_area};
   if (!style.may_cross && is_flat(hole))
     if (const auto side = side_on_surroundings(hole, patch)) return {WhyOpen::crosses, hole.sides[*side]};
-  if (way.refines) refine(patch, hole, way.fairs ? growth_of_fair : growth_of_flat, progress);
-  if (way.fairs) fair_and_refine(patch, hole, progress);
+  if (refines) refine(patch, hole, {fairs ? growth_of_fair : growth_of_flat, way.fineness >= Fineness::even}, progress);
+  if (fairs) fair_and_refine(patch, hole, progress);
   return {};
 }
 
 PlanResult finish_patch(const WayToFill& way, const HoleLoop& hole, const PatchStyle& style, HolePatch& patch,
                         Progress& progress) {
-  if (way.fairs) {
+  if (way.fineness == Fineness::fair) {
     fair_in_turn(last_turn, patch, hole, progress);
     swap_edges(patch, hole, progress);
   }

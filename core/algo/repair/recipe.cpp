@@ -89,7 +89,10 @@ class RecipeRun {
       const bool has_quarantine = state.has_quarantine;
       const AlgorithmInput input{*values[i].values,
                                  has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
-                                 has_quarantine ? input_.quarantine.size() : 0, input_.on_lines};
+                                 has_quarantine ? input_.quarantine.size() : 0,
+                                 input_.on_lines,
+                                 {},
+                                 input_.holds_floats};
       results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
       if (!progress.go_on() || progress.is_cancelled()) return false;
       if (results_[i].changed > 0) edit.commit();

@@ -20,6 +20,7 @@ struct RecipeInput {
   std::span<const Vertex> used_elsewhere = {};          // as for AlgorithmInput
   std::span<const Vertex> used_but_by_quarantine = {};  // the same once the quarantined faces are dropped
   std::span<const Vertex> on_lines = {};                // as for ProblemSets
+  std::optional<bool> holds_floats = {};                // as for AlgorithmInput
 };
 
 // Each may be empty.

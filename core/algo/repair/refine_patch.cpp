@@ -32,10 +32,14 @@ class PatchRefiner {
     }
   }
 
-  void run() {
-    constexpr int most_rounds = 50, last_rounds = 6;
+  void divide_all() {
+    constexpr int most_rounds = 50;
     relax_all();
     for (int round = 0; round < most_rounds && divide() > 0; ++round) relax();
+  }
+
+  void even_out_all() {
+    constexpr int last_rounds = 6;
     for (int round = 0; round < last_rounds && progress_.go_on(); ++round) even_out();
   }
 
@@ -222,8 +226,10 @@ class PatchRefiner {
 
 }  // namespace
 
-void refine(HolePatch& patch, const HoleLoop& loop, double most_growth, Progress& progress) {
-  PatchRefiner(patch, loop, most_growth, progress).run();
+void refine(HolePatch& patch, const HoleLoop& loop, const Refinement& refinement, Progress& progress) {
+  PatchRefiner refiner(patch, loop, refinement.most_growth, progress);
+  refiner.divide_all();
+  if (refinement.evens) refiner.even_out_all();
 }
 
 void swap_edges(HolePatch& patch, const HoleLoop& loop, Progress& progress) {

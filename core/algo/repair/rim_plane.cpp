@@ -31,7 +31,7 @@ double height(const glm::dvec3& n, const glm::dvec3& p, const glm::dvec3& at) {
   return sum.rounded();
 }
 
-bool holds_floats(std::span<const glm::dvec3> rim) {
+bool looks_single(std::span<const glm::dvec3> rim) {
   std::size_t decimals = 0;
   for (const glm::dvec3& p : rim)
     for (int axis = 0; axis < 3; ++axis) {
@@ -82,11 +82,14 @@ bool are_all_floats(std::span<const glm::dvec3> places) {
                      [](const glm::dvec3& p) { return !is_finite(p) || to_single(p) == p; });
 }
 
-std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double largest) {
+std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double largest,
+                                     std::optional<bool> holds_floats) {
   if (!(largest > 0)) return std::nullopt;
   RimPlane plane;
   plane.exponent_ = std::ilogb(largest);
-  plane.is_single_ = holds_floats(rim);
+  const bool looks = looks_single(rim);
+  plane.is_single_ = holds_floats.value_or(looks);
+  plane.snaps_ = plane.is_single_ && looks;
   plane.box_ = box_of(rim);
   std::vector<glm::dvec3> places;
   for (const glm::dvec3& p : rim) places.push_back(scaled(p, -plane.exponent_));
@@ -100,16 +103,21 @@ std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double lar
     lowest = std::min(lowest, h);
     highest = std::max(highest, h);
   }
-  const double unit = plane.is_single_ ? 0x1p-23 : 0x1p-52;
-  if (!((highest - lowest) / 2 <= most_units * unit)) return std::nullopt;
+  if (!(std::ldexp((highest - lowest) / 2, plane.exponent_) <= plane.tolerance())) return std::nullopt;
   plane.at_ += (highest + lowest) / 2 * plane.normal_;
   return plane;
+}
+
+double RimPlane::tolerance() const { return std::ldexp(most_units * (is_single_ ? 0x1p-23 : 0x1p-52), exponent_); }
+
+double RimPlane::distance(const glm::dvec3& p) const {
+  return std::ldexp(std::abs(height(normal_, scaled(p, -exponent_), at_)), exponent_);
 }
 
 glm::dvec3 RimPlane::nearest(const glm::dvec3& p) const {
   const glm::dvec3 q = scaled(p, -exponent_);
   const glm::dvec3 foot = scaled(q - height(normal_, q, at_) * normal_, exponent_);
-  return glm::clamp(is_single_ ? to_single(foot) : foot, box_.lowest, box_.highest);
+  return glm::clamp(snaps_ ? to_single(foot) : foot, box_.lowest, box_.highest);
 }
 
 }  // namespace ryosen

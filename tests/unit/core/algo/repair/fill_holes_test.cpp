@@ -93,12 +93,12 @@ TEST(fill_holes, a_border_that_only_its_own_sheet_could_close_stays_open) {
   Mesh mesh = from_indexed(list_of({{0, 1, 2}, {0, 2, 3}}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
   const AlgorithmResult result = fill(mesh);
   EXPECT_EQ(result.changed, 0u);
-  EXPECT_EQ(result.text.en,
-            "0 holes were filled; 1 could not be: every patch that was tried crosses the surface or itself at f1, "
-            "crossing=allow fills anyway (0-1).");
+  EXPECT_EQ(
+      result.text.en,
+      "0 holes were filled; 1 could not be: it is the outer border of a flat sheet, which a patch would only double "
+      "(0-1).");
   EXPECT_EQ(result.text.ja,
-            "穴を 0 個ふさぎました。ふさげない穴 1：試したどのふさぎ方でも曲面または自分自身と交わるため（f1）、"
-            "crossing=allow でふさげます (0-1)。");
+            "穴を 0 個ふさぎました。ふさげない穴 1：平らなシートの外周で、ふさいでもシートに重なるだけのため (0-1)。");
 }
 
 TEST(fill_holes, each_reason_is_told) {
@@ -113,7 +113,19 @@ TEST(fill_holes, each_reason_is_told) {
       // A slit: the loop 0-1-4-2 has corners 1 and 2 at one place.
       {WhyOpen::coincides,
        list_of({{0, 1, 3}, {1, 4, 3}, {2, 0, 3}, {4, 2, 3}}, {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {2, 0, 0}})},
-      {WhyOpen::crosses, list_of({{0, 1, 2}, {0, 2, 3}}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})},
+      {WhyOpen::flat_sheet, list_of({{0, 1, 2}, {0, 2, 3}}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})},
+      // A pyramid without its base, through which a tetrahedron stands.
+      {WhyOpen::crosses,
+       list_of({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {5, 7, 6}, {5, 6, 8}, {6, 7, 8}, {7, 5, 8}},
+               {{0, 0, 0},
+                {1, 0, 0},
+                {1, 1, 0},
+                {0, 1, 0},
+                {0.5, 0.5, 1},
+                {0.4, 0.4, -0.1},
+                {0.6, 0.4, -0.1},
+                {0.5, 0.6, -0.1},
+                {0.5, 0.45, 0.2}})},
   };
   for (const auto& [cause, list] : cases) {
     Mesh mesh = from_indexed(list);

@@ -1,0 +1,28 @@
+// The rims of holes, and the kinds of patches that they get.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/algo/repair/equal_rims.h"
+#include "core/algo/repair/find_holes.h"
+#include "core/algo/repair/plan_patch.h"
+
+namespace ryosen {
+
+// By hole; of those that are to be tried.
+struct Rims {
+  std::vector<std::vector<glm::dvec3>> places;
+  std::vector<std::optional<RimPlane>> planes;  // in which the rims lie, whatever the shape
+  std::vector<PatchStyle> styles;
+  std::vector<std::optional<EqualRim>> equal;
+  std::vector<bool> is_like;  // whether other rims equal it
+};
+
+// `shape` is one of auto, flat, fair. `holds_floats` says whether the file has coordinates of type float (AlgorithmInput);
+// where nothing is known the numbers are judged.
+Rims read_rims(const Mesh& mesh, std::span<const Hole> holes, std::string_view shape, std::optional<bool> holds_floats);
+
+}  // namespace ryosen

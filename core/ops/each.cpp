@@ -122,21 +122,21 @@ class Calls {
       refuse(e, *rule);
       return true;
     }
-    series_->apply(*parsed.op);
+    apply(*parsed.op);
     subjects_.done(same);
-    ++result_.done;
-    ++result_.calls;
     return true;
   }
 
-  // Only by the operator that does the same along the edge between them; false where it may not or there is none.
-  bool call_along_edge(const Element& e, const Element& with) {
+  // The operator that does the same along the edge between them; none where it may not or there is none.
+  std::optional<AnyOp> legal_along_edge(const Element& e, const Element& with) {
     const auto along = read_along_edge(e, with);
-    if (!along || broken_rule(*along)) return false;
-    series_->apply(*along);
+    return along && !broken_rule(*along) ? along : std::nullopt;
+  }
+  // After it was found to be legal.
+  void apply(const AnyOp& op) {
+    series_->apply(op);
     ++result_.done;
     ++result_.calls;
-    return true;
   }
 
   void arguments(Words arguments) { arguments_ = arguments; }
@@ -286,8 +286,9 @@ void call_along_edges(Calls& calls, std::vector<Element>& taken, Element& last, 
     if (next.empty()) break;
     const Element e = next.extract(next.begin()).value();
     if (!is_alive(mesh, e) || !are_joined(mesh, e.vertex(), last.vertex())) continue;
-    const std::vector<Element> around = beside(mesh, e, left), heirs = heirs_of(mesh, last, e);
-    if (calls.call_along_edge(e, last)) {
+    if (const auto along = calls.legal_along_edge(e, last)) {
+      const std::vector<Element> around = beside(mesh, e, left), heirs = heirs_of(mesh, last, e);
+      calls.apply(*along);
       hand_on(mesh, heirs, last);
       left.erase(e);
       for (const Element& other : around)

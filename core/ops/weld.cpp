@@ -219,7 +219,7 @@ void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
     blend_vertex_values(edit, stays, stays, 0, copy);
     sheets.changed_around(copy);
   });
-  join_copies(edit, goes, stays);
+  sheets.join_points(goes, stays);
 }
 
 void make_one(Edit& edit, Sheets& sheets, Vertex a, Vertex b) {
@@ -235,7 +235,7 @@ void know(const Mesh& m, Vertex v, bool has_new_fan, SettledPoint& known) {
   if (has_new_fan) known.unsettled.push_back(v);
 }
 
-void forget(SettledPoint& known) { known = {{}, {}, {}, {}, known.looks}; }
+void forget(SettledPoint& known) { known = {{}, {}, {}, {}, known.rings, known.looks}; }
 
 // What is looked at where two points become one: all of the one that comes, and what has changed at the other one.
 std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, SettledPoint& known) {
@@ -255,7 +255,8 @@ OpEffect Weld::apply(Edit& edit) const {
 OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
-  Sheets sheets(edit);
+  CopyRings own_rings(edit);
+  Sheets sheets(edit, known.rings ? *known.rings : own_rings);
   const bool is_one_point = !first && same_point(m, a, b), are_two_points = !first && !is_one_point;
   WeldPairs pairs;
   if (first) pairs = pairs_of_edges(m, first, second);
@@ -302,7 +303,7 @@ namespace {
 // Knows what has come together at the last point from call to call.
 class Welds : public OneByOne {
  public:
-  using OneByOne::OneByOne;
+  explicit Welds(Edit& edit) : OneByOne(edit), rings_(edit) { known_.rings = &rings_; }
   std::optional<Rule> broken_rule(const AnyOp& op) override {
     const Weld* const weld = std::get_if<Weld>(&op);
     if (!weld) return OneByOne::broken_rule(op);
@@ -344,6 +345,7 @@ class Welds : public OneByOne {
     forget(known_);
   }
 
+  CopyRings rings_;
   SettledPoint known_;
   std::map<std::pair<Vertex, Vertex>, std::optional<Rule>> rules_;  // by both points, until something is done
 };

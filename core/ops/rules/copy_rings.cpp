@@ -26,25 +26,36 @@ Vertex heir_among(const Mesh& m, const Copies& copies, std::span<const Vertex> g
 bool CopyRings::get_to_know(Vertex p) {
   constexpr int few = 32;
   if (knows(p)) return true;
-  const Mesh& m = edit_.mesh();
   int count = 0;
-  if (!any_of_copies(m, p, [&](Vertex) { return ++count > few; })) return false;
+  if (walked_.insert(p).second || !any_of_copies(edit_.mesh(), p, [&](Vertex) { return ++count > few; })) return false;
+  know(p);
+  return true;
+}
+
+void CopyRings::know(Vertex p) {
+  const Mesh& m = edit_.mesh();
   std::set<Vertex>& ring = rings_[p];
   for_each_copy(m, p, [&](Vertex copy) {
     ring.insert(copy);
     before_[m.next_copy(copy)] = copy;
   });
-  return true;
 }
 
-void CopyRings::join(Vertex v, Vertex alone) {
+void CopyRings::join(Vertex a, Vertex b) {
   const Mesh& m = edit_.mesh();
-  join_copies(edit_, v, alone);
-  const auto ring = rings_.find(point(m, v));
-  if (ring == rings_.end()) return;
-  ring->second.insert(alone);
-  before_[alone] = v;
-  before_[m.next_copy(alone)] = alone;
+  const Vertex p = point(m, a), q = point(m, b);
+  if (!knows(p) && !knows(q)) return join_copies(edit_, a, b);
+  for (const Vertex each : {p, q})
+    if (!knows(each)) know(each);
+  join_copies(edit_, a, b);
+  before_[m.next_copy(a)] = a;
+  before_[m.next_copy(b)] = b;
+  std::set<Vertex> one = std::move(rings_.at(p)), other = std::move(rings_.at(q));
+  if (one.size() < other.size()) one.swap(other);
+  one.merge(other);
+  rings_.erase(p);
+  rings_.erase(q);
+  rings_.emplace(std::min(p, q), std::move(one));
 }
 
 void CopyRings::leave(Vertex v, Vertex other) {

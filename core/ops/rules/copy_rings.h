@@ -1,12 +1,13 @@
 // Copies of points: one surgery adds many and takes many out, each at a cost that does not grow with their number.
 //
 // The links of a mesh lead from a copy to the next one alone, so that the one before it is found by a walk around all of
-// them. Here it is kept for points with many copies, from the first walk on.
+// them. Here it is kept for points with many copies, from the second walk on.
 #pragma once
 
 #include <set>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/mesh/edit.h"
 
@@ -17,8 +18,8 @@ class CopyRings {
  public:
   explicit CopyRings(Edit& edit) : edit_(edit) {}
 
-  // As join_copies(), for a vertex with a higher number and without copies.
-  void join(Vertex v, Vertex alone);
+  // As join_copies().
+  void join(Vertex a, Vertex b);
   // As leave_copies(); where v is the copy after another one, which is named, without a walk around all of them.
   void leave(Vertex v, Vertex other);
   // Unlinks these copies of one point, each once. Where the representative goes and others stay, one of these is unlinked
@@ -27,14 +28,16 @@ class CopyRings {
 
  private:
   bool knows(Vertex p) const { return rings_.contains(p); }
-  // Of a point with so many copies that a walk around them costs more than what is kept.
+  // At the second call for a point with so many copies that walks around them cost more than what is kept.
   bool get_to_know(Vertex p);
+  void know(Vertex p);
   void unlink(Vertex v, Vertex before);
   Vertex leave_small(std::span<const Vertex> going);
 
   Edit& edit_;
   std::unordered_map<Vertex, std::set<Vertex>> rings_;  // by point
   std::unordered_map<Vertex, Vertex> before_;           // of the copies there
+  std::unordered_set<Vertex> walked_;                   // points
 };
 
 }  // namespace ryosen

@@ -99,7 +99,7 @@ Vertex Sheets::take_out(const Fan& fan) {
   edit_.set_halfedge(copy, fan.last);
   edit_.set_halfedge(v, rest);
   hold_outside(edit_, v);
-  rings_.join(v, copy);
+  rings_->join(v, copy);
   return copy;
 }
 
@@ -118,7 +118,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     edit_.connect(into, out);
     edit_.connect(before, after);
     rename(moved, stays);
-    rings_.leave(goes, stays);
+    rings_->leave(goes, stays);
     edit_.remove(goes);
     effect_.deleted.push_back(goes);
     hold_outside(edit_, stays);
@@ -137,7 +137,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
   rename(cycle_of(m, after), copy);
   edit_.set_halfedge(copy, after);
   edit_.set_halfedge(p, out);
-  rings_.join(p, copy);
+  rings_->join(p, copy);
 }
 
 void Sheets::join_edges(Halfedge h, Halfedge back) {
@@ -197,7 +197,7 @@ void Sheets::remove_vertices(std::span<const Vertex> descending) {
   for (Vertex v : descending)
     if (has_copies(m, v)) going[point(m, v)].push_back(v);
   for (const auto& [p, copies] : going)
-    if (const Vertex heir = rings_.leave_all(copies)) heirs[p] = heir;
+    if (const Vertex heir = rings_->leave_all(copies)) heirs[p] = heir;
   for (Vertex v : descending) {
     if (const auto heir = heirs.find(v); heir != heirs.end()) {
       rename(leaving(m, heir->second), v);

@@ -54,13 +54,18 @@ struct SettledPoint {
   std::vector<Vertex> unsettled;  // vertices that may have several fans
   // The same of other points, whose copies have all been looked at: their vertices that may have several fans.
   std::unordered_map<Vertex, std::vector<Vertex>> beside;
-  std::uint64_t looks = 0;        // halfedges that were looked at so far: what the work is measured by
+  CopyRings* rings = nullptr;  // shared by all who do so
+  std::uint64_t looks = 0;     // halfedges that were looked at so far: what the work is measured by
 };
 
 // The surgery of one operator. Records what was created, deleted and changed; finish() returns it.
 class Sheets {
  public:
-  explicit Sheets(Edit& edit) : edit_(edit), rings_(edit), before_(edit.mesh().lengths()) {}
+  Sheets(const Sheets&) = delete;
+  Sheets& operator=(const Sheets&) = delete;
+  explicit Sheets(Edit& edit) : edit_(edit), own_rings_(edit), before_(edit.mesh().lengths()) {}
+  // One of several in a row, between which copies are linked in no other way.
+  Sheets(Edit& edit, CopyRings& shared) : Sheets(edit) { rings_ = &shared; }
   const Mesh& mesh() const { return edit_.mesh(); }
 
   // Moves a fan that shares its vertex with other fans or wires to a new copy of the point. Returns the copy.
@@ -94,6 +99,8 @@ class Sheets {
   void remove_face(Face f);
   // Swaps the numbers of two vertices: their halfedges, not their positions and copies.
   void exchange(Vertex v, Vertex w);
+  // Makes the copies of one point copies of another.
+  void join_points(Vertex a, Vertex b) { rings_->join(a, b); }
 
   void changed(Face f);
   void changed_around(Vertex v);
@@ -119,7 +126,8 @@ class Sheets {
   void drop(Edge e);
 
   Edit& edit_;
-  CopyRings rings_;
+  CopyRings own_rings_;
+  CopyRings* rings_ = &own_rings_;
   ColumnLengths before_;
   OpEffect effect_;
   std::uint64_t looks_ = 0;

@@ -34,6 +34,8 @@ void expect_same(const Mesh& start, const OpInfo& op, const std::vector<Element>
   Edit once(single, nullptr), edit(many, &journal);
   const EachResult expected = call_each(once, each_by_itself, elements, is_strict);
   const EachResult result = call_each(edit, op, elements, is_strict);
+  EXPECT_EQ(expected.error, NameError::none) << expected.sentence.en;
+  EXPECT_EQ(result.error, NameError::none) << result.sentence.en;
   EXPECT_EQ(result.done, expected.done);
   EXPECT_EQ(result.calls, expected.calls);
   EXPECT_EQ(result.gone, expected.gone);

@@ -5,6 +5,7 @@
 #include "core/io/formats.h"
 #include "core/ops/all.h"
 #include "core/ops/collapse_edge.h"
+#include "core/ops/each.h"
 
 namespace ryosen::bench {
 
@@ -43,8 +44,10 @@ class CommandList {
         add("why --op " + id + " --all --geometry", {"why", "--op", id, "--all", "--geometry"});
       }
     for (const OpInfo& op : all_ops()) op.target == OpTargetKind::selection ? add_edit_of_points(op) : add_edit(op);
+    for (const OpInfo& op : all_ops()) add_edit_of_all(op);
     add_writing("repair", {"repair"}, "ply");
     for (const AlgorithmRow& row : algorithm_table()) add_algorithm(row);
+    add_writing("simplify --no-self-intersections", {"simplify", "--ratio", "10%", "--no-self-intersections"}, "ply");
     for (const Format& format : formats()) add_conversions(format);
     add("forms", {"forms"});
     add("distance", {"distance", file_});
@@ -79,6 +82,17 @@ class CommandList {
     const std::string id(op.id);
     for (const std::string& line : {id + " 0 1", id + " 0 1 2"})
       if (parse_line(mesh_, line).op) return add_edit(op, line);
+  }
+
+  // On all vertices, edges or faces, and taken back.
+  void add_edit_of_all(const OpInfo& op) {
+    if (op.on_selection == OnSelection::none) return;
+    for (const auto& [kind, mode] : {std::pair(Element::Kind::vertex, "vertex"), std::pair(Element::Kind::edge, "edge"),
+                                     std::pair(Element::Kind::face, "face")}) {
+      const std::string on = std::string("mode ") + mode + "; select all; " + std::string(op.id) + " selected";
+      if (op.in_place_of || op.on_selection == OnSelection::all || takes(op, kind, {}))
+        add("edit --do " + std::string(op.id) + " selected, every " + mode, {"edit", "--do", on + "; undo"});
+    }
   }
 
   void add_edit(const OpInfo& op, const std::string& line) {

@@ -49,5 +49,46 @@ TEST_F(Growth, repairs_at_many_copies) {
   EXPECT_EQ(run_within(seconds, book(2000), "repair", ""), 0);
 }
 
+// What is done to all elements of a kind, and taken back.
+struct OnAll {
+  IndexedMesh (*mesh)(std::uint32_t n);
+  std::uint32_t n;
+  const char *mode, *op;
+  int exit_code = 0;
+};
+
+class GrowthOnAll : public Growth, public testing::WithParamInterface<OnAll> {};
+
+TEST_P(GrowthOnAll, is_as_quick_as_its_elements_by_themselves) {
+  const auto& [mesh, n, mode, op, exit_code] = GetParam();
+  const std::string line = std::string("mode ") + mode + "; select all; " + op + " selected; undo";
+  EXPECT_EQ(run_within(seconds, mesh(n), "edit", "--do '" + line + "'"), exit_code) << line;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , GrowthOnAll,
+    testing::Values(OnAll{book, 8000, "face", "delete"}, OnAll{equal_triangles, 8000, "face", "delete"},
+                    OnAll{apex_soup, 8000, "face", "delete"}, OnAll{apex_soup, 8000, "edge", "delete"},
+                    OnAll{book, 16000, "face", "weld", 6}, OnAll{book, 4000, "edge", "weld", 6},
+                    OnAll{equal_triangles, 4000, "face", "weld"}, OnAll{apex_soup, 8000, "vertex", "weld"},
+                    OnAll{book, 16000, "edge", "extrude_edges"}, OnAll{equal_triangles, 24000, "face", "poke", 6},
+                    OnAll{equal_triangles, 16000, "face", "delete_loop"},
+                    OnAll{large_face, 20000, "vertex", "unite_edge"}, OnAll{book, 20000, "vertex", "unite_edge", 6},
+                    OnAll{fan, 12000, "vertex", "dissolve"}, OnAll{fan, 10000, "edge", "unite_loop"},
+                    OnAll{clean_grid, 16000, "edge", "unite_loop"}),
+    [](const auto& info) {
+      return std::string(info.param.op) + "_every_" + info.param.mode + "_" + std::to_string(info.index);
+    });
+
+// Faces that cross or lie on each other, of which one pair is enough, and two repairs.
+TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
+  EXPECT_EQ(run_within(seconds, equal_triangles(4000), "simplify", "--ratio 0.1 --no-self-intersections"), 6);
+  EXPECT_EQ(run_within(seconds, equal_triangles(4000), "remesh", "--length 20%"), 0);
+  for (const auto family : {equal_triangles, book, fan, apex_soup, spokes_on_a_line})
+    EXPECT_GE(run_within(seconds, family(4000), "repair", "--kinds stitch"), 0);
+  for (const auto family : {book, apex_soup})
+    EXPECT_GE(run_within(seconds, family(8000), "repair", "--kinds orient"), 0);
+}
+
 }  // namespace
 }  // namespace ryosen::test

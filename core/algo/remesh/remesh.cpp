@@ -79,16 +79,16 @@ std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, doub
       "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
 }
 
-// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ no
-// step has made any.
+// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ
+// there are few, since no step has made any.
 bool close_up(Remesher& remesher, Progress& progress) {
   constexpr int most_turns = 2;
-  remesher.begin_closing();
   for (int turn = 0; turn < most_turns; ++turn)
     if (!(remesher.collapse_short(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
           remesher.relax(progress)))
       return false;
-  return remesher.collapse_short(progress);
+  return remesher.remove_shortest(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
+         remesher.relax(progress);
 }
 
 bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) {
@@ -99,7 +99,9 @@ bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) 
           remesher.swap_for_valence(progress) && at(3) && remesher.relax(progress)))
       return false;
   }
-  return (options.adaptive || close_up(remesher, progress)) && remesher.swap_slivers(progress);
+  remesher.begin_closing();
+  return (options.adaptive ? remesher.remove_shortest(progress) : close_up(remesher, progress)) &&
+         remesher.swap_slivers(progress);
 }
 
 Mesh scaled(const Mesh& mesh, double scale) {

@@ -24,7 +24,8 @@ Remesher::Remesher(Edit& edit, const Features& features, const Target& target, S
       target_(target),
       keeper_(keeper),
       judge_(keeper),
-      least_(shortest_share * target.sizing().longest() / 8) {
+      least_(shortest_share * target.sizing().longest() / 8),
+      first_made_(mesh_.vertex_slots()) {
   wanted_.reserve(mesh_.vertex_slots());
   nearby_.reserve(mesh_.vertex_slots());
   for (Vertex v(0); v.index < mesh_.vertex_slots(); ++v.index) {
@@ -46,6 +47,7 @@ double Remesher::wanted(Edge e) const {
 void Remesher::begin_closing() {
   least_ = shortest_share * target_.sizing().shortest();
   most_ = most_share * target_.sizing().shortest();
+  guard_.sine = sliver_sine;
 }
 
 template <class IsWanted>
@@ -235,23 +237,28 @@ bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
 // No edge around becomes too long, and no face turns.
 bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
   const Halfedge o = twin(h);
+  const Vertex kept = mesh_.to(h);
   const double before = length_of(edge(h));
   for (const Halfedge start : {h, o}) {
     const Vertex v = mesh_.from(start);
-    if (is_fixed(v) && place == mesh_.position(v)) continue;
+    if (place == mesh_.position(v)) continue;
     for (const Halfedge out : outgoing(mesh_, v)) {
       const Vertex w = mesh_.to(out);
       if (w != mesh_.from(h) && w != mesh_.to(h)) {
-        const double most = std::max(longest_share * std::min(wanted_[v.index], wanted_[w.index]), most_);
+        const double most =
+            std::max({longest_share * std::min(wanted_[v.index], wanted_[w.index]), most_, guard_.longest});
         const double made = glm::distance(place, mesh_.position(w));
-        if (made > most || is_too_short(made, before)) return false;
+        if (made > most || (is_too_short(made, before) && !(stay(w, kept) && place == mesh_.position(kept)))) return false;
       }
       const Face f = mesh_.face(out);
       if (!f || f == mesh_.face(h) || f == mesh_.face(o)) continue;
       Corners corners = corners_of(mesh_, out);
       const glm::dvec3 normal = area_normal(corners);
       corners[0] = place;
-      if (!keeps_facing(normal, area_normal(corners), cosine_of_turn)) return false;
+      if (!keeps_facing(normal, area_normal(corners), guard_.turn_cosine)) return false;
+      if (guard_.sine > 0 && is_narrower(corners, guard_.sine) &&
+          smallest_sine(corners) < smallest_sine(corners_of(mesh_, out)))
+        return false;
     }
   }
   return true;

@@ -32,6 +32,11 @@ class Remesher {
   // twice that length may come of a collapse, so that few short ones are left. Before, an eighth of the longest length
   // takes its place, so that rounds go on as [Botsch04] has them.
   void begin_closing();
+  // Removes edges that are left shorter than 4/5 of the shortest length there is, by collapses, swaps and moves, also of
+  // points that were put on features. Exempt are pieces of features of the input, and edges between two of its feature
+  // points, which may not move. Edges stay too where each remedy is refused by the kernel or the keeper, turns a face by
+  // 84 degrees or makes an edge of four times the length.
+  bool remove_shortest(Progress& progress);
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
   // Swaps edges between triangles of which one is a sliver, where neither of the two that come of it is as narrow.
@@ -51,6 +56,11 @@ class Remesher {
   static constexpr double share_of_reach = 0.25;
   static constexpr std::size_t between_reports = 256;
   struct SwappedTriangles;
+  // How far a step may go: the cosine of the turn of a face, the length of edges that come of a collapse, and the sine of
+  // the smallest angle below which no wider triangle becomes narrower.
+  struct Guard {
+    double turn_cosine = cosine_of_turn, longest = 0, sine = 0;
+  };
 
   bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
@@ -68,10 +78,19 @@ class Remesher {
   bool try_collapse(Halfedge h, const glm::dvec3& place);
   bool may_collapse(Halfedge h, const glm::dvec3& place) const;
   SwappedTriangles triangles_at(Halfedge h) const;
+  // Whether both are points of features of the input, which stay: how far apart they are is given.
+  bool stay(Vertex a, Vertex b) const { return stays(a) && stays(b); }
+  bool stays(Vertex v) const { return is_fixed(v) && v.index < first_made_; }
+  bool mend_short(Edge e);
+  bool swap_longer(Halfedge h);
+  bool is_guarded_swap(Halfedge h) const;
+  bool move_apart(Halfedge h);
+  bool remove_vertex(Vertex v);
   bool try_swap(Edge e, std::vector<int>& valences);
   bool try_swap_sliver(Edge e);
   bool try_swap_cap(Edge e);
   bool swap_if_allowed(Halfedge h);
+  bool swap_if_kept(Halfedge h);
   int valence_error(Vertex v, int valence) const;
   glm::dvec3 normal_of(Vertex v) const;
   // Where on the surface, and how long edges are to be there.
@@ -97,6 +116,8 @@ class Remesher {
   SurfaceKeeper& keeper_;
   SurfaceKeeper::MoveJudge judge_;
   double least_;      // no step makes a shorter edge of a longer one, but pieces of features
+  Guard guard_ = {};
+  std::uint32_t first_made_;  // vertices before it are of the input
   double most_ = 0;   // edges of this length may come of a collapse, and longer ones only where longer ones are wanted
   std::vector<double> wanted_;         // per vertex
   std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known

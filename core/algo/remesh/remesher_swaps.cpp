@@ -83,9 +83,21 @@ bool Remesher::try_swap_cap(Edge e) {
   return t.sine_after() > t.sine_before() && t.keep_facing() && swap_if_allowed(halfedge(e));
 }
 
+// Whether no face turns too far, nor becomes narrower than the guard lets it.
+bool Remesher::is_guarded_swap(Halfedge h) const {
+  const SwappedTriangles t = triangles_at(h);
+  return t.keep_facing() && (t.sine_after() >= guard_.sine || t.sine_after() >= t.sine_before());
+}
+
 bool Remesher::swap_if_allowed(Halfedge h) {
   const glm::dvec3 &c = mesh_.position(mesh_.from(mesh_.prev(h))), &d = mesh_.position(mesh_.from(mesh_.prev(twin(h))));
-  if (is_too_short(glm::distance(c, d), length_of(edge(h)))) return false;
+  const double made = glm::distance(c, d);
+  // How far apart two points are that stay is given: their edge is no reason for another short one.
+  const bool is_given = made < least_ && stay(mesh_.from(h), mesh_.to(h));
+  return !is_given && !is_too_short(made, length_of(edge(h))) && swap_if_kept(h);
+}
+
+bool Remesher::swap_if_kept(Halfedge h) {
   const SwapEdge swap{h};
   if (!swap.is_legal(mesh_) || !keeper_.allows_swap(h, share_of_reach * wanted(edge(h)))) return false;
   swap.apply(edit_);

@@ -48,7 +48,8 @@ bool SurfaceKeeper::allows_collapse(Halfedge h, const glm::dvec3& place, double 
     if (!add_around(changes_, mesh_.to(h), place, left, right)) return false;
   } else {
     // Those that stay as they are beside those that go may take points of these.
-    for (const Halfedge beside : {twin(mesh_.next(h)), twin(mesh_.prev(twin(h)))})
+    const Halfedge before = mesh_.prev(twin(h)), after = mesh_.next(h);
+    for (const Halfedge beside : {left ? twin(after) : h, right ? twin(before) : twin(h)})
       if (const Face f = mesh_.face(beside)) changes_.push_back({f, Kind::comes_or_stays, corners_of(mesh_, beside)});
   }
   if (!step_.would_stay(changes_, reach, 0.5 * reach)) return false;

@@ -77,7 +77,7 @@ class AlgorithmRun {
   AlgorithmRun(Document& document, std::string input, std::optional<std::string> output, const Format* format,
                std::vector<Message> given_up, RunFiles files, const Console& console, bool by_repair,
                bool wants_distance)
-      : document_(document),
+      : document_(&document),
         input_(std::move(input)),
         wanted_(std::move(output)),
         format_(format),
@@ -91,7 +91,7 @@ class AlgorithmRun {
     calls_ = std::move(calls);
     if (const auto failure = by_repair_ ? run_recipe() : run(calls_.front())) return console_.fail(*failure, input_);
     // What is left is named as in the file that is written.
-    MeshFile contents = document_.contents();
+    MeshFile contents = document_->contents();
     if (format_) contents = given_back(std::move(contents), *format_);
     after_ = check_mesh(std::move(contents), wanted_.value_or(input_), {.figures = console_.json, .kind = false});
     const bool wants_points = !by_repair_ && calls_.front().row->adds_points;
@@ -138,7 +138,7 @@ class AlgorithmRun {
 
   // Gives the call the values on this mesh.
   std::optional<Failure> look_up_values(Call& call) {
-    ReadValues found = call.values.on(document_.mesh());
+    ReadValues found = call.values.on(document_->mesh());
     if (found.lacks_extent)
       return make_failure(ExitCode::refused, "mesh_refused", {found.sentence.en + ".", found.sentence.ja + "。"});
     if (!found.values) return usage_failure("bad_value", {found.sentence.en + ".", found.sentence.ja + "。"});
@@ -173,45 +173,87 @@ class AlgorithmRun {
     };
     RecipeEvents events;
     events.progress = [&](const RecipeStep& step, std::size_t round, double share) {
-      return report_on(console_, name_in(step, round))(share);
+      return report_on(console_, name_in(step, rounds_ + round))(share);
     };
     events.step_done = [&](const RecipeStep& step, std::size_t round, const AlgorithmResult& result) {
-      if (round == 1 || result.changed > 0) print_step(name_in(step, round), result);
+      if (rounds_ + round == 1 || result.changed > 0) print_step(name_in(step, rounds_ + round), result);
     };
-    events.round_undone = [&](std::size_t round) { print_undone(round); };
-    std::optional<WrittenMesh> before;
-    if (format_ && gives_back_others(document_.file(), *format_)) before.emplace(document_.contents(), *format_);
-    waits_ = before.has_value();
-    RecipeResult result = document_.run(steps, "repair " + kinds, events).value();
-    rounds_ = result.rounds;
-    findings_ = std::move(result.findings);
-    boundary_edges_ = {result.boundary_edges_before, result.boundary_edges_after};
-    for (std::size_t i = 0; i < calls_.size(); ++i) calls_[i].result = std::move(result.steps[i]);
-    if (before) judge_as_written(*before, RecipeGoal(steps), result.is_changed);
+    events.round_undone = [&](std::size_t round) { print_undone(rounds_ + round); };
+    if (format_ && gives_back_others(document_->file(), *format_))
+      run_as_written(steps, "repair " + kinds, events);
+    else
+      add_run(document_->run(steps, "repair " + kinds, events).value());
     for (const Call& call : calls_)
       for (const LeftForReason& left : call.result.left_for)
         if (tells_of_loose_pieces(left)) loose_ = left.elements;
     return std::nullopt;
   }
 
-  // Undoes what leaves the file no better: there points at one place are one. What is found is counted as the file has it.
-  void judge_as_written(const WrittenMesh& before, const RecipeGoal& goal, bool is_changed) {
-    const WrittenMesh after(document_.contents(), *format_);
-    const bool is_kept = is_changed && goal.is_nearer(after.found(), before.found());
-    if (is_changed && !is_kept) {
-      document_.undo();
-      rounds_ = 0;
-      for (Call& call : calls_) call.result = undone_in_file(std::move(call.result));
+  void add_run(RecipeResult result) {
+    if (rounds_ == 0) {
+      findings_ = std::move(result.findings);
+      boundary_edges_ = {result.boundary_edges_before, result.boundary_edges_after};
     }
-    for (Call& call : calls_) std::erase_if(call.result.left_for, tells_of_loose_pieces);  // they are one with the rest
-    const WrittenMesh& is = is_kept ? after : before;
-    for (KindCount& kind : findings_) kind.after = 0;
-    is.count(&KindCount::after, findings_);
-    boundary_edges_.second = is.boundary_edges();
+    rounds_ += result.rounds;
+    for (std::size_t i = 0; i < calls_.size(); ++i)
+      calls_[i].result = joined(std::move(calls_[i].result), std::move(result.steps[i]));
+  }
+
+  // Runs the steps again and again on what the file gives back, where points at one place are one, until they leave it no
+  // better. The last run is undone then. What is found is counted as the file has it.
+  void run_as_written(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events) {
+    const RecipeGoal goal(steps);
+    waits_ = true;
+    for (bool is_kept = true; is_kept;) {
+      const WrittenMesh before(document_->contents(), *format_);
+      RecipeResult result = document_->run(steps, command, events).value();
+      const WrittenMesh after(document_->contents(), *format_);
+      const bool is_changed = result.is_changed;
+      is_kept = is_changed && goal.is_nearer(after.found(), before.found());
+      const bool is_over = !is_kept || after.is_like(document_->mesh());
+      if (is_changed && !is_kept) {
+        document_->undo();
+        result.rounds = 0;
+        for (AlgorithmResult& step : result.steps) step = undone_in_file(std::move(step));
+      }
+      for (AlgorithmResult& step : result.steps)
+        std::erase_if(step.left_for, tells_of_loose_pieces);  // one with the rest
+      print_waiting(is_kept || !is_changed);
+      if (is_changed && !is_kept && rounds_ == 0) print_no_better();
+      add_run(std::move(result));
+      count_as_written(is_kept ? after : before);
+      if (is_over) break;
+      read_again();
+    }
     waits_ = false;
+  }
+
+  void count_as_written(const WrittenMesh& mesh) {
+    for (KindCount& kind : findings_) kind.after = 0;
+    mesh.count(&KindCount::after, findings_);
+    boundary_edges_.second = mesh.boundary_edges();
+  }
+
+  // Reads the document as it would be written. What the format cannot hold is told now, since it is lost then.
+  void read_again() {
+    if (wanted_)
+      for (Message& loss : document_->losses(*wanted_))
+        if (std::none_of(given_up_.begin(), given_up_.end(), [&](const Message& m) { return m.code == loss.code; }))
+          given_up_.push_back(std::move(loss));
+    MeshFile file = given_back(document_->contents(), *format_);
+    file.messages = document_->file().messages;
+    reread_ = std::make_unique<Document>(std::move(file), input_);
+    document_ = reread_.get();
+  }
+
+  void print_waiting(bool prints) {
     for (const std::string& line : waiting_)
-      if (is_kept || !is_changed) console_.print_now(line);
-    if (is_changed && !is_kept && !console_.json)
+      if (prints) console_.print_now(line);
+    waiting_.clear();
+  }
+
+  void print_no_better() const {
+    if (!console_.json)
       console_.print_now(std::string(
           console_.text("nothing to do: points at one place are one in the file, which would have as many problems\n",
                         "変更なし：ファイルでは同じ位置の点が一つになり、問題が減らないため\n")));
@@ -228,10 +270,10 @@ class AlgorithmRun {
   std::optional<Failure> run(Call& call) {
     const std::string name = name_of(call), line = line_of(*call.row, call.values);
     if (auto failure = look_up_values(call)) return failure;
-    faces_before_ = document_.mesh().live().faces + document_.tables().quarantine.size();
-    const std::optional<Mesh> before = wants_distance_ ? std::optional(document_.mesh()) : std::nullopt;
+    faces_before_ = document_->mesh().live().faces + document_->tables().quarantine.size();
+    const std::optional<Mesh> before = wants_distance_ ? std::optional(document_->mesh()) : std::nullopt;
     call.result =
-        document_.run(*call.row, call.values, line, report_on(console_, name), {.account = console_.json}).value();
+        document_->run(*call.row, call.values, line, report_on(console_, name), {.account = console_.json}).value();
     if (const std::optional<Text>& fault = call.result.fault)
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     if (const std::optional<Text>& refused = call.result.refused)
@@ -249,14 +291,14 @@ class AlgorithmRun {
 
   // None where there is nothing to measure.
   void measure_distance_from(const Mesh& before) {
-    if (!has_surface(before) || !has_surface(document_.mesh())) return;
+    if (!has_surface(before) || !has_surface(document_->mesh())) return;
     Progress progress(report_on(console_, "distance"));
-    distance_ = surface_distance(before, document_.mesh(), {}, progress);
+    distance_ = surface_distance(before, document_->mesh(), {}, progress);
     if (distance_ && !console_.json) print_distance();
   }
 
   void write() {
-    output_ = write_output(document_, files_, *wanted_, false, console_, given_up_);
+    output_ = write_output(*document_, files_, *wanted_, false, console_, given_up_);
     if (output_.failure) code_ = output_.failure->exit_code;
   }
 
@@ -278,13 +320,13 @@ class AlgorithmRun {
   // The first faces of the loose pieces, as the output numbers its faces.
   std::vector<std::string> loose_names() const {
     std::vector<std::uint32_t> aside;
-    for (const QuarantinedFace& face : document_.tables().quarantine) aside.push_back(face.face);
+    for (const QuarantinedFace& face : document_->tables().quarantine) aside.push_back(face.face);
     std::sort(aside.begin(), aside.end());
     std::vector<std::string> names;
     std::size_t number = 0;
     std::uint32_t next = 0;
     for (const Element& face : loose_) {
-      for (; next < face.index; ++next) number += document_.mesh().is_alive(Face(next));
+      for (; next < face.index; ++next) number += document_->mesh().is_alive(Face(next));
       const auto before = std::lower_bound(aside.begin(), aside.end(), face.index) - aside.begin();
       names.push_back("f" + std::to_string(number + static_cast<std::size_t>(before)));
     }
@@ -323,7 +365,7 @@ class AlgorithmRun {
     Record<left_shape> json;
     json["elements"] = Json::array();
     for (const Element& element : left.elements)
-      if (is_alive(document_.mesh(), element)) json["elements"].push_back(ryosen::name_of(document_.mesh(), element));
+      if (is_alive(document_->mesh(), element)) json["elements"].push_back(ryosen::name_of(document_->mesh(), element));
     json.put(left.reason);
     return std::move(json).json();
   }
@@ -411,13 +453,15 @@ class AlgorithmRun {
     json["hash"] = after_.hash;
     json["problems"] = Json::array();
     for (const NamedProblem& problem : after_.problems) json["problems"].push_back(cli::to_json(problem));
-    std::vector<Message> messages = output_.failure ? std::vector{output_.failure->message} : document_.file().messages;
+    std::vector<Message> messages =
+        output_.failure ? std::vector{output_.failure->message} : document_->file().messages;
     messages.insert(messages.end(), output_.losses.begin(), output_.losses.end());
     json["messages"] = cli::to_json(messages);
     console_.conclude(line_of(json), code_);
   }
 
-  Document& document_;
+  Document* document_;
+  std::unique_ptr<Document> reread_;   // where the document is read again from what would be written
   std::string input_;                  // empty where it began with an empty mesh
   std::optional<std::string> wanted_;  // -o
   const Format* format_;

@@ -11,6 +11,7 @@
 #include "app/cli/write_output.h"
 #include "app/editor/commands.h"
 #include "app/editor/expect.h"
+#include "app/editor/file_findings.h"
 #include "core/analysis/figures.h"
 #include "core/mesh/copies.h"
 
@@ -182,7 +183,10 @@ class EditRun {
     begin_another_step();
     output_ = write_output(session_.document(), session_.files, *files_.output, session_.strict, console_);
     if (output_.is_there) written_ = *files_.output;
-    if (!output_.failure) return;
+    if (!output_.failure) {
+      if (const auto found = file_findings_text(session_.document(), *files_.output)) console_.note(*found);
+      return;
+    }
     code_ = output_.failure->exit_code;
     failed_ = true;
   }

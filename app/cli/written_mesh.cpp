@@ -19,6 +19,23 @@ void WrittenMesh::count(std::size_t KindCount::*at, std::vector<KindCount>& find
   count_kinds(mesh_, {quarantine_, {}, {}, on_lines_}, true, at, findings);
 }
 
+bool WrittenMesh::is_like(const Mesh& mesh) const {
+  return mesh_.live() == mesh.live() && quarantine_.empty() && counts_ == count_findings(mesh);
+}
+
+AlgorithmResult joined(AlgorithmResult first, AlgorithmResult then) {
+  if (first.changed == 0) return then;
+  if (then.changed > 0) {
+    first.text = first.text + Text{" ", ""} + then.text;
+    first.changed += then.changed;
+    if (then.crossings) first.crossings = first.crossings.value_or(0) + *then.crossings;
+    first.drops_quarantined |= then.drops_quarantined;
+  }
+  first.left = then.left;
+  first.left_for = std::move(then.left_for);
+  return first;
+}
+
 AlgorithmResult undone_in_file(AlgorithmResult result) {
   result.left += result.changed;
   if (result.changed > 0)

@@ -15,6 +15,8 @@ class WrittenMesh {
   FoundInMesh found() const { return {&mesh_, counts_, quarantine_.size()}; }
   // Into these findings, as count_kinds does.
   void count(std::size_t KindCount::*at, std::vector<KindCount>& findings) const;
+  // Whether it has as many elements and findings as the repaired mesh, so that repairing it again would change nothing.
+  bool is_like(const Mesh& mesh) const;
   std::size_t boundary_edges() const { return counts_[static_cast<std::size_t>(ProblemKind::boundary_loop)]; }
 
  private:
@@ -23,6 +25,9 @@ class WrittenMesh {
   std::vector<Vertex> on_lines_;
   FindingCounts counts_{};
 };
+
+// Adds what a repair did in a further run.
+AlgorithmResult joined(AlgorithmResult first, AlgorithmResult then);
 
 // Tells that a repair was undone because its file would be no better.
 AlgorithmResult undone_in_file(AlgorithmResult result);

@@ -3,6 +3,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/exercises.h"
 #include "app/editor/figures.h"
+#include "app/editor/file_findings.h"
 #include "app/editor/first_slots.h"
 #include "app/editor/large_files.h"
 #include "app/editor/message_place.h"
@@ -230,6 +231,7 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
   session.look_at_disk();
   Outcome outcome = performed(named.empty() ? "save" : "save " + file_argument(named));
   for (const Message& loss : losses) outcome.say(loss.text);
+  if (const std::optional<Text> found = file_findings_text(document, target)) outcome.say(*found);
   if (warning) outcome.say(*warning);
   return outcome;
 }

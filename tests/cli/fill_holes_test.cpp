@@ -65,6 +65,62 @@ TEST(fill_holes, is_flat_in_files_of_floats_whose_rims_were_turned) {
   }
 }
 
+template <class Number>
+std::string binary_ply(const IndexedMesh& list) {
+  const char* const type = sizeof(Number) == 4 ? "float" : "double";
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(list.positions.size());
+  for (const char* name : {"x", "y", "z"}) bytes += std::string("\nproperty ") + type + " " + name;
+  bytes +=
+      "\nelement face " + std::to_string(list.face_count()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto add = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const glm::dvec3& p : list.positions)
+    for (int axis = 0; axis < 3; ++axis) add(static_cast<Number>(p[axis]));
+  for (std::size_t f = 0; f < list.face_count(); ++f) {
+    add(static_cast<std::uint8_t>(list.face(f).size()));
+    for (const std::uint32_t corner : list.face(f)) add(corner);
+  }
+  return bytes;
+}
+
+// The numbers are the same floats in all files.
+TEST(fill_holes, is_flat_in_the_precision_of_the_type_of_the_file) {
+  const TemporaryFolder folder;
+  for (const std::uint32_t corners : {7u, 12u, 31u}) {
+    const IndexedMesh list = as_floats(turned(cup(corners, 1.3, 1)));
+    folder.write("single.ply", binary_ply<float>(list));
+    folder.write("double.ply", binary_ply<double>(list));
+    ASSERT_EQ(run_program({"convert", folder.at("single.ply"), "-o", folder.at("a.stl"), "--overwrite"}).exit_code, 0);
+    ASSERT_EQ(run_program({"convert", folder.at("single.ply"), "-o", folder.at("a.obj"), "--overwrite"}).exit_code, 0);
+    for (const auto& [name, told] :
+         {std::pair("single.ply", ": flat"), {"a.stl", ": flat"}, {"a.obj", ": flat"}, {"double.ply", ": fair"}}) {
+      for (const bool by_repair : {false, true}) {
+        const std::string in = folder.at(name);
+        const ProgramRun run = by_repair ? run_program({"repair", in, "--kinds", "fill_holes", "--lang", "en"})
+                                         : run_program({"fill_holes", in, "--lang", "en"});
+        EXPECT_NE(run.out.find(told), std::string::npos) << name << " " << run.out;
+      }
+    }
+  }
+}
+
+TEST(fill_holes, is_flat_where_a_mesh_of_floats_was_moved) {
+  const TemporaryFolder folder;
+  const std::string in = folder.write("single.ply", binary_ply<float>(as_floats(turned(cup(12, 1.3, 1)))));
+  const std::string rotate = "rotate angle=31 axis=1,2,3";
+  for (const std::string& script :
+       {rotate + "; fill_holes", rotate + "; undo; fill_holes", rotate + "; undo; redo; fill_holes",
+        "translate by=0.1,0.2,0.3; " + rotate + "; fill_holes", rotate + "; repair fill_holes"}) {
+    const std::string out = folder.at("out.ply");
+    const ProgramRun run = run_program({"edit", in, "-o", out, "--overwrite", "--do", script});
+    ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+    const double base = 12 * std::sin(M_PI / 6) / 2;
+    EXPECT_NEAR(figures_of(out)["volume"].get<double>(), base * (1 + 1.3 + 1.69) / 3, 1e-5) << script;
+  }
+  // The file that was saved has doubles, since floats do not hold these places.
+  run_program({"edit", in, "-o", folder.at("moved.ply"), "--do", rotate});
+  EXPECT_NE(read_file(folder.at("moved.ply")).find("property double x"), std::string::npos);
+}
+
 TEST(fill_holes, is_named_among_repairs_as_it_is_written_there) {
   const auto said = [](const char* kinds) {
     return run_program({"repair", report_file("planar_hole.off"), "--kinds", kinds, "--lang", "en"}).out;

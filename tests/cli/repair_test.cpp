@@ -188,6 +188,24 @@ TEST(repair, counts_what_an_stl_file_has_and_does_nothing_again) {
   EXPECT_EQ(run_program({"repair", twice, "-o", folder.at("t.stl"), "--json"}).line()["rounds"], 1);
 }
 
+TEST(repair, a_script_tells_what_an_stl_that_it_saves_has) {
+  const TemporaryFolder folder;
+  const std::string touching = folder.write(
+      "a.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 -1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 2 5\n"
+      "f 1 6 2\nf 2 6 5\nf 1 5 6\n");
+  const std::string told = "In the file points at one place are one: nonmanifold_edge 0 -> 1";
+  const auto said = [&](const std::string& script, const std::string& out) {
+    const ProgramRun run = run_program({"edit", touching, "-o", folder.at(out), "--overwrite", "--do", script});
+    return run.out + run.err;
+  };
+  EXPECT_NE(said("repair default", "o.stl").find(told), std::string::npos) << said("repair default", "o.stl");
+  const std::string saved = "repair default; save " + folder.at("s.stl");
+  EXPECT_NE(said(saved, "o.off").find(told), std::string::npos) << said(saved, "o.off");
+  EXPECT_EQ(said("repair default", "o.off").find(told), std::string::npos) << "points stay apart there";
+  EXPECT_EQ(said("expect F 8", "o.stl").find(told), std::string::npos) << "nothing differs";
+}
+
 TEST(repair, an_inside_out_stl_is_turned) {
   const TemporaryFolder folder;
   const std::string inside = std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/inside_out.off";

@@ -51,7 +51,7 @@ IndexedMesh arrow_sheet() {
 constexpr double width = 1.7;
 IndexedMesh ring_sheet() { return tube(24, width, 0); }
 
-std::vector<std::pair<std::string, std::function<IndexedMesh(IndexedMesh)>>> changes() {
+std::vector<std::pair<std::string, std::function<IndexedMesh(IndexedMesh)>>> changed_sheets() {
   return {
       {"as it is", [](IndexedMesh list) { return list; }},
       {"mirrored",
@@ -75,7 +75,7 @@ AlgorithmResult fill_sheet(Mesh& mesh, const std::string& values) {
 }
 
 TEST(flat_sheets, are_not_doubled_even_where_crossing_is_allowed) {
-  for (const auto& [name, change] : changes())
+  for (const auto& [name, change] : changed_sheets())
     for (const IndexedMesh& sheet : {grid_sheet(1), grid_sheet(4), arrow_sheet()})
       for (const char* values : {"", "crossing=allow", "crossing=allow shape=flat", "crossing=allow shape=fair"}) {
         SCOPED_TRACE(name + " " + values);
@@ -93,7 +93,7 @@ TEST(flat_sheets, are_not_doubled_even_where_crossing_is_allowed) {
 }
 
 TEST(flat_sheets, holes_within_them_are_filled) {
-  for (const auto& [name, change] : changes())
+  for (const auto& [name, change] : changed_sheets())
     for (const char* values : {"", "crossing=allow", "shape=fair crossing=allow"}) {
       SCOPED_TRACE(name + " " + values);
       Mesh mesh = from_indexed(change(ring_sheet()));
@@ -109,7 +109,7 @@ TEST(flat_sheets, holes_within_them_are_filled) {
 
 // What is not flat, or encloses something, is filled where that is allowed.
 TEST(flat_sheets, other_borders_are_filled) {
-  for (const auto& [name, change] : changes()) {
+  for (const auto& [name, change] : changed_sheets()) {
     SCOPED_TRACE(name);
     if (name.starts_with("far")) continue;
     Mesh bent = from_indexed(change(grid_sheet(4, 1e-3)));

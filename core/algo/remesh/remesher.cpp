@@ -47,7 +47,6 @@ double Remesher::wanted(Edge e) const {
 void Remesher::begin_closing() {
   least_ = shortest_share * target_.sizing().shortest();
   most_ = most_share * target_.sizing().shortest();
-  guard_.sine = sliver_sine;
 }
 
 template <class IsWanted>

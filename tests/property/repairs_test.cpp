@@ -353,6 +353,7 @@ TEST_F(Repairs, the_default_ones_in_their_order_leave_sound_meshes) {
     bool is_cut = false;
     for (const AlgorithmRow& row : algorithm_table()) {
       if (!row.is_repair() || !row.keeps_geometry) continue;
+      SCOPED_TRACE(row.id);
       is_cut |= repair_and_prove(mesh, {&row, std::nullopt}).result.changed > 0 && row.id == "stitch";
     }
     if (!is_cut) {

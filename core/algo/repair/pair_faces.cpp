@@ -255,14 +255,14 @@ FacePairing pair_at_places(const Mesh& mesh, const std::vector<Vertex>& place) {
   return Pairing(mesh, place, true).run();
 }
 
-bool is_torn(const Mesh& before, const Mesh& after) {
+Torn torn(const Mesh& before, const Mesh& after) {
   const FacePairing had = pair_faces(before);
-  if (!had.has_nonmanifold_edges) return false;
+  if (!had.has_nonmanifold_edges) return {};
   const FacePairing has = pair_faces(after);
-  if (has.open_sides > had.open_sides) return true;
+  Torn torn{.sides = has.open_sides > had.open_sides};
   for (std::size_t f = 0; f < had.is_closed.size(); ++f)
-    if (had.is_closed[f] && !has.is_closed[f]) return true;
-  return false;
+    if (had.is_closed[f] && !has.is_closed[f]) torn.part = true;
+  return torn;
 }
 
 }  // namespace ryosen

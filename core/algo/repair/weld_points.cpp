@@ -235,11 +235,23 @@ AlgorithmResult result_of(const Welded& welded) {
   return result;
 }
 
+void add(const Welded& more, Welded& welded) {
+  welded.points += more.points;
+  welded.left = more.left;
+  welded.joined.insert(welded.joined.end(), more.joined.begin(), more.joined.end());
+}
+
+// Again and again: what is welded may let more be welded.
 template <class Weld>
 Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
-  Edit edit(copy, nullptr);
-  Welded welded = weld(edit, find_near_points(copy, reach));
-  edit.commit();
+  Welded welded;
+  for (std::size_t before = 1; before > 0;) {
+    Edit edit(copy, nullptr);
+    const Welded more = weld(edit, find_near_points(copy, reach));
+    edit.commit();
+    before = more.points;
+    add(more, welded);
+  }
   return welded;
 }
 
@@ -251,17 +263,15 @@ Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Wel
   if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges) return weld(edit, near);
   Mesh copy = m;
   Welded welded = weld_copy(copy, reach, weld);
-  if (is_torn(m, copy)) return Welding(m, near, reach).leave();
+  if (torn(m, copy)) return Welding(m, near, reach).leave();
   const std::vector<bool> turned = Welding(copy, find_near_points(copy, reach), reach).faces_to_turn();
   if (!turned.empty()) {
     Mesh now(turn_faces(copy, turned).columns);
     const Welded more = weld_copy(now, reach, weld);
-    if (!is_torn(m, now)) {
+    if (!torn(m, now)) {
       copy = std::move(now);
-      welded.points += more.points;
+      add(more, welded);
       welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
-      welded.left = more.left;
-      welded.joined.insert(welded.joined.end(), more.joined.begin(), more.joined.end());
     }
   }
   edit.replace(copy.columns());

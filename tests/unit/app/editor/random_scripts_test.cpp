@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "app/editor/commands.h"
 #include "core/analysis/invariants.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int lines_in_a_script = 12;
 constexpr std::uint32_t most_faces = 1500;  // of a mesh that grows on
+constexpr int most_reports = 60;            // of a line that takes long, which is cancelled then
 
 constexpr const char* meshes[] = {
     "cube.obj",      "torus.off",     "tetrahedron.off",    "fin.obj",  "bow_tie.obj",       "fan.obj", "moebius.off",
@@ -42,9 +44,14 @@ void run_script(std::uint64_t seed, const std::vector<std::string>& ids) {
   FirstState first;
   first.follow(session);
   std::string script;
+  std::ofstream running("script.ryosen");  // what a crash or a line without end leaves
+  running << "# seed " << seed << "\nopen " << meshes[seed % std::size(meshes)] << std::endl;
   for (int i = 0; i < lines_in_a_script; ++i) {
     const std::string line = session.mesh().live().faces > most_faces ? "undo" : lines.next(session);
     script += line + "\n";
+    running << line << std::endl;
+    int reports = 0;
+    session.on_progress = [&reports](double) { return ++reports < most_reports; };
     session.run(line);
     first.follow(session);
   }

@@ -285,7 +285,7 @@ std::string random_euler_line(const Mesh& mesh, Dice& dice) {
 
 TEST(repair_walk, among_wires_bridges_rings_and_several_fans) {
   std::map<std::string, std::size_t> done;
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 4000u : 800u); ++seed) {
+  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 4000u : 900u); ++seed) {
     SCOPED_TRACE("walk " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     Mesh mesh = make_mesh(random.faces, random.points + 2);

@@ -276,7 +276,9 @@ TEST_F(Repairs, orienting_turns_faces_and_keeps_them) {
     EXPECT_LE(proved.after[ProblemKind::misoriented_edge], proved.before[ProblemKind::misoriented_edge]);
     EXPECT_LE(proved.after[ProblemKind::nonmanifold_edge], proved.before[ProblemKind::nonmanifold_edge]);
     EXPECT_LE(proved.after[ProblemKind::duplicate_face], proved.before[ProblemKind::duplicate_face]);
-    if (proved.before.orientable && proved.before[ProblemKind::duplicate_face] == 0) {
+    // At an edge of several faces a turned neighbour may take the pair of another, so faces stay as they are there.
+    if (proved.before.orientable && proved.before[ProblemKind::duplicate_face] == 0 &&
+        proved.before[ProblemKind::nonmanifold_edge] == 0) {
       EXPECT_EQ(proved.after[ProblemKind::misoriented_edge], 0u);
     }
   });

@@ -61,18 +61,14 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
   if (progress.is_cancelled()) return {};
   if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
     TurnedMesh now = turn_faces(m, turned);
-    const Mesh joined(now.columns);
-    if (const Torn by_turning = torn(m, joined)) {
+    if (is_torn(m, Mesh(now.columns))) {
       Mesh apart = m;
       Edit on_apart(apart, nullptr);
       detach_nonmanifold(on_apart, {}, progress);
       on_apart.commit();
       const std::vector<bool> turned_apart = faces_to_turn(apart, progress);
       if (progress.is_cancelled()) return {};
-      TurnedMesh taken_apart = turn_faces(apart, turned_apart);
-      // More sides are open where neighbours agree for it.
-      if (by_turning.part || misoriented_edges(Mesh(taken_apart.columns)).size() <= misoriented_edges(joined).size())
-        now = std::move(taken_apart);
+      now = turn_faces(apart, turned_apart);
     }
     result.changed = now.effect.changed.size();
     edit.replace(std::move(now.columns));

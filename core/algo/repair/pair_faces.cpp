@@ -255,14 +255,14 @@ FacePairing pair_at_places(const Mesh& mesh, const std::vector<Vertex>& place) {
   return Pairing(mesh, place, true).run();
 }
 
-Torn torn(const Mesh& before, const Mesh& after) {
+bool is_torn(const Mesh& before, const Mesh& after) {
   const FacePairing had = pair_faces(before);
-  if (!had.has_nonmanifold_edges) return {};
+  if (!had.has_nonmanifold_edges) return false;
   const FacePairing has = pair_faces(after);
-  Torn torn{.sides = has.open_sides > had.open_sides};
+  if (has.open_sides > had.open_sides) return true;
   for (std::size_t f = 0; f < had.is_closed.size(); ++f)
-    if (had.is_closed[f] && !has.is_closed[f]) torn.part = true;
-  return torn;
+    if (had.is_closed[f] && !has.is_closed[f]) return true;
+  return false;
 }
 
 }  // namespace ryosen

@@ -31,13 +31,8 @@ FacePairing pair_faces(const Mesh& mesh);
 // slot the one that stands for its place.
 FacePairing pair_at_places(const Mesh& mesh, const std::vector<Vertex>& place);
 
-// What is open in a mesh with the same faces that was not before. Only meshes with non-manifold edges can be torn.
-struct Torn {
-  bool part = false;   // a face of a closed part is in an open one
-  bool sides = false;  // more sides are open
-
-  explicit operator bool() const { return part || sides; }
-};
-Torn torn(const Mesh& before, const Mesh& after);
+// Whether in a mesh with the same faces more sides are open, or a face of a closed part is in an open one. Only meshes
+// with non-manifold edges can be torn.
+bool is_torn(const Mesh& before, const Mesh& after);
 
 }  // namespace ryosen

@@ -243,15 +243,21 @@ void add(const Welded& more, Welded& welded) {
 
 // Again and again: what is welded may let more be welded.
 template <class Weld>
-Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
+Welded weld_all(Edit& edit, const Reach& reach, Weld weld) {
   Welded welded;
-  for (std::size_t before = 1; before > 0;) {
-    Edit edit(copy, nullptr);
-    const Welded more = weld(edit, find_near_points(copy, reach));
-    edit.commit();
-    before = more.points;
+  for (std::size_t points = 1; points > 0;) {
+    const Welded more = weld(edit, find_near_points(edit.mesh(), reach));
+    points = more.points;
     add(more, welded);
   }
+  return welded;
+}
+
+template <class Weld>
+Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
+  Edit edit(copy, nullptr);
+  Welded welded = weld_all(edit, reach, weld);
+  edit.commit();
   return welded;
 }
 
@@ -260,15 +266,16 @@ Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
 template <class Weld>
 Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
   const Mesh& m = edit.mesh();
-  if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges) return weld(edit, near);
+  if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges)
+    return weld_all(edit, reach, weld);
   Mesh copy = m;
   Welded welded = weld_copy(copy, reach, weld);
-  if (torn(m, copy)) return Welding(m, near, reach).leave();
+  if (is_torn(m, copy)) return Welding(m, near, reach).leave();
   const std::vector<bool> turned = Welding(copy, find_near_points(copy, reach), reach).faces_to_turn();
   if (!turned.empty()) {
     Mesh now(turn_faces(copy, turned).columns);
     const Welded more = weld_copy(now, reach, weld);
-    if (!torn(m, now)) {
+    if (!is_torn(m, now)) {
       copy = std::move(now);
       add(more, welded);
       welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));

@@ -12,7 +12,7 @@ namespace ryosen {
 // (pair_at_places); both of a pair become one edge, and their ends become points. So solids of which each face has points
 // of its own close, those that share walls, too. Where two sides, and no third one, run in one direction the faces of
 // one part of the surface are turned round then, the smaller part, where that makes all agree. Nothing is done that would
-// tear a surface with non-manifold edges (torn). A pair is left as a seam if one of its ends is
+// tear a surface with non-manifold edges (is_torn). A pair is left as a seam if one of its ends is
 // non-manifold, or if a face would visit a point twice, an edge get a third face, or two faces the same points
 // (point_merger.h): so no new findings. Points that no such side joins stay apart, so that no bow-tie is made; isolated
 // ones at a place of others are removed, but for those that something beside the mesh uses and that stay in the file for

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -12,6 +13,7 @@
 #include "core/analysis/mesh_kind.h"
 #include "core/analysis/shells.h"
 #include "core/indexed/from_indexed.h"
+#include "core/indexed/to_indexed.h"
 #include "core/io/formats.h"
 #include "core/mesh/circulate.h"
 #include "tests/support/core/boxes.h"
@@ -178,6 +180,52 @@ TEST(orient_faces, an_open_part_turns_where_it_is_mostly_seen_from_behind) {
     const RecipeResult result = *run_recipe(cup(depth, true), recipe_of("orient").steps, {});
     EXPECT_EQ(result.rounds, 1u);
   }
+}
+
+// Copies on points of their own, of cups that are right and wrong.
+TEST(orient_faces, copies_of_an_open_part_are_each_judged) {
+  for (const std::vector<bool>& wrong : {std::vector<bool>{true, true}, {false, true}, {true, false, true}}) {
+    IndexedMesh all;
+    for (const bool is_wrong : wrong) {
+      const IndexedMesh part = to_indexed(cup(3, is_wrong)).mesh;
+      const auto first = static_cast<std::uint32_t>(all.positions.size());
+      all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
+      for (const std::uint32_t corner : part.corners) all.corners.push_back(first + corner);
+      for (std::size_t f = 1; f < part.face_offsets.size(); ++f)
+        all.face_offsets.push_back(static_cast<std::uint32_t>(all.corners.size()) - part.face_offsets.back() +
+                                   part.face_offsets[f]);
+    }
+    Mesh mesh = from_indexed(all);
+    oriented(mesh);
+    for (std::uint32_t copy = 0; copy < wrong.size(); ++copy)
+      EXPECT_GT(volume_at(mesh, Face(25 * copy)), 0) << copy << " of " << wrong.size();
+  }
+}
+
+// So many triangles in one place or one plane; a ray went through the boxes of all of them.
+TEST(orient_faces, takes_little_longer_for_faces_on_each_other) {
+  using Place = glm::dvec3 (*)(const glm::dvec3&, double);
+  const Place places[] = {[](const glm::dvec3& p, double) { return p; },
+                          [](const glm::dvec3& p, double) { return glm::dvec3(0.3 * p.x + p.y, p.y, 0.7 * p.x); },
+                          [](const glm::dvec3& p, double by) { return p + glm::dvec3(1e-6 * by, 0, 0); },
+                          [](const glm::dvec3& p, double by) { return glm::dvec3(p.z, 1e-6 * by + p.x, p.y); },
+                          [](const glm::dvec3& p, double by) { return (1 + 1e-6 * by) * p; }};
+  for (std::size_t k = 0; k < std::size(places); ++k)
+    for (const bool turns_every_second : {false, true}) {
+      IndexedMesh list;
+      for (std::uint32_t i = 0; i < 10000; ++i) {
+        for (const glm::dvec3& p : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)})
+          list.positions.push_back(places[k](p, i));
+        const bool is_turned = turns_every_second && i % 2 == 1;
+        for (const std::uint32_t corner : {0u, is_turned ? 2u : 1u, is_turned ? 1u : 2u})
+          list.corners.push_back(3 * i + corner);
+        list.face_offsets.push_back(3 * (i + 1));
+      }
+      Mesh mesh = from_indexed(list);
+      const auto start = std::chrono::steady_clock::now();
+      EXPECT_EQ(oriented(mesh).changed, 0u) << k << ": both sides are seen";
+      EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3)) << k;
+    }
 }
 
 TEST(orient_faces, an_open_part_stays_where_both_sides_are_seen) {

@@ -3,6 +3,7 @@
 #include "app/cli/console.h"
 #include "core/io/file_target.h"
 #include "core/io/formats.h"
+#include "core/io/system_reason.h"
 
 namespace ryosen::cli {
 
@@ -17,6 +18,7 @@ std::optional<Failure> fault_of_output(const std::string& path, bool has_input) 
   const Format* const format = format_of_extension(path);
   if (format) return refusal_of_target(path, format);
   if (has_input && is_stream(path)) return std::nullopt;
+  if (path.empty()) return usage_failure("unknown_format", empty_name());
   return usage_failure("unknown_format",
                        {"The name " + path + " does not say in which format to write; give it an extension, or let " +
                             "convert --format ID say it (see ryosen formats).",

@@ -12,6 +12,7 @@
 #include "core/io/file_target.h"
 #include "core/io/formats.h"
 #include "core/io/safe_write.h"
+#include "core/io/system_reason.h"
 
 namespace ryosen {
 
@@ -200,6 +201,7 @@ Outcome run_keep_mine(Session& session, Words arguments, std::string_view) {
 Outcome run_save(Session& session, Words, std::string_view whole) {
   Document& document = session.document();
   const std::string named = file_name(whole);
+  if (named.empty() && !whole.empty()) return failed(ExitCode::usage, empty_name());
   const std::filesystem::path target = named.empty() ? document.path() : std::filesystem::path(named);
   if (target.empty()) return usage_error("save needs a file name here", "保存先のファイル名を指定してください");
   if (const Status may = session.files.may_write(target, FileRole::saved); !may) return failed(may.failure());

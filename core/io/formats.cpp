@@ -11,6 +11,7 @@
 #include "core/io/reporter.h"
 #include "core/io/safe_write.h"
 #include "core/io/sniff.h"
+#include "core/io/system_reason.h"
 
 namespace ryosen {
 namespace {
@@ -183,6 +184,8 @@ std::optional<Failure> refusal_of_target(const std::filesystem::path& path, cons
         "Files of the format " + format->name.en + " are only read, not written: " + path.string() +
             ". Choose another format.",
         format->name.ja + " 形式は読み込みだけで、書き出せません(" + path.string() + ")。別の形式を選んでください。"};
+  } else if (path.empty()) {
+    message.text = empty_name();
   } else {
     const std::string written = endings_that_are_written();
     message.text = {

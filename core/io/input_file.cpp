@@ -28,7 +28,7 @@ Failure failure(const std::filesystem::path& path, int error) {
   Failure out{ExitCode::input_missing, {}};
   if (name.empty()) {
     out.message.code = "input_missing";
-    out.message.text = {"The name of the file is empty.", "ファイル名が空です。"};
+    out.message.text = empty_name();
   } else if (error == ENOENT || error == ENOTDIR) {
     out.message.code = "input_missing";
     out.message.text = {"There is no file " + name + ".", "ファイル " + name + " がありません。"};

@@ -25,6 +25,7 @@ namespace {
 constexpr Code not_durable_code = "output_not_durable";
 
 Failure cannot_write(const std::filesystem::path& path, const Text& reason, Code code = "output_not_writable") {
+  if (path.empty()) return make_failure(ExitCode::output_not_writable, code, empty_name());
   return make_failure(ExitCode::output_not_writable, code,
                       {"Cannot write " + path.string() + ": " + reason.en + ".",
                        path.string() + " に書き込めません：" + reason.ja + "。"});

@@ -50,4 +50,6 @@ Text system_reason(int error) {
   return {words, words};
 }
 
+Text empty_name() { return {"The name of the file is empty.", "ファイル名が空です。"}; }
+
 }  // namespace ryosen

@@ -9,4 +9,7 @@ namespace ryosen {
 // get the system's message in both languages.
 Text system_reason(int error);
 
+// Said of a file to be read or written whose name has no letter.
+Text empty_name();
+
 }  // namespace ryosen

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "tests/support/app/program.h"
@@ -102,6 +103,44 @@ TEST(file_reports, texture_coordinates_that_are_left_over_are_not_written) {
             all);
 }
 
+// The indices behind the first slash of all corners.
+std::set<std::string> texture_indices(const std::string& obj) {
+  std::set<std::string> found;
+  std::istringstream lines(obj);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream corners(line.starts_with("f ") ? line.substr(2) : "");
+    for (std::string corner; corners >> corner;) {
+      const std::string behind = corner.substr(corner.find('/') + 1);
+      found.insert(behind.substr(0, behind.find('/')));
+    }
+  }
+  return found;
+}
+
+// A square of 6 by 6 squares, each cut in two: 49 places of the texture, and 27 more that no corner has.
+TEST(file_reports, whatever_changes_a_mesh_writes_the_texture_coordinates_of_its_corners) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      run_program({"convert", report_file("leftover_vt.obj"), "-o", "in.ply", "--format", "ply-big"}, folder.path())
+          .exit_code,
+      0);
+  for (const std::string& input : {report_file("leftover_vt.obj"), std::string("in.ply")})
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"simplify", input, "--ratio", "0.5"},
+                                                  {"unite_planar", input},
+                                                  {"unite_planar", input, "--straight", "drop"},
+                                                  {"remesh", input, "--length", "30%"},
+                                                  {"subdivide", input},
+                                                  {"edit", input, "--do", "delete f0; delete f1; delete f2"},
+                                                  {"edit", input, "--do", "simplify faces=2"}}) {
+      std::vector<std::string> all = words;
+      all.insert(all.end(), {"-o", "out.obj", "--overwrite"});
+      EXPECT_LE(run_program(all, folder.path()).exit_code, 1) << words[0];
+      const std::string out = read_file(folder.at("out.obj"));
+      EXPECT_EQ(count_lines(out, "vt "), texture_indices(out).size()) << words[0] << " " << words.back();
+      EXPECT_GE(count_lines(out, "vt "), 4u) << words[0];
+    }
+}
+
 TEST(file_reports, a_name_that_swallows_a_face_is_warned_of_with_its_line) {
   const TemporaryFolder folder;
   const ProgramRun run =
@@ -123,6 +162,24 @@ TEST(file_reports, sentences_about_names_and_counts) {
   EXPECT_EQ(run_program({"check", ""}, folder.path()).out, "\"\": refused\n");
   const ProgramRun in_japanese = run_program({"check", "", "--lang", "ja"}, folder.path());
   EXPECT_NE(in_japanese.err.find("ファイル名が空です。"), std::string::npos) << in_japanese.err;
+  const std::string file = report_file("two.obj");
+  for (const auto& [words, exit_code] : std::initializer_list<std::pair<std::vector<std::string>, int>>{
+           {{"repair", ""}, 3},
+           {{"edit", "", "--do", "undo"}, 3},
+           {{"edit", file, "--script", ""}, 3},
+           {{"edit", file, "--do", "open \"\""}, 3},
+           {{"distance", file, ""}, 3},
+           {{"convert", file, "-o", ""}, 2},
+           {{"repair", file, "-o", ""}, 2},
+           {{"edit", file, "--do", "delete f0", "-o", ""}, 2},
+           {{"edit", file, "--do", "delete f0; save \"\"", "--overwrite"}, 2},
+           {{"edit", file, "--do", "delete f0; select f1; save_selected \"\""}, 2},
+           {{"shot", file, "-o", ""}, 5}}) {
+    const ProgramRun named = run_program(words, folder.path());
+    EXPECT_EQ(named.exit_code, exit_code) << words[0] << words.back() << named.err;
+    EXPECT_NE(named.err.find("The name of the file is empty."), std::string::npos) << words[0] << named.err;
+  }
+  EXPECT_NE(read_file(file).find("f 1 2 3"), std::string::npos) << "it was not saved over";
   folder.write("h.ply",
                "ply\nformat ascii 1.0\nelement vertex 18446744073709551616\nproperty float x\nproperty float y\n"
                "property float z\nend_header\n0 0 0\n");

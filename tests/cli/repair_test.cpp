@@ -206,6 +206,33 @@ TEST(repair, a_script_tells_what_an_stl_that_it_saves_has) {
   EXPECT_EQ(said("expect F 8", "o.stl").find(told), std::string::npos) << "nothing differs";
 }
 
+// Solids and sheets that share points, edges and faces, some twice.
+TEST(repair, counts_what_every_file_has_in_each_format) {
+  const TemporaryFolder folder;
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 1 1 1\n";
+  const std::string solid = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const char* const beside[] = {"f 1 2 5\n",                             // a fin
+                                "f 1 2 5\nf 2 1 5\n",                    // a fin of two sides
+                                "f 4 5 6\n",                             // a sheet at a corner
+                                "f 2 3 6\nf 3 4 6\nf 4 2 6\nf 2 4 3\n",  // a solid on a wall
+                                "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",  // a solid on the same points
+                                "f 2 3 4\n",                             // a face that is there twice
+                                "f 4 3 2\n"};                            // and turned over
+  for (const char* const more : beside) {
+    const std::string input = folder.write("in.obj", corners + solid + more);
+    for (const char* const ending : {".stl", ".ply", ".off", ".obj"}) {
+      const std::string out = folder.at(std::string("out") + ending);
+      const Json report = run_program({"repair", input, "-o", out, "--overwrite", "--json"}).line();
+      const Json check = run_program({"check", out, "--json"}).line();
+      EXPECT_EQ(report["hash"], check["hash"]) << more << ending;
+      EXPECT_EQ(report["problems"].size(), check["problems"].size()) << more << ending;
+      for (const Json& problem : check["problems"])
+        EXPECT_EQ(counts_of(report, problem["kind"]).second, problem["count"]) << more << ending << problem["kind"];
+      EXPECT_EQ(run_program({"repair", out, "--json"}).line()["rounds"], 0) << more << ending;
+    }
+  }
+}
+
 TEST(repair, an_inside_out_stl_is_turned) {
   const TemporaryFolder folder;
   const std::string inside = std::string(RYOSEN_SOURCE_DIR) + "/tests/data/reports/inside_out.off";

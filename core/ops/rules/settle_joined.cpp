@@ -44,7 +44,7 @@ std::vector<Vertex> Sheets::left_at(SettledPoint& known, std::span<const Vertex>
     all.push_back(v);
     if (same_point(m, v, known.at) || !met.insert(p).second) return;
     const auto [beside, is_new] = known.beside.try_emplace(p);
-    if (is_new) for_each_copy(m, p, [&](Vertex copy) { beside->second.push_back(copy); });
+    if (is_new) for_each_copy(m, p, [&copies = beside->second](Vertex copy) { copies.push_back(copy); });
     all.insert(all.end(), beside->second.begin(), beside->second.end());
   };
   const auto gather = [&] {

@@ -174,8 +174,8 @@ TEST(RemeshShortest, no_made_edge_of_a_shape_is_short) {
     }
 }
 
-// A tube whose circumference is 2.3 times the length, and sheets that meet: the kernel or the keeper refuses what would help.
-TEST(RemeshShortest, few_are_short_where_nothing_may_be_done) {
+// A tube whose circumference is 2.3 times the length, and sheets that meet: bounds, not a proof that nothing helps.
+TEST(RemeshShortest, few_stay_short_on_a_thin_tube_and_where_sheets_meet) {
   EXPECT_LE(short_edges(made_by("torus radius=2 tube=0.6"), 0.22), 15u);
   EXPECT_LE(short_edges(made_by("icosahedron"), 0.13), 1u);
   EXPECT_LE(short_edges(asset_mesh("projective_plane.off"), 0.1), 5u);

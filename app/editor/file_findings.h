@@ -1,4 +1,4 @@
-// What is found in the file of a document, where that differs from what is found in the document.
+// Problems that the file of a document has and the document has not, or the other way round.
 #pragma once
 
 #include <filesystem>

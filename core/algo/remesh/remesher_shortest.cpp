@@ -14,7 +14,7 @@ constexpr double clearly = 1 + 1e-6;
 
 }  // namespace
 
-// What changes least comes first; slivers, longer edges and larger turns are made only where nothing else helps.
+// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps.
 bool Remesher::remove_shortest(Progress& progress) {
   constexpr int most_turns = 8;  // of each guard
   const auto is_short = [&](Edge e, double length) {

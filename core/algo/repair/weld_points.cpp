@@ -241,11 +241,11 @@ void add(const Welded& more, Welded& welded) {
   welded.joined.insert(welded.joined.end(), more.joined.begin(), more.joined.end());
 }
 
-// Again and again: what is welded may let more be welded.
+// Welds until nothing more is welded: a weld may allow another one.
 template <class Weld>
-Welded weld_all(Edit& edit, const Reach& reach, Weld weld) {
-  Welded welded;
-  for (std::size_t points = 1; points > 0;) {
+Welded weld_all(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
+  Welded welded = weld(edit, near);
+  for (std::size_t points = welded.points; points > 0;) {
     const Welded more = weld(edit, find_near_points(edit.mesh(), reach));
     points = more.points;
     add(more, welded);
@@ -256,7 +256,7 @@ Welded weld_all(Edit& edit, const Reach& reach, Weld weld) {
 template <class Weld>
 Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
   Edit edit(copy, nullptr);
-  Welded welded = weld_all(edit, reach, weld);
+  Welded welded = weld_all(edit, find_near_points(copy, reach), reach, weld);
   edit.commit();
   return welded;
 }
@@ -267,7 +267,7 @@ template <class Weld>
 Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Weld weld) {
   const Mesh& m = edit.mesh();
   if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges)
-    return weld_all(edit, reach, weld);
+    return weld_all(edit, near, reach, weld);
   Mesh copy = m;
   Welded welded = weld_copy(copy, reach, weld);
   if (is_torn(m, copy)) return Welding(m, near, reach).leave();

@@ -76,7 +76,7 @@ class Neighbourhood {
   PointEdge edge(Halfedge h);
   // Whether e is the representative sheet of its edge on points: the lowest slot with a face.
   bool is_first_sheet(Edge e);
-  // Of an edge without faces: whether it has none on points either, and is the lowest slot of those that have none.
+  // Whether an edge without faces has none on points either, and is the lowest slot of those.
   bool is_first_wire(Edge e);
   // The highest face at the edge on points.
   Face last_face(Halfedge h);

@@ -19,7 +19,7 @@ namespace ryosen {
 
 class DissolveSeries {
  public:
-  // What goes where an edge is dissolved: its whole chain, or that edge alone, as by unite_loop.
+  // The extent of a dissolved edge: its whole chain, or that edge alone, as unite_loop has it.
   enum class Takes { chain, edge };
   explicit DissolveSeries(Edit& edit, Takes takes = Takes::chain) : edit_(edit), takes_(takes) {}
 

@@ -49,7 +49,7 @@ TEST_F(Growth, repairs_at_many_copies) {
   EXPECT_EQ(run_within(seconds, book(2000), "repair", ""), 0);
 }
 
-// What is done to all elements of a kind, and taken back.
+// A command on all elements of a kind, and its undo.
 struct OnAll {
   IndexedMesh (*mesh)(std::uint32_t n);
   std::uint32_t n;

@@ -39,7 +39,7 @@ struct ManyFaced {
 
 class Pairing {
  public:
-  // By `place` that of each vertex; what the links join may stay so.
+  // `place` has the place of each vertex by its slot; `keeps_joined`: faces that are joined may stay so.
   Pairing(const Mesh& mesh, const std::vector<Vertex>& place, bool keeps_joined)
       : m_(mesh), place_(place), keeps_joined_(keeps_joined), patches_(mesh.face_slots()) {
     out_.across.resize(mesh.halfedge_slots());

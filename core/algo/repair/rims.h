@@ -12,7 +12,7 @@
 
 namespace ryosen {
 
-// By hole; of those that are to be tried.
+// Places and planes of the rims to be tried, by hole.
 struct Rims {
   std::vector<std::vector<glm::dvec3>> places;
   std::vector<std::optional<RimPlane>> planes;  // in which the rims lie, whatever the shape

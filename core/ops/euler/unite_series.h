@@ -28,7 +28,7 @@ class UniteSeries {
   std::uint64_t looks() const { return looks_; }
 
  private:
-  // What is known of a face at the vertex: it loses a corner, or breaks a rule, or is to be checked by itself.
+  // A face at the vertex loses a corner, breaks a rule, or must be checked by itself.
   enum class Answer { yes, no, unsure };
   Answer answer_of_face(Face f, Face beyond, Vertex a, Vertex b);
   std::uint32_t corner_count(Face f);

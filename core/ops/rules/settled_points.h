@@ -42,7 +42,7 @@ class SettledPoints {
   Sheets& sheets_;
   std::unordered_set<Vertex> settled_;
   std::unordered_map<std::uint64_t, PointEdge> edges_;
-  // Of the faces that went: sides, points, and the vertices where a closed fan opens, with their points.
+  // Sides and points of the deleted faces, and the vertices where a closed fan opens, with their points.
   std::vector<Side> sides_;
   std::vector<Vertex> points_;
   std::vector<std::pair<Vertex, Vertex>> opened_;

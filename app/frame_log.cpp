@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/mesh/names.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen {
 

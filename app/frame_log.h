@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 
 #include "app/glfw.h"
 #include "app/window_event.h"
-#include "core/base/result.h"
-#include "core/view/size.h"
+#include "ryosen/base/result.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

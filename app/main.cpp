@@ -2,7 +2,7 @@
 
 #include "app/cli/run.h"
 #include "app/cli/signals.h"
-#include "core/base/resource_limits.h"
+#include "ryosen/base/resource_limits.h"
 
 int main(int argc, char** argv) {
   // Exceeding the file size limit becomes a failed write with a message instead of killing the program.

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/editor/large_files.h"
-#include "core/base/interruption.h"
+#include "app/editor/document/large_files.h"
+#include "ryosen/base/interruption.h"
 
 namespace ryosen {
 

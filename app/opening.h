@@ -7,7 +7,7 @@
 #include <future>
 #include <memory>
 
-#include "app/editor/document.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/autosave.h"
-#include "app/editor/keys.h"
-#include "app/editor/large_files.h"
-#include "app/editor/playing.h"
-#include "app/editor/user_files.h"
-#include "app/editor/user_folders.h"
-#include "app/editor/view_switches.h"
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/document/large_files.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/preferences/user_files.h"
+#include "app/editor/preferences/user_folders.h"
+#include "app/editor/recovery/autosave.h"
+#include "app/editor/textbook/playing.h"
 #include "app/frame_log.h"
 #include "app/glfw_window.h"
 #include "app/opening.h"

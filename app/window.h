@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/base/result.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

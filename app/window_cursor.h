@@ -5,7 +5,7 @@
 
 #include "app/glfw.h"
 #include "app/ui/gui.h"
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/editor/input.h"
+#include "app/editor/input/input.h"
 
 namespace ryosen {
 

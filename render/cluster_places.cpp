@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/parallel.h"
+#include "ryosen/base/parallel.h"
 
 namespace ryosen {
 namespace {

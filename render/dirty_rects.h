@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/view/size.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

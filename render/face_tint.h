@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/highlights/looks.h"
 #include "render/colour.h"
+#include "ryosen/highlights/looks.h"
 
 namespace ryosen {
 

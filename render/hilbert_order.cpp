@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "ryosen/base/parallel.h"
 
 namespace ryosen {
 namespace {

@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "core/mesh/column_memory.h"
 #include "render/screen.h"
+#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

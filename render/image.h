@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/view/size.h"
 #include "render/colour.h"
+#include "ryosen/base/result.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

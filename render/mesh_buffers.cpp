@@ -5,12 +5,12 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "core/base/parallel.h"
-#include "core/geometry/is_finite.h"
-#include "core/mesh/prefetch.h"
 #include "render/face_tint.h"
 #include "render/hilbert_order.h"
 #include "render/number_runs.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/prefetch.h"
 
 namespace ryosen {
 namespace {

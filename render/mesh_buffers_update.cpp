@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "core/base/sort_unique.h"
 #include "render/mesh_buffers.h"
 #include "render/number_runs.h"
+#include "ryosen/base/sort_unique.h"
 
 namespace ryosen {
 namespace {

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/highlights/looks.h"
 #include "render/colour.h"
+#include "ryosen/highlights/looks.h"
 
 namespace ryosen {
 

@@ -1,6 +1,6 @@
 #include "render/palette.h"
 
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 namespace {

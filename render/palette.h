@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "core/view/view_settings.h"
 #include "render/colour.h"
 #include "render/overlay.h"
+#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
 

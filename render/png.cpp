@@ -6,10 +6,10 @@
 #include <memory>
 #include <string>
 
-#include "core/base/parallel.h"
-#include "core/io/safe_write.h"
-#include "core/io/system_reason.h"
 #include "render/image.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/io/safe_write.h"
+#include "ryosen/io/system_reason.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/view/size.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "core/view/size.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

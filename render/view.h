@@ -8,11 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/enum_table.h"
-#include "core/base/handle.h"
-#include "core/base/result.h"
-#include "core/view/camera.h"
-#include "core/view/clip_plane.h"
 #include "render/cluster_places.h"
 #include "render/dirty_rects.h"
 #include "render/face_tint.h"
@@ -31,6 +26,11 @@
 #include "render/pass/surface.h"
 #include "render/pass/xray.h"
 #include "render/refinement.h"
+#include "ryosen/base/enum_table.h"
+#include "ryosen/base/handle.h"
+#include "ryosen/base/result.h"
+#include "ryosen/view/camera.h"
+#include "ryosen/view/clip_plane.h"
 
 namespace ryosen {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/base/parallel.h"
 #include "render/view.h"
+#include "ryosen/base/parallel.h"
 
 namespace ryosen {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/algo/algorithms.h"
+#include "ryosen/algo/algorithms.h"
 
 namespace ryosen::cli {
 

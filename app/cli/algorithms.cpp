@@ -14,14 +14,14 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/cli/written_mesh.h"
-#include "app/editor/commands.h"
-#include "app/editor/repair_call.h"
-#include "app/editor/script.h"
-#include "core/algo/edge_rules.h"
-#include "core/algo/repair/loose_pieces.h"
-#include "core/io/given_back.h"
-#include "core/mesh/find_element.h"
-#include "core/mesh/names.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/document/repair_call.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/io/given_back.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen::cli {
 

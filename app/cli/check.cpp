@@ -9,10 +9,10 @@
 #include "app/cli/check_report.h"
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/script.h"
-#include "core/base/out_of_memory.h"
-#include "core/base/parallel.h"
-#include "core/base/split_list.h"
+#include "app/editor/commands/script.h"
+#include "ryosen/base/out_of_memory.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/base/split_list.h"
 
 namespace ryosen::cli {
 

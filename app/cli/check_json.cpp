@@ -4,7 +4,7 @@
 #include "app/cli/check_report.h"
 #include "app/cli/contract/check.h"
 #include "app/cli/contract/record.h"
-#include "core/analysis/boundary_loops.h"
+#include "ryosen/analysis/boundary_loops.h"
 
 namespace ryosen::cli {
 

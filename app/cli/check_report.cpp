@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/editor/expect.h"
-#include "core/base/parallel.h"
-#include "core/base/release.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "app/editor/commands/expect.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/base/release.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::cli {
 

@@ -8,11 +8,11 @@
 
 #include "app/cli/console.h"
 #include "app/cli/json.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/mesh_kind.h"
-#include "core/analysis/problems.h"
-#include "core/io/elements.h"
-#include "core/io/mesh_file.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/mesh_kind.h"
+#include "ryosen/analysis/problems.h"
+#include "ryosen/io/elements.h"
+#include "ryosen/io/mesh_file.h"
 
 namespace ryosen::cli {
 

@@ -8,9 +8,9 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/check.h"
 #include "app/cli/visible.h"
-#include "core/analysis/boundary_loops.h"
-#include "core/analysis/surface_name.h"
-#include "core/ops/op.h"
+#include "ryosen/analysis/boundary_loops.h"
+#include "ryosen/analysis/surface_name.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen::cli {
 

@@ -6,8 +6,8 @@
 #include "app/cli/json.h"
 #include "app/cli/last_words.h"
 #include "app/cli/visible.h"
-#include "app/editor/message_place.h"
-#include "core/base/uninterrupted.h"
+#include "app/editor/texts/message_place.h"
+#include "ryosen/base/uninterrupted.h"
 
 namespace ryosen::cli {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/message.h"
-#include "core/base/result.h"
+#include "ryosen/base/message.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

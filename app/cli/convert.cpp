@@ -4,11 +4,11 @@
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
-#include "app/editor/script.h"
-#include "core/io/file_target.h"
-#include "core/io/formats.h"
-#include "core/io/safe_write.h"
-#include "core/io/triangulated.h"
+#include "app/editor/commands/script.h"
+#include "ryosen/io/file_target.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/safe_write.h"
+#include "ryosen/io/triangulated.h"
 
 namespace ryosen::cli {
 

@@ -5,12 +5,12 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "core/algo/measure/distance.h"
-#include "core/base/parallel.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/io/numbers.h"
-#include "core/mesh/names.h"
+#include "ryosen/algo/measure/distance.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/numbers.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen::cli {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen::cli {
 

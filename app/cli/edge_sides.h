@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/mesh.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::cli {
 

@@ -9,11 +9,11 @@
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
-#include "app/editor/commands.h"
-#include "app/editor/expect.h"
-#include "app/editor/file_findings.h"
-#include "core/analysis/figures.h"
-#include "core/mesh/copies.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/expect.h"
+#include "app/editor/document/file_findings.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen::cli {
 

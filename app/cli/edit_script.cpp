@@ -2,10 +2,10 @@
 
 #include "app/cli/console.h"
 #include "app/cli/outputs.h"
-#include "app/editor/command_syntax.h"
-#include "app/editor/commands.h"
-#include "core/io/file_target.h"
-#include "core/io/input_file.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/commands.h"
+#include "ryosen/io/file_target.h"
+#include "ryosen/io/input_file.h"
 
 namespace ryosen::cli {
 

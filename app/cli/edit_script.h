@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/run_files.h"
-#include "app/editor/script.h"
-#include "core/base/result.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/document/run_files.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

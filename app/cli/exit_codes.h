@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/base/result.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

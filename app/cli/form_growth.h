@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/subcommand_table.h"
-#include "core/mesh/mesh.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::cli {
 

@@ -3,11 +3,11 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/record.h"
-#include "app/editor/record_text.h"
-#include "core/forms/all.h"
-#include "core/forms/records.h"
-#include "core/mesh/find_element.h"
-#include "core/mesh/name_failure.h"
+#include "app/editor/textbook/record_text.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/records.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/name_failure.h"
 
 namespace ryosen::cli {
 

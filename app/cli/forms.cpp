@@ -1,14 +1,14 @@
 // `forms`: the representations of the source texts side by side for a mesh.
-#include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
+#include "app/cli/contract/forms.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/form_growth.h"
 #include "app/cli/form_records.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "core/forms/comparison.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/forms/comparison.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::cli {
 

@@ -4,16 +4,16 @@
 
 #include "app/cli/algorithm_flags.h"
 #include "app/cli/columns.h"
-#include "app/editor/commands.h"
-#include "app/editor/exercises.h"
-#include "app/editor/practice.h"
-#include "app/editor/recovery.h"
-#include "core/analysis/problem_kinds.h"
-#include "core/forms/all.h"
-#include "core/forms/pairing.h"
-#include "core/highlights/colour_maps.h"
-#include "core/highlights/highlight_table.h"
-#include "core/steps/all.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/recovery/recovery.h"
+#include "app/editor/textbook/exercises.h"
+#include "app/editor/textbook/practice.h"
+#include "ryosen/analysis/problem_kinds.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/pairing.h"
+#include "ryosen/highlights/colour_maps.h"
+#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/steps/all.h"
 
 namespace ryosen::cli {
 

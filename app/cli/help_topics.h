@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/algo/algorithms.h"
-#include "core/base/message.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen::cli {
 

@@ -7,12 +7,12 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
-#include "core/geometry/is_finite.h"
-#include "core/hull/hull_parts.h"
-#include "core/io/file_target.h"
-#include "core/io/formats.h"
-#include "core/io/input_file.h"
-#include "core/io/safe_write.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/hull/hull_parts.h"
+#include "ryosen/io/file_target.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/input_file.h"
+#include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "core/hull/hull_extent.h"
-#include "core/hull/hull_shape.h"
-#include "core/hull/projection.h"
+#include "ryosen/hull/hull_extent.h"
+#include "ryosen/hull/hull_shape.h"
+#include "ryosen/hull/projection.h"
 
 namespace ryosen::cli {
 

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "core/io/formats.h"
-#include "core/io/system_reason.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/system_reason.h"
 
 namespace ryosen::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

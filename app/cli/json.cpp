@@ -2,8 +2,8 @@
 
 #include "app/cli/contract/record.h"
 #include "app/cli/contract/shared_shapes.h"
-#include "app/editor/document.h"
-#include "core/base/utf8.h"
+#include "ryosen/base/utf8.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen::cli {
 

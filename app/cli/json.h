@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/message.h"
-#include "core/base/verdict.h"
-#include "core/mesh/mesh.h"
+#include "ryosen/base/message.h"
+#include "ryosen/base/verdict.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::cli {
 

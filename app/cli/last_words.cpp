@@ -9,8 +9,8 @@
 #include <string>
 
 #include "app/cli/json.h"
-#include "core/algo/edge_rules.h"
-#include "core/base/out_of_memory.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/base/out_of_memory.h"
 
 namespace ryosen::cli {
 namespace {

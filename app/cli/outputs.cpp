@@ -1,9 +1,9 @@
 #include "app/cli/outputs.h"
 
 #include "app/cli/console.h"
-#include "core/io/file_target.h"
-#include "core/io/formats.h"
-#include "core/io/system_reason.h"
+#include "ryosen/io/file_target.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/system_reason.h"
 
 namespace ryosen::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/subcommand_table.h"
-#include "app/editor/run_files.h"
+#include "app/editor/document/run_files.h"
 
 namespace ryosen::cli {
 

@@ -1,16 +1,16 @@
 // `practice`: asks about the structure of a mesh, and judges an answer.
-#include "app/editor/practice.h"
+#include "app/editor/textbook/practice.h"
 
 #include <charconv>
 
 #include "app/cli/contract/practice.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/figures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/name_failure.h"
-#include "core/mesh/names.h"
+#include "app/editor/textbook/figures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen::cli {
 

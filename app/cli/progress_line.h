@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/console.h"
-#include "core/base/progress.h"
+#include "ryosen/base/progress.h"
 
 namespace ryosen::cli {
 

@@ -8,8 +8,8 @@
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "core/algo/algorithms.h"
-#include "core/io/safe_write.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {
 

@@ -8,10 +8,10 @@
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "app/editor/user_files.h"
-#include "core/base/parallel.h"
-#include "core/base/resource_limits.h"
-#include "core/io/safe_write.h"
+#include "app/editor/preferences/user_files.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/base/resource_limits.h"
+#include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {
 

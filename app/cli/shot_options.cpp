@@ -4,11 +4,11 @@
 #include <charconv>
 
 #include "app/cli/outputs.h"
-#include "app/editor/camera_text.h"
-#include "app/editor/script.h"
-#include "app/editor/words.h"
-#include "core/highlights/highlight_table.h"
-#include "core/view/named_views.h"
+#include "app/editor/camera/camera_text.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/commands/words.h"
+#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/view/named_views.h"
 
 namespace ryosen::cli {
 

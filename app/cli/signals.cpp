@@ -13,8 +13,8 @@
 #include <span>
 
 #include "app/cli/last_words.h"
-#include "core/base/uninterrupted.h"
-#include "core/io/unfinished_files.h"
+#include "ryosen/base/uninterrupted.h"
+#include "ryosen/io/unfinished_files.h"
 
 namespace ryosen::cli {
 namespace {

@@ -7,13 +7,13 @@
 #include "app/cli/contract/steps.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/fly.h"
-#include "app/editor/playing.h"
-#include "app/editor/view_switches.h"
+#include "app/editor/camera/fly.h"
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/headless.h"
-#include "core/mesh/find_element.h"
-#include "core/mesh/names.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen::cli {
 

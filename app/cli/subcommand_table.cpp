@@ -21,8 +21,8 @@
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/view_switches.h"
-#include "core/view/named_views.h"
+#include "app/editor/camera/view_switches.h"
+#include "ryosen/view/named_views.h"
 
 namespace ryosen::cli {
 

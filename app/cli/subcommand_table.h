@@ -11,7 +11,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/contract/shape.h"
-#include "core/base/result.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

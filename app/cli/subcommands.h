@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/subcommand_table.h"
-#include "core/algo/algorithms.h"
+#include "ryosen/algo/algorithms.h"
 
 namespace ryosen::cli {
 

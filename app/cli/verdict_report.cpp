@@ -2,8 +2,8 @@
 
 #include "app/cli/contract/record.h"
 #include "app/cli/contract/why.h"
-#include "app/editor/document.h"
-#include "app/editor/remedy_text.h"
+#include "app/editor/texts/remedy_text.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen::cli {
 

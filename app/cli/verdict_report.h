@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/console.h"
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen::cli {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "core/base/utf8.h"
+#include "ryosen/base/utf8.h"
 
 namespace ryosen::cli {
 

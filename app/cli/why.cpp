@@ -5,14 +5,14 @@
 #include "app/cli/edge_sides.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
-#include "app/editor/quarantine_text.h"
-#include "app/editor/script.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/name_failure.h"
-#include "core/ops/outlook/known_answers.h"
-#include "core/ops/outlook/preview.h"
-#include "core/ops/outlook/remedy.h"
+#include "app/editor/commands/script.h"
+#include "ryosen/document/quarantine_text.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/name_failure.h"
+#include "ryosen/ops/outlook/known_answers.h"
+#include "ryosen/ops/outlook/preview.h"
+#include "ryosen/ops/outlook/remedy.h"
 
 namespace ryosen::cli {
 

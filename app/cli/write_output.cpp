@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/cli/visible.h"
-#include "core/io/formats.h"
-#include "core/io/safe_write.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "app/editor/document.h"
-#include "app/editor/run_files.h"
+#include "app/editor/document/run_files.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen::cli {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/elements.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/elements.h"
 
 namespace ryosen::cli {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/algo/repair/recipe_goal.h"
-#include "core/io/given_back.h"
+#include "ryosen/algo/repair/recipe_goal.h"
+#include "ryosen/io/given_back.h"
 
 namespace ryosen::cli {
 

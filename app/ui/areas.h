@@ -1,8 +1,8 @@
 // Which part of a window is the view's, and which the columns'.
 #pragma once
 
-#include "app/editor/layout.h"
-#include "core/view/size.h"
+#include "app/editor/preferences/layout.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/editor/axis_letters.h"
+#include "app/editor/input/axis_letters.h"
 
 namespace ryosen {
 

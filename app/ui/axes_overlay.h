@@ -1,7 +1,7 @@
 // The axes in the corner of the view, as the renderer draws them.
 #pragma once
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 

@@ -2,16 +2,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/commands.h"
-#include "app/editor/operator_selection.h"
-#include "app/editor/pick_modes.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/input/pick_modes.h"
+#include "app/editor/session/operator_selection.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
-#include "core/mesh/middle.h"
-#include "core/ops/groups.h"
-#include "core/ops/lines/arguments.h"
-#include "core/ops/lines/syntax.h"
+#include "ryosen/mesh/middle.h"
+#include "ryosen/ops/groups.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/lines/syntax.h"
 
 namespace ryosen {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <span>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/view/camera.h"
+#include "ryosen/view/camera.h"
 
 namespace ryosen {
 

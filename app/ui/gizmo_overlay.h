@@ -1,7 +1,7 @@
 // How the handles of the selection are drawn, and what guides the eye while it is moved, turned or scaled.
 #pragma once
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "app/ui/log_plot.h"
-#include "core/base/message.h"
-#include "core/forms/growth/growth.h"
+#include "ryosen/base/message.h"
+#include "ryosen/forms/growth/growth.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/commands.h"
-#include "app/editor/playing.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

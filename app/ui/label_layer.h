@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/editor/labels.h"
+#include "app/editor/labels/labels.h"
 
 struct ImFontAtlas;
 

@@ -1,6 +1,6 @@
 // The arrows of links, as they are drawn.
 #include "app/ui/overlays.h"
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 

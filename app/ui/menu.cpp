@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/commands.h"
-#include "app/editor/menu_bar.h"
-#include "app/editor/playing.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/menu_entries.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -2,16 +2,16 @@
 
 #include <array>
 
-#include "app/editor/commands.h"
-#include "app/editor/exercises.h"
-#include "app/editor/keys.h"
-#include "app/editor/levels.h"
-#include "app/editor/view_switches.h"
-#include "app/editor/words.h"
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/exercises.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
-#include "core/view/named_views.h"
+#include "ryosen/view/named_views.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
 // clang-format on

@@ -1,7 +1,7 @@
 // What stands in the menus of the bar.
 #pragma once
 
-#include "app/editor/menu_bar.h"
+#include "app/editor/preferences/menu_bar.h"
 
 namespace ryosen {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/analysis/mean_edge.h"
-#include "core/base/sort_unique.h"
-#include "core/mesh/circulate.h"
-#include "core/view/packed_normal.h"
 #include "render/palette.h"
+#include "ryosen/analysis/mean_edge.h"
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/view/packed_normal.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/view.h"
 
 namespace ryosen {

@@ -1,7 +1,7 @@
 // What lies over the view and waits for an answer, without keeping anybody from working.
 #include <cmath>
 
-#include "app/editor/hidden_text.h"
+#include "app/editor/texts/hidden_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

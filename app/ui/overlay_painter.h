@@ -4,10 +4,10 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "app/editor/session.h"
-#include "core/mesh/circulate.h"
+#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "app/editor/levels.h"
+#include "app/editor/shown/levels.h"
 #include "app/ui/end_dots.h"
 #include "app/ui/overlay_painter.h"
-#include "core/analysis/measuring.h"
-#include "core/base/enum_table.h"
-#include "core/mesh/find_element.h"
+#include "ryosen/analysis/measuring.h"
+#include "ryosen/base/enum_table.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 

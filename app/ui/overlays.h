@@ -1,10 +1,10 @@
 // The overlays of the view's layers: highlights, selection, hovered element and preview.
 #pragma once
 
-#include "app/editor/session.h"
-#include "core/algo/edge_rules.h"
+#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
+#include "ryosen/algo/edge_rules.h"
 
 namespace ryosen {
 

@@ -1,25 +1,25 @@
 #include "app/ui/panels.h"
 
-#include "app/editor/autosave.h"
-#include "app/editor/command_syntax.h"
-#include "app/editor/commands.h"
-#include "app/editor/pick_modes.h"
-#include "app/editor/script.h"
-#include "app/editor/words.h"
-#include "core/algo/repair/report.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/pick_modes.h"
+#include "app/editor/recovery/autosave.h"
+#include "ryosen/algo/repair/report.h"
 
 namespace ryosen {
 
 #define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
   std::unique_ptr<Panel> make_##id##_panel();
-#include "app/editor/panels.def"
+#include "app/editor/preferences/panels.def"
 #undef RYOSEN_PANEL
 
 std::vector<std::unique_ptr<Panel>> make_panels() {
   std::vector<std::unique_ptr<Panel>> made;
 #define RYOSEN_PANEL(id, place, menu, opened_by, at_first, reads, en, ja, help_en, help_ja, ...) \
   made.push_back(make_##id##_panel());
-#include "app/editor/panels.def"
+#include "app/editor/preferences/panels.def"
 #undef RYOSEN_PANEL
   return made;
 }

@@ -1,6 +1,7 @@
 // What a panel is, and what panels share. A new one is one file in panels/, with the state it keeps, and one line in
-// app/editor/panels.def. It draws itself with Dear ImGui (ImGui::PlotLines for a curve) and widgets.h; what it computes it
-// keeps for a serial number and revision of the document, as forms.cpp does. Golden pictures show those shown at first.
+// app/editor/preferences/panels.def. It draws itself with Dear ImGui (ImGui::PlotLines for a curve) and
+// widgets.h; what it computes it keeps for a serial number and revision of the document, as forms.cpp does. Golden
+// pictures show those shown at first.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/panel_list.h"
-#include "app/editor/record_book.h"
-#include "app/editor/session.h"
+#include "app/editor/preferences/panel_list.h"
+#include "app/editor/session/session.h"
+#include "app/editor/textbook/record_book.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
 #include "app/ui/texts.h"

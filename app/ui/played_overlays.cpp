@@ -1,11 +1,11 @@
 // What the step that is played and the question of practice are about.
 #include <algorithm>
 
-#include "app/editor/asked_question.h"
-#include "app/editor/playing.h"
+#include "app/editor/textbook/asked_question.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
-#include "core/mesh/find_element.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 

@@ -4,9 +4,9 @@
 #include <span>
 
 #include "app/ui/log_plot.h"
-#include "core/base/result.h"
 #include "render/context/context.h"
 #include "render/image.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

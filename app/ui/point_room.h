@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/geometry/box.h"
+#include "ryosen/geometry/box.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/remedy_text.h"
+#include "app/editor/texts/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

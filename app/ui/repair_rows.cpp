@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/commands.h"
-#include "app/editor/playing.h"
-#include "app/editor/repair_call.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/document/repair_call.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/editor/commands.h"
-#include "app/editor/exercises.h"
-#include "app/editor/figures.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/textbook/exercises.h"
+#include "app/editor/textbook/figures.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

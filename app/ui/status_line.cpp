@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor/asking.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/session/asking.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/base/count_text.h"
+#include "ryosen/base/count_text.h"
 
 namespace ryosen {
 

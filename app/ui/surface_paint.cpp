@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
 #include "render/colour.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // What the surface is painted with: the values of a colour map, else the colours of the file.
 #pragma once
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/mesh_buffers.h"
 
 namespace ryosen {

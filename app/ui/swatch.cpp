@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/ui/style.h"
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 

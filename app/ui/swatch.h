@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/highlights/highlight_table.h"
 #include "render/palette.h"
+#include "ryosen/highlights/highlight_table.h"
 
 namespace ryosen {
 

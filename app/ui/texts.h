@@ -2,7 +2,7 @@
 // have their own; what only one panel says stands there, by PanelContext::text(en, ja).
 #pragma once
 
-#include "core/base/message.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "render/view.h"
 
 namespace ryosen {

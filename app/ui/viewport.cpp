@@ -5,19 +5,19 @@
 #include <numeric>
 #include <utility>
 
-#include "app/editor/levels.h"
-#include "app/editor/playing.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/axes_overlay.h"
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
 #include "app/ui/point_room.h"
 #include "app/ui/surface_paint.h"
-#include "core/base/sort_unique.h"
-#include "core/geometry/box.h"
-#include "core/geometry/is_finite.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/find_element.h"
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/box.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 

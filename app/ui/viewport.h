@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
 #include "app/ui/normal_lines.h"

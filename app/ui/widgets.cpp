@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "app/editor/keys.h"
+#include "app/editor/input/keys.h"
 #include "app/ui/letters.h"
 
 namespace ryosen {

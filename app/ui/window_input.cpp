@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/editor/keys.h"
+#include "app/editor/input/keys.h"
 
 namespace ryosen {
 

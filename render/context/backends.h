@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "core/base/message.h"
 #include "render/context/context.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/resource_limits.h"
-#include "core/base/result.h"
+#include "ryosen/base/resource_limits.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

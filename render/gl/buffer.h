@@ -6,9 +6,9 @@
 #include <string>
 #include <type_traits>
 
-#include "core/mesh/column_memory.h"
 #include "render/gl/object.h"
 #include "render/gl/own_memory.h"
+#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

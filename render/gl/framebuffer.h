@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/view/size.h"
 #include "render/gl/object.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

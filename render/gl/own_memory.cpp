@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/mesh/column_memory.h"
+#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {

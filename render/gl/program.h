@@ -8,8 +8,8 @@
 
 #include <string_view>
 
-#include "core/base/result.h"
 #include "render/gl/object.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

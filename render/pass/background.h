@@ -1,9 +1,9 @@
 // The background pass: fills the pixels not covered by the surface.
 #pragma once
 
-#include "core/base/result.h"
 #include "render/gl/program.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

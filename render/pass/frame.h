@@ -5,9 +5,9 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-#include "core/view/size.h"
-#include "core/view/view_settings.h"
 #include "render/gl/program.h"
+#include "ryosen/view/size.h"
+#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
 

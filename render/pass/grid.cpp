@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/view/round_step.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
+#include "ryosen/view/round_step.h"
 
 namespace ryosen {
 

@@ -1,10 +1,10 @@
 // The grid pass: lines on the ground below the mesh.
 #pragma once
 
-#include "core/base/result.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

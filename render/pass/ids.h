@@ -5,11 +5,11 @@
 #include <optional>
 #include <span>
 
-#include "core/base/result.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

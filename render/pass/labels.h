@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/view/size.h"
 #include "render/colour.h"
 #include "render/pass/ui.h"
+#include "ryosen/base/result.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
 

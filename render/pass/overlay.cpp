@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/base/enum_table.h"
-#include "core/geometry/is_finite.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
+#include "ryosen/base/enum_table.h"
+#include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {
 namespace {

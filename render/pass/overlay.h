@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/result.h"
 #include "render/gl/buffer.h"
-#include "render/gl/program.h"
 #include "render/gl/number_lists.h"
+#include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

@@ -1,9 +1,9 @@
 // The resolve pass: downsamples a supersampled picture.
 #pragma once
 
-#include "core/base/result.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/enum_table.h"
 #include "render/palette.h"
 #include "render/pass/linear.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 namespace {

@@ -7,13 +7,13 @@
 #include <optional>
 #include <span>
 
-#include "core/base/enum_table.h"
-#include "core/base/result.h"
-#include "core/view/view_settings.h"
 #include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/enum_table.h"
+#include "ryosen/base/result.h"
+#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
 

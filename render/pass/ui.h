@@ -1,10 +1,10 @@
 // The UI pass: renders Dear ImGui's draw data.
 #pragma once
 
-#include "core/base/result.h"
 #include "render/gl/buffer.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/program.h"
+#include "ryosen/base/result.h"
 
 struct ImDrawData;
 struct ImDrawList;

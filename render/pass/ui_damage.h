@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/view/size.h"
+#include "ryosen/view/size.h"
 
 struct ImDrawData;
 struct ImDrawList;

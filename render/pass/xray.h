@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include "core/base/result.h"
 #include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
 

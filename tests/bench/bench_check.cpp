@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/cost.h"
 #include "tests/bench/generated_meshes.h"

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <random>
 
-#include "core/analysis/self_intersections.h"
-#include "core/geometry/triangulate.h"
-#include "core/indexed/from_indexed.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/geometry/triangulate.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/all.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/unit/core/geometry/polygon_shapes.h"
 

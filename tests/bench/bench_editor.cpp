@@ -8,7 +8,7 @@
 #include <chrono>
 #include <random>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "render/context/context.h"

@@ -11,11 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/parallel.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/io/input_file.h"
-#include "core/io/obj_pieces.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/io/input_file.h"
+#include "ryosen/io/obj_pieces.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/cost.h"
 #include "tests/bench/peer_cgal.h"

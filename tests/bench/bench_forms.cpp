@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "core/forms/all.h"
-#include "core/forms/pairing.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/pairing.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/bench/bench_meshes.h"
 
 namespace ryosen::bench {

@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/bench/growth_commands.h"
 #include "tests/bench/process.h"
 #include "tests/support/core/ugly_meshes.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/hull/convex_hull.h"
+#include "ryosen/hull/convex_hull.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/cost.h"
 #include "tests/bench/counted_memory.h"

@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "app/ui/viewport.h"
 #include "render/context/context.h"
 #include "render/gl/api.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <sstream>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::bench {
 

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/one_ring_sums.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/column_memory.h"
-#include "core/mesh/lookahead.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/outlook/collapsible_edges.h"
-#include "core/ops/swap_edge.h"
+#include "ryosen/analysis/one_ring_sums.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/column_memory.h"
+#include "ryosen/mesh/lookahead.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/outlook/collapsible_edges.h"
+#include "ryosen/ops/swap_edge.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_meshes.h"

@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/simplify/detail_levels.h"
-#include "core/algo/simplify/simplifier.h"
-#include "core/analysis/figures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/pick/bvh.h"
+#include "ryosen/algo/simplify/detail_levels.h"
+#include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/pick/bvh.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/cost.h"
 #include "tests/bench/counted_memory.h"

@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/measure/distance.h"
-#include "core/algo/remesh/remesh.h"
-#include "core/algo/smooth/smooth.h"
-#include "core/algo/subdivide/subdivide.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/measure/distance.h"
+#include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/smooth/smooth.h"
+#include "ryosen/algo/subdivide/subdivide.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/peer_cgal_surfaces.h"
 #include "tests/bench/surface_growth.h"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/indexed/indexed.h"
+#include "ryosen/indexed/indexed.h"
 
 namespace ryosen::bench {
 

@@ -1,11 +1,11 @@
 #include "tests/bench/growth_commands.h"
 
 #include "app/cli/algorithm_flags.h"
-#include "core/algo/algorithms.h"
-#include "core/io/formats.h"
-#include "core/ops/all.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/each.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/each.h"
 
 namespace ryosen::bench {
 

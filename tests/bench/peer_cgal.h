@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/indexed/indexed.h"
+#include "ryosen/indexed/indexed.h"
 
 namespace ryosen::bench {
 

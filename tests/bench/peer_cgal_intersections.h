@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/indexed/indexed.h"
+#include "ryosen/indexed/indexed.h"
 
 namespace ryosen::bench {
 

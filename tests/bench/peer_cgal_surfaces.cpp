@@ -9,8 +9,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen::bench {
 

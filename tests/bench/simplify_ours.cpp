@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "core/algo/simplify/simplifier.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/bench/plain_off.h"
 
 namespace {

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/algo/algorithms.h"
-#include "core/algo/measure/distance.h"
-#include "core/highlights/map_values.h"
-#include "core/indexed/from_indexed.h"
-#include "core/ops/all.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/measure/distance.h"
+#include "ryosen/highlights/map_values.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/all.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_meshes.h"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 #include "tests/bench/generated_meshes.h"
 
 int main(int argc, char** argv) {

@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 
-#include "app/editor/autosave.h"
-#include "app/editor/command_syntax.h"
-#include "app/editor/commands.h"
-#include "app/editor/keys.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/recovery/autosave.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/goal_algorithm.h"
 #include "tests/support/core/scatter_algorithm.h"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/contract.h"
 
 namespace ryosen::test {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/editor/session.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "core/forms/all.h"
-#include "core/forms/pairing.h"
 #include "render/image.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/pairing.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/long_run.h"
 

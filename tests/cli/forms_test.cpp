@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <map>
 
-#include "core/forms/all.h"
-#include "core/forms/pairing.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/pairing.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

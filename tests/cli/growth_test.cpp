@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/ugly_meshes.h"
 

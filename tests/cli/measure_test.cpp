@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/highlights/colour_maps.h"
+#include "ryosen/highlights/colour_maps.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

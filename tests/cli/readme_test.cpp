@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "app/cli/subcommand_table.h"
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

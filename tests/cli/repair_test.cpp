@@ -5,7 +5,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/solids.h"

@@ -3,8 +3,8 @@
 #include <unistd.h>
 
 #include "app/cli/check_report.h"
-#include "app/editor/session.h"
-#include "core/io/formats.h"
+#include "app/editor/session/session.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -1,7 +1,7 @@
 // A kind of problem that the program does not have: its row is all that reports need.
 #include <gtest/gtest.h>
 
-#include "core/analysis/problem_kinds.h"
+#include "ryosen/analysis/problem_kinds.h"
 #include "tests/support/app/contract.h"
 
 namespace ryosen::test {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <thread>
 
-#include "core/algo/edge_rules.h"
+#include "ryosen/algo/edge_rules.h"
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
 

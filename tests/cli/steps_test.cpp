@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "core/steps/all.h"
 #include "render/image.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

@@ -1,8 +1,8 @@
 // `why`: which lines it prints, in which order, and that its remedies hold.
 #include <gtest/gtest.h>
 
-#include "core/io/formats.h"
-#include "core/ops/all.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/ugly_meshes.h"
 

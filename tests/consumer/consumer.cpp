@@ -2,11 +2,11 @@
 // collapse, collapses it where it may, undoes that, and saves OUT.
 #include <iostream>
 
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/collapse_edge.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/collapse_edge.h"
 
 int main(int count, char** arguments) {
   if (count != 4) return 2;

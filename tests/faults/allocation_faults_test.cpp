@@ -15,8 +15,8 @@
 
 #include "app/cli/run.h"
 #include "app/cli/signals.h"
-#include "app/editor/session.h"
-#include "core/analysis/invariants.h"
+#include "app/editor/session/session.h"
+#include "ryosen/analysis/invariants.h"
 #include "tests/faults/failing_memory.h"
 #include "tests/support/core/long_run.h"
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <limits>
 
-#include "core/mesh/circulate.h"
-#include "core/ops/lines/arguments.h"
-#include "core/ops/rules/surgery.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen::fuzz {
 namespace {

@@ -1,7 +1,7 @@
 // Operators made from bytes, with arguments that live, are dead, are none or were never there.
 #pragma once
 
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 #include "tests/fuzz/bytes.h"
 
 namespace ryosen::fuzz {

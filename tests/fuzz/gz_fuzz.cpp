@@ -1,5 +1,5 @@
 // Any bytes to the unpacking of gzip, and what is packed back again.
-#include "core/io/gzip.h"
+#include "ryosen/io/gzip.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/reading.h"
 

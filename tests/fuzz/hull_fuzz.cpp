@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "core/hull/hull_steps.h"
+#include "ryosen/hull/hull_steps.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/failure.h"
 #include "tests/support/core/brute_hull.h"

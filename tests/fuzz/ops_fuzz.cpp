@@ -2,13 +2,13 @@
 // must be sound, every refusal and every way back exact, every logged line replayable.
 #include <cmath>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/geometry/is_finite.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/ops/outlook/preview.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/outlook/preview.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/starts.h"

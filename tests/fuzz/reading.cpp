@@ -1,9 +1,9 @@
 #include "tests/fuzz/reading.h"
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/problems.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/problems.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/fuzz/failure.h"
 
 namespace ryosen::fuzz {

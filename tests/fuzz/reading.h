@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::fuzz {
 

@@ -2,8 +2,8 @@
 // back, and what comes back must stay as it is from then on.
 #include <array>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/edited_file.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/edited_file.h"
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/reading.h"

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "core/indexed/from_indexed.h"
-#include "core/ops/all.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/all.h"
 #include "tests/fuzz/failure.h"
 #include "tests/support/core/shapes.h"
 

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/mesh.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::fuzz {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/highlights/highlight_table.h"
 #include "render/image.h"
 #include "render/palette.h"
+#include "ryosen/highlights/highlight_table.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

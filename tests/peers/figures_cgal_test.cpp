@@ -13,10 +13,10 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen {
 namespace {

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "core/algo/algorithms.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/open_shapes.h"
 
 namespace ryosen::test {

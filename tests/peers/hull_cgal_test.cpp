@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "core/hull/convex_hull.h"
+#include "ryosen/hull/convex_hull.h"
 #include "tests/peers/point_sets.h"
 
 namespace ryosen {

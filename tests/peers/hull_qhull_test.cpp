@@ -12,8 +12,8 @@
 #include <random>
 #include <set>
 
-#include "core/hull/convex_hull.h"
-#include "core/hull/hull_parts.h"
+#include "ryosen/hull/convex_hull.h"
+#include "ryosen/hull/hull_parts.h"
 #include "tests/peers/point_sets.h"
 #include "tests/support/core/brute_hull.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/hull/convex_hull.h"
-#include "core/io/formats.h"
+#include "ryosen/hull/convex_hull.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::test {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/algo/subdivide/subdivide.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/subdivide/subdivide.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "core/geometry/triangulate.h"
+#include "ryosen/geometry/triangulate.h"
 #include "tests/unit/core/geometry/polygon_shapes.h"
 
 namespace ryosen {

@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"

@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <map>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/copies.h"
-#include "core/ops/extrude_edges.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/extrude_edges.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/extruding.h"

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <map>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/extruding.h"

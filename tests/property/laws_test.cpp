@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
-#include "core/ops/rules/face_lists.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/proof.h"

@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/local_operators.h"

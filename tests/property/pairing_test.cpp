@@ -6,13 +6,13 @@
 #include <numeric>
 #include <set>
 
-#include "core/algo/repair/pair_faces.h"
-#include "core/algo/repair/recipe.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/neighbourhood.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/repair/pair_faces.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/pairing_oracle.h"
 #include "tests/support/core/recipe_checks.h"

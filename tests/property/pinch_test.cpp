@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

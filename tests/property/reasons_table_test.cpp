@@ -8,11 +8,11 @@
 #include <map>
 #include <set>
 
-#include "core/base/reasons.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/outlook/preview.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/base/reasons.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/outlook/preview.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/algo/repair/recipe.h"
-#include "core/analysis/figures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/recipe_checks.h"

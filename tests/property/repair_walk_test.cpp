@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <map>
 
-#include "core/analysis/boundary_loop_count.h"
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/problems.h"
+#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/problems.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/oracle/homology.h"

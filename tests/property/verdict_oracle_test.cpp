@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/edit.h"
-#include "core/mesh/journal.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/split_edge.h"
-#include "core/ops/swap_edge.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/edit.h"
+#include "ryosen/mesh/journal.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/split_edge.h"
+#include "ryosen/ops/swap_edge.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/comparison.h"

@@ -8,10 +8,10 @@
 #include <map>
 #include <random>
 
-#include "core/analysis/invariants.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

@@ -4,9 +4,9 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/editor/menu_bar.h"
-#include "app/editor/panel_list.h"
-#include "core/algo/algorithms.h"
+#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/preferences/panel_list.h"
+#include "ryosen/algo/algorithms.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

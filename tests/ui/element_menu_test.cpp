@@ -3,7 +3,7 @@
 #include <imgui_internal.h>  // which menus are open
 
 #include "app/ui/window_input.h"
-#include "core/mesh/middle.h"
+#include "ryosen/mesh/middle.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

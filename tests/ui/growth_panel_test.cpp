@@ -7,9 +7,9 @@
 #include <set>
 #include <thread>
 
-#include "app/editor/growth_work.h"
+#include "app/editor/textbook/growth_work.h"
 #include "app/ui/log_plot.h"
-#include "core/forms/pairing.h"
+#include "ryosen/forms/pairing.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

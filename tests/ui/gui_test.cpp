@@ -5,9 +5,9 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // the border of a window
 
-#include "app/editor/keys.h"
-#include "app/editor/words.h"
-#include "core/base/enum_table.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/keys.h"
+#include "ryosen/base/enum_table.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "app/editor/labels.h"
+#include "app/editor/labels/labels.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

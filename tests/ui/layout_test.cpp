@@ -4,7 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // how far a column scrolls
 
-#include "app/editor/layout.h"
+#include "app/editor/preferences/layout.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <set>
 
-#include "app/editor/palette.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/palette.h"
+#include "app/editor/commands/words.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/groups.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/groups.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/long_run.h"

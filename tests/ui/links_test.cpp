@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "app/editor/labels.h"
+#include "app/editor/labels/labels.h"
 #include "app/ui/overlays.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "app/editor/menu_bar.h"
-#include "app/editor/playing.h"
+#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

@@ -1,9 +1,9 @@
 // The menus, the files and the palette by the keyboard alone.
 #include <gtest/gtest.h>
 
-#include "app/editor/keys.h"
-#include "app/editor/menu_bar.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/preferences/menu_bar.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

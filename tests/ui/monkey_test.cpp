@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <random>
 
-#include "app/editor/keys.h"
-#include "app/editor/view_switches.h"
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/input/keys.h"
 #include "app/ui/headless.h"
-#include "core/analysis/invariants.h"
+#include "ryosen/analysis/invariants.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 #include "tests/support/core/long_run.h"

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

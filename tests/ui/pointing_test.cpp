@@ -7,7 +7,7 @@
 #include <random>
 
 #include "app/ui/headless.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "app/editor/exercises.h"
-#include "app/editor/playing.h"
-#include "app/editor/practice.h"
+#include "app/editor/textbook/exercises.h"
+#include "app/editor/textbook/playing.h"
+#include "app/editor/textbook/practice.h"
 #include "app/ui/overlays.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

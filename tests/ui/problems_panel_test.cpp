@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "app/editor/words.h"
-#include "core/analysis/problems.h"
+#include "app/editor/commands/words.h"
+#include "ryosen/analysis/problems.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/long_run.h"

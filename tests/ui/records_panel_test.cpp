@@ -9,9 +9,9 @@
 #include <optional>
 #include <thread>
 
-#include "app/editor/record_book.h"
-#include "core/forms/all.h"
-#include "core/mesh/names.h"
+#include "app/editor/textbook/record_book.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "app/editor/autosave.h"
+#include "app/editor/recovery/autosave.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

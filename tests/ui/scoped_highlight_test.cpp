@@ -5,7 +5,7 @@
 
 #include "app/cli/run.h"
 #include "app/ui/headless.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

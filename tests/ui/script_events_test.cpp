@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/editor/camera_text.h"
+#include "app/editor/camera/camera_text.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"

@@ -11,11 +11,11 @@
 #include <map>
 #include <sstream>
 
-#include "app/editor/algorithm_preview.h"
-#include "app/editor/commands.h"
-#include "app/editor/levels.h"
-#include "app/editor/playing.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/shown/algorithm_preview.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "app/editor/exercises.h"
+#include "app/editor/textbook/exercises.h"
 #include "app/ui/headless.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "app/editor/framing.h"
-#include "app/editor/labels.h"
-#include "app/editor/playing.h"
-#include "app/editor/words.h"
+#include "app/editor/camera/framing.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/labels/labels.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/overlays.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"

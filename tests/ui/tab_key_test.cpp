@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -1,7 +1,7 @@
 // The index of the texts: what it shows is no change of anybody's, and comes also behind the question about changes.
 #include <gtest/gtest.h>
 
-#include "app/editor/text_places.h"
+#include "app/editor/textbook/text_places.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

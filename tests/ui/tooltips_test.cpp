@@ -5,11 +5,11 @@
 
 #include <set>
 
-#include "app/editor/pick_modes.h"
-#include "app/editor/preferences.h"
-#include "app/editor/view_switches.h"
-#include "core/analysis/euler_poincare.h"
-#include "core/ops/groups.h"
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/input/pick_modes.h"
+#include "app/editor/preferences/preferences.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/ops/groups.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

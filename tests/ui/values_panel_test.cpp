@@ -7,10 +7,10 @@
 #include <optional>
 #include <set>
 
-#include "app/editor/framing.h"
-#include "core/analysis/measures.h"
-#include "core/mesh/copies.h"
-#include "core/ops/op.h"
+#include "app/editor/camera/framing.h"
+#include "ryosen/analysis/measures.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/op.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/scatter_algorithm.h"

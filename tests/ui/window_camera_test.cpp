@@ -3,10 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/analysis/problems.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/middle.h"
-#include "core/mesh/names.h"
+#include "ryosen/analysis/problems.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/middle.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/window_hand.h"
 
 namespace ryosen {

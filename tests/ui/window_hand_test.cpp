@@ -2,8 +2,8 @@
 // came of it in the picture's account and in the file that is saved.
 #include <glm/geometric.hpp>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/names.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"

@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "app/ui/texts.h"
-#include "core/mesh/names.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
 

@@ -11,9 +11,9 @@
 #include <thread>
 #include <utility>
 
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/names.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/camera_text.h"
-#include "core/mesh/circulate.h"
+#include "app/editor/camera/camera_text.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
 

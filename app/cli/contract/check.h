@@ -6,7 +6,7 @@
 
 #include "app/cli/contract/shared_shapes.h"
 #include "app/cli/json.h"
-#include "core/analysis/problem_kinds.h"
+#include "ryosen/analysis/problem_kinds.h"
 
 namespace ryosen::cli {
 

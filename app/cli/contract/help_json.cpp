@@ -7,8 +7,8 @@
 #include "app/cli/contract/id_lists.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommand_table.h"
-#include "core/base/sort_unique.h"
-#include "core/ops/all.h"
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen::cli {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/contract/shape.h"
-#include "core/base/message.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen::cli {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 

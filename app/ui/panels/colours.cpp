@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editor/measure_text.h"
+#include "app/editor/texts/measure_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

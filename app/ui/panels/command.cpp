@@ -2,11 +2,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/editor/command_syntax.h"
-#include "app/editor/commands.h"
-#include "app/editor/palette.h"
-#include "app/editor/path_completion.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/palette.h"
+#include "app/editor/commands/path_completion.h"
+#include "app/editor/commands/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/path_completion.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/path_completion.h"
+#include "app/editor/commands/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
 // clang-format on

@@ -1,6 +1,6 @@
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/forms/comparison.h"
+#include "ryosen/forms/comparison.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "app/editor/growth_work.h"
+#include "app/editor/textbook/growth_work.h"
 #include "app/ui/growth_plots.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -1,5 +1,5 @@
-#include "app/editor/levels.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/shown/levels.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -2,14 +2,14 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/editor/levels.h"
+#include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/algo/edge_rules.h"
-#include "core/geometry/polygon_normal.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/face_polygon.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/face_polygon.h"
 
 namespace ryosen {
 

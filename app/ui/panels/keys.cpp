@@ -1,10 +1,10 @@
 // The keys, each of which can be bound to another, and the mouse.
-#include "app/editor/keys.h"
+#include "app/editor/input/keys.h"
 
 #include <algorithm>
 
-#include "app/editor/preferences.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/preferences/preferences.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "app/editor/levels.h"
+#include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/algo/edge_rules.h"
+#include "ryosen/algo/edge_rules.h"
 
 namespace ryosen {
 

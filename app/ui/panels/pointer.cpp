@@ -1,10 +1,10 @@
 #include <array>
 
-#include "app/editor/pick_modes.h"
-#include "app/editor/remedy_text.h"
+#include "app/editor/input/pick_modes.h"
+#include "app/editor/texts/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 

@@ -2,11 +2,11 @@
 #include <array>
 #include <optional>
 
-#include "app/editor/practice.h"
+#include "app/editor/textbook/practice.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
-#include "core/mesh/names.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen {
 

@@ -1,5 +1,5 @@
 // What the window keeps for the next time: a field per row of the table of preferences.
-#include "app/editor/preferences.h"
+#include "app/editor/preferences/preferences.h"
 
 #include <algorithm>
 #include <cmath>

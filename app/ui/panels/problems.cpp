@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <array>
 
-#include "app/editor/commands.h"
-#include "app/editor/quarantine_text.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/words.h"
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"
-#include "core/algo/repair/loose_pieces.h"
-#include "core/analysis/boundary_loops.h"
-#include "core/analysis/problems.h"
-#include "core/mesh/find_element.h"
+#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/analysis/boundary_loops.h"
+#include "ryosen/analysis/problems.h"
+#include "ryosen/document/quarantine_text.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 

@@ -1,10 +1,10 @@
 #include <utility>
 
-#include "app/editor/record_text.h"
+#include "app/editor/textbook/record_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/forms/all.h"
-#include "core/mesh/find_element.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 

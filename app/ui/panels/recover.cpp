@@ -1,4 +1,4 @@
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/editor/exercises.h"
-#include "app/editor/playing.h"
-#include "app/editor/words.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/textbook/exercises.h"
+#include "app/editor/textbook/playing.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"

@@ -1,5 +1,5 @@
 // Where each figure, table, problem and listing of the source texts is found; a click shows it.
-#include "app/editor/text_places.h"
+#include "app/editor/textbook/text_places.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

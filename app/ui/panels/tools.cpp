@@ -1,11 +1,11 @@
 #include <array>
 #include <cmath>
 
-#include "app/editor/commands.h"
-#include "app/editor/pick_modes.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/input/pick_modes.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/ops/groups.h"
+#include "ryosen/ops/groups.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "core/analysis/boundary_loops.h"
+#include "ryosen/analysis/boundary_loops.h"
 
 namespace ryosen {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "app/editor/algorithm_preview.h"
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/shown/algorithm_preview.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/whole_rows.h"

@@ -1,7 +1,7 @@
 // A command that the program does not have: what a row says must be all that anybody needs to know of it.
 #pragma once
 
-#include "app/editor/commands.h"
+#include "app/editor/commands/commands.h"
 
 namespace ryosen::test {
 

@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "app/editor/commands.h"
-#include "core/algo/algorithms.h"
-#include "core/analysis/problem_kinds.h"
-#include "core/highlights/colour_maps.h"
-#include "core/highlights/highlight_table.h"
-#include "core/mesh/names.h"
-#include "core/selection/selectors.h"
+#include "app/editor/commands/commands.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/analysis/problem_kinds.h"
+#include "ryosen/highlights/colour_maps.h"
+#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/selection/selectors.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/sound_value.h"
 

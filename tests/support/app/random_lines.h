@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/session.h"
+#include "app/editor/session/session.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "app/cli/subcommand_table.h"
-#include "app/editor/document.h"
+#include "ryosen/document/document.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/all_targets.h"
 #include "tests/support/core/random_ops.h"

@@ -4,8 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/editor/words.h"
-#include "core/mesh/circulate.h"
+#include "app/editor/commands/words.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen::test {
 

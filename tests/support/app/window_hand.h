@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/view/camera.h"
+#include "ryosen/view/camera.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/algo/algorithms.h"
-#include "core/ops/op.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen::test {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::test {
 

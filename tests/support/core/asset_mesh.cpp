@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::test {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "core/indexed/indexed.h"
-#include "core/mesh/mesh.h"
+#include "ryosen/indexed/indexed.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::test {
 

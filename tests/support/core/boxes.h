@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {

@@ -1,7 +1,7 @@
 // Holds the nodes, boxes and slots of a tree against what they must be.
 #pragma once
 
-#include "core/pick/bvh.h"
+#include "ryosen/pick/bvh.h"
 
 namespace ryosen {
 

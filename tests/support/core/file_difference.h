@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/byte_colours.h"
-#include "core/io/mesh_file.h"
+#include "ryosen/io/byte_colours.h"
+#include "ryosen/io/mesh_file.h"
 
 namespace ryosen::test {
 

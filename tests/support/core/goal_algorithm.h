@@ -1,7 +1,7 @@
 // An algorithm with a goal that the program does not have: what it says of its end is all that anybody needs.
 #pragma once
 
-#include "core/algo/edge_rules.h"
+#include "ryosen/algo/edge_rules.h"
 
 namespace ryosen::test {
 

@@ -1,9 +1,9 @@
 #include "tests/support/core/kernel_lists.h"
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

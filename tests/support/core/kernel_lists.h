@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/oracle/complex_operators.h"
 #include "tests/support/core/oracle/operators.h"
 

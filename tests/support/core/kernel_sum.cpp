@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/analysis/disjoint_sets.h"
+#include "ryosen/analysis/disjoint_sets.h"
 
 namespace ryosen::test {
 

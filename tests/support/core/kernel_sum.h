@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/mesh/mesh.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen::test {
 

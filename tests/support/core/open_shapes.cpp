@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/geometry/single_precision.h"
+#include "ryosen/geometry/single_precision.h"
 
 namespace ryosen::test {
 

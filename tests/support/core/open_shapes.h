@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 
 namespace ryosen::test {
 

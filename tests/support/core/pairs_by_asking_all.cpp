@@ -1,7 +1,7 @@
 #include "tests/support/core/pairs_by_asking_all.h"
 
-#include "core/geometry/predicates.h"
-#include "core/geometry/triangles_meet.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/geometry/triangles_meet.h"
 
 namespace ryosen::test {
 

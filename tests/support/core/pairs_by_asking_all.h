@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/indexed.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/indexed.h"
 
 namespace ryosen::test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/steps/all.h"
+#include "ryosen/steps/all.h"
 
 namespace ryosen::test {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/result.h"
-#include "core/steps/sequence.h"
+#include "ryosen/base/result.h"
+#include "ryosen/steps/sequence.h"
 
 namespace ryosen::test {
 

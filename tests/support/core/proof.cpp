@@ -6,13 +6,13 @@
 #include <fstream>
 #include <map>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
-#include "core/ops/rules/sheets.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
+#include "ryosen/ops/rules/sheets.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/shapes.h"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/euler_poincare.h"
-#include "core/mesh/journal.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/mesh/journal.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen::test {
 

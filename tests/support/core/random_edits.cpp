@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {

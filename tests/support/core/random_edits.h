@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/mesh/edit.h"
+#include "ryosen/mesh/edit.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

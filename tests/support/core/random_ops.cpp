@@ -4,10 +4,10 @@
 
 #include <stdexcept>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/rules/surgery.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/complex.h"
 

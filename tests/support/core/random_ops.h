@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "core/algo/repair/guard.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/problem_sets.h"
-#include "core/base/split_list.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/edited_file.h"
-#include "core/io/elements.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/guard.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/problem_sets.h"
+#include "ryosen/base/split_list.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/edited_file.h"
+#include "ryosen/io/elements.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/algo/repair/recipe.h"
-#include "core/io/mesh_file.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/io/mesh_file.h"
 
 namespace ryosen::test {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/algo/algorithms.h"
-#include "core/ops/all.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen::test {
 

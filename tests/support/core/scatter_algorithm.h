@@ -1,7 +1,7 @@
 // An algorithm that the program does not have, with one parameter of each kind: its row must be all that anybody needs.
 #pragma once
 
-#include "core/algo/algorithms.h"
+#include "ryosen/algo/algorithms.h"
 
 namespace ryosen::test {
 

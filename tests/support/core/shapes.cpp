@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 
 namespace ryosen::test {
 

@@ -6,13 +6,13 @@
 #include <numeric>
 #include <string>
 
-#include "core/algo/edge_rules.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/geometry/is_finite.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/copies.h"
-#include "core/ops/collapse_edge.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/run_algorithm.h"
 
 namespace ryosen::test {

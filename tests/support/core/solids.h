@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/indexed/indexed.h"
+#include "ryosen/indexed/indexed.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

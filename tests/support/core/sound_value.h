@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/algo/parameters.h"
-#include "core/ops/op.h"
+#include "ryosen/algo/parameters.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen::test {
 

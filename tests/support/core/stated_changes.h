@@ -6,11 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/rings.h"
-#include "core/ops/rules/face_lists.h"
-#include "core/ops/rules/surgery.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
+#include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/proof.h"
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <tuple>
 
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/invariants.h"
-#include "core/mesh/names.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/core/kernel_sum.h"
 
 namespace ryosen::test {

@@ -1,7 +1,7 @@
 // What holds for everything that is played step by step.
 #pragma once
 
-#include "core/steps/sequence.h"
+#include "ryosen/steps/sequence.h"
 
 namespace ryosen::test {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/indexed/indexed.h"
+#include "ryosen/indexed/indexed.h"
 
 namespace ryosen::test {
 

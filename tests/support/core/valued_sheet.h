@@ -7,9 +7,9 @@
 #include <glm/vec4.hpp>
 #include <limits>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen::test {
 

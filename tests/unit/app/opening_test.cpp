@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/large_files.h"
+#include "app/editor/document/large_files.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "core/base/handle.h"
+#include "ryosen/base/handle.h"
 
 namespace ryosen {
 namespace {

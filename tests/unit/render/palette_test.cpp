@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/enum_table.h"
-#include "core/highlights/highlight_table.h"
+#include "ryosen/base/enum_table.h"
+#include "ryosen/highlights/highlight_table.h"
 #include "tests/support/render/colour_difference.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/view/camera.h"
+#include "ryosen/view/camera.h"
 
 namespace ryosen {
 namespace {

@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen::test {
 

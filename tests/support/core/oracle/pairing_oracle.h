@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mesh/mesh.h"
+#include "ryosen/mesh/mesh.h"
 #include "tests/support/core/solids.h"
 
 namespace ryosen::test {

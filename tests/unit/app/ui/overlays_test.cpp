@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

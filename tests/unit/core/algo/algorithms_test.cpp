@@ -1,5 +1,5 @@
 // Every row of the table of algorithms, and one that the program does not have.
-#include "core/algo/algorithms.h"
+#include "ryosen/algo/algorithms.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "core/indexed/from_indexed.h"
-#include "core/ops/all.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/scatter_algorithm.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/sound_value.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/algo/algorithms.h"
-#include "core/analysis/invariants.h"
-#include "core/geometry/is_finite.h"
-#include "core/ops/all.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/run_algorithm.h"

@@ -1,8 +1,8 @@
-#include "core/algo/parameters.h"
+#include "ryosen/algo/parameters.h"
 
 #include <gtest/gtest.h>
 
-#include "core/algo/algorithms.h"
+#include "ryosen/algo/algorithms.h"
 
 namespace ryosen {
 namespace {

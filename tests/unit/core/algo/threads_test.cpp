@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "ryosen/base/parallel.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 

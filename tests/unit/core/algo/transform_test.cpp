@@ -4,11 +4,11 @@
 #include <map>
 #include <numbers>
 
-#include "core/algo/algorithms.h"
-#include "core/algo/transform/moved_points.h"
-#include "core/algo/transform/point_transform.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/transform/moved_points.h"
+#include "ryosen/algo/transform/point_transform.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"

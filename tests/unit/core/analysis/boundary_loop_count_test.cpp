@@ -1,11 +1,11 @@
-#include "core/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loop_count.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/boundary_loops.h"
-#include "core/analysis/problem_sets.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/boundary_loops.h"
+#include "ryosen/analysis/problem_sets.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

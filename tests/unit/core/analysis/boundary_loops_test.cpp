@@ -1,10 +1,10 @@
-#include "core/analysis/boundary_loops.h"
+#include "ryosen/analysis/boundary_loops.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/analysis/problem_sets.h"
+#include "ryosen/analysis/problem_sets.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

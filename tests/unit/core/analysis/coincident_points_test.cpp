@@ -1,4 +1,4 @@
-#include "core/analysis/coincident_points.h"
+#include "ryosen/analysis/coincident_points.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/analysis/problem_sets.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/problem_sets.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "core/analysis/components.h"
+#include "ryosen/analysis/components.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Curvatures against formulas, on surfaces cut ever finer: that they converge, and how fast.
-#include "core/analysis/curvature.h"
+#include "ryosen/analysis/curvature.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <optional>
 #include <random>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,9 +1,9 @@
-#include "core/analysis/euler_poincare.h"
+#include "ryosen/analysis/euler_poincare.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/figures.h"
-#include "core/indexed/to_indexed.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/indexed/to_indexed.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/proof.h"

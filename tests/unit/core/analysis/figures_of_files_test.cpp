@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "core/analysis/figures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/analysis/figures.h"
+#include "ryosen/analysis/figures.h"
 
 #include <gtest/gtest.h>
 

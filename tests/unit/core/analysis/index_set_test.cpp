@@ -1,4 +1,4 @@
-#include "core/analysis/index_set.h"
+#include "ryosen/analysis/index_set.h"
 
 #include <gtest/gtest.h>
 

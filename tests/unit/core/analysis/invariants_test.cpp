@@ -1,12 +1,12 @@
 // Injected corruption: random wrong links are found and named, without a crash or an endless walk.
-#include "core/analysis/invariants.h"
+#include "ryosen/analysis/invariants.h"
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 #include <random>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,13 +1,13 @@
-#include "core/analysis/measuring.h"
+#include "ryosen/analysis/measuring.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "core/analysis/measures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/measures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

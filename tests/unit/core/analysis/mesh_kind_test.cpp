@@ -1,4 +1,4 @@
-#include "core/analysis/mesh_kind.h"
+#include "ryosen/analysis/mesh_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/analysis/shells.h"
-#include "core/indexed/to_indexed.h"
+#include "ryosen/analysis/shells.h"
+#include "ryosen/indexed/to_indexed.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/boxes.h"
 #include "tests/support/core/pairs_by_asking_all.h"

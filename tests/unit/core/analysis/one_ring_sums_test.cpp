@@ -1,9 +1,9 @@
-#include "core/analysis/one_ring_sums.h"
+#include "ryosen/analysis/one_ring_sums.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_ops.h"
 
 namespace ryosen {

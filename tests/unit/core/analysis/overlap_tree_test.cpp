@@ -1,4 +1,4 @@
-#include "core/analysis/overlap_tree.h"
+#include "ryosen/analysis/overlap_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 

@@ -1,14 +1,14 @@
-#include "core/analysis/problem_sets.h"
+#include "ryosen/analysis/problem_sets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/analysis/boundary_loop_count.h"
-#include "core/analysis/boundary_loops.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,10 +1,10 @@
-#include "core/analysis/problems.h"
+#include "ryosen/analysis/problems.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

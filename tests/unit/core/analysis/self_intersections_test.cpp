@@ -1,4 +1,4 @@
-#include "core/analysis/self_intersections.h"
+#include "ryosen/analysis/self_intersections.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/analysis/numbered_surface.h"
-#include "core/geometry/triangles_meet.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/analysis/numbered_surface.h"
+#include "ryosen/geometry/triangles_meet.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"

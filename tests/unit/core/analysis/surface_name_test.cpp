@@ -1,10 +1,10 @@
-#include "core/analysis/surface_name.h"
+#include "ryosen/analysis/surface_name.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

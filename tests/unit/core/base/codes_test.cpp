@@ -1,4 +1,4 @@
-#include "core/base/codes.h"
+#include "ryosen/base/codes.h"
 
 #include <gtest/gtest.h>
 

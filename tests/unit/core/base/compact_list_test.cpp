@@ -1,4 +1,4 @@
-#include "core/base/compact_list.h"
+#include "ryosen/base/compact_list.h"
 
 #include <gtest/gtest.h>
 

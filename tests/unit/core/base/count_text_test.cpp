@@ -1,4 +1,4 @@
-#include "core/base/count_text.h"
+#include "ryosen/base/count_text.h"
 
 #include <gtest/gtest.h>
 

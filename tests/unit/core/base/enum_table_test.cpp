@@ -1,4 +1,4 @@
-#include "core/base/enum_table.h"
+#include "ryosen/base/enum_table.h"
 
 #include <gtest/gtest.h>
 

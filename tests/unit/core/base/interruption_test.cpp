@@ -1,10 +1,10 @@
-#include "core/base/interruption.h"
+#include "ryosen/base/interruption.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "ryosen/base/parallel.h"
 
 namespace ryosen {
 namespace {

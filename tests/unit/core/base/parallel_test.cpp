@@ -1,4 +1,4 @@
-#include "core/base/parallel.h"
+#include "ryosen/base/parallel.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

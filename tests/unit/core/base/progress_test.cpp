@@ -1,4 +1,4 @@
-#include "core/base/progress.h"
+#include "ryosen/base/progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The limits of control groups, told by trees of files as the system has them.
-#include "core/base/resource_limits.h"
+#include "ryosen/base/resource_limits.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // Every form of the table: the way to Mesh and back is the identity, and all forms that can answer agree.
-#include "core/forms/all.h"
+#include "ryosen/forms/all.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <random>
 #include <set>
 
-#include "core/analysis/invariants.h"
-#include "core/forms/polygons.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

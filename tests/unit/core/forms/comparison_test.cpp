@@ -1,4 +1,4 @@
-#include "core/forms/comparison.h"
+#include "ryosen/forms/comparison.h"
 
 #include <gtest/gtest.h>
 

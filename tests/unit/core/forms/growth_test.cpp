@@ -1,5 +1,5 @@
 // The growth of the forms' work: what is counted is judged by its slope, never what is timed.
-#include "core/forms/growth/growth.h"
+#include "ryosen/forms/growth/growth.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@
 #include <map>
 #include <set>
 
-#include "core/forms/all.h"
-#include "core/forms/growth/collapse.h"
-#include "core/forms/growth/meshes.h"
-#include "core/forms/pairing.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/growth/collapse.h"
+#include "ryosen/forms/growth/meshes.h"
+#include "ryosen/forms/pairing.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::forms {

@@ -1,4 +1,4 @@
-#include "core/forms/pairing.h"
+#include "ryosen/forms/pairing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the forms store of an element, held to what the mesh itself says of it.
-#include "core/forms/records.h"
+#include "ryosen/forms/records.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "core/forms/all.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/names.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

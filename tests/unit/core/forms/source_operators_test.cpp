@@ -1,13 +1,13 @@
-#include "core/forms/source_operators.h"
+#include "ryosen/forms/source_operators.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "core/forms/walk.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/forms/walk.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::forms {

@@ -1,12 +1,12 @@
-#include "core/forms/split_3ij.h"
+#include "ryosen/forms/split_3ij.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/analysis/invariants.h"
-#include "core/forms/opposite_array.h"
-#include "core/forms/opposite_map.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/forms/opposite_array.h"
+#include "ryosen/forms/opposite_map.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::forms {

@@ -1,4 +1,4 @@
-#include "core/geometry/around_edge.h"
+#include "ryosen/geometry/around_edge.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/geometry/closest.h"
+#include "ryosen/geometry/closest.h"
 
 #include <gtest/gtest.h>
 

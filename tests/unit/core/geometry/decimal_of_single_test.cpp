@@ -1,4 +1,4 @@
-#include "core/geometry/decimal_of_single.h"
+#include "ryosen/geometry/decimal_of_single.h"
 
 #include <gtest/gtest.h>
 

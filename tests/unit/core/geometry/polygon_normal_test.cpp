@@ -1,4 +1,4 @@
-#include "core/geometry/polygon_normal.h"
+#include "ryosen/geometry/polygon_normal.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "core/geometry/predicates.h"
+#include "ryosen/geometry/predicates.h"
 
 namespace ryosen::test_shapes {
 

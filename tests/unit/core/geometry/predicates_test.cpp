@@ -1,4 +1,4 @@
-#include "core/geometry/predicates.h"
+#include "ryosen/geometry/predicates.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "core/geometry/exact_sum.h"
+#include "ryosen/geometry/exact_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/unit/core/geometry/big_integer.h"
 

@@ -1,4 +1,4 @@
-#include "core/geometry/sweep.h"
+#include "ryosen/geometry/sweep.h"
 
 #include <gtest/gtest.h>
 

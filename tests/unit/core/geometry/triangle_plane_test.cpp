@@ -1,8 +1,8 @@
-#include "core/geometry/triangle_plane.h"
+#include "ryosen/geometry/triangle_plane.h"
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/predicates.h"
+#include "ryosen/geometry/predicates.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -1,4 +1,4 @@
-#include "core/geometry/triangulate.h"
+#include "ryosen/geometry/triangulate.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "core/geometry/polygon_normal.h"
+#include "ryosen/geometry/polygon_normal.h"
 #include "tests/support/core/long_run.h"
 #include "tests/unit/core/geometry/polygon_shapes.h"
 

@@ -1,4 +1,4 @@
-#include "core/highlights/colour_maps.h"
+#include "ryosen/highlights/colour_maps.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/highlights/creases.h"
+#include "ryosen/highlights/creases.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

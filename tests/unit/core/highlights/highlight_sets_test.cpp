@@ -1,13 +1,13 @@
-#include "core/highlights/highlight_sets.h"
+#include "ryosen/highlights/highlight_sets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

@@ -1,4 +1,4 @@
-#include "core/highlights/highlight_table.h"
+#include "ryosen/highlights/highlight_table.h"
 
 #include <gtest/gtest.h>
 

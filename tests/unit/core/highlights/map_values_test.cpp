@@ -1,4 +1,4 @@
-#include "core/highlights/map_values.h"
+#include "ryosen/highlights/map_values.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/is_finite.h"
+#include "ryosen/geometry/is_finite.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/random_ops.h"

@@ -1,8 +1,8 @@
-#include "core/highlights/seams.h"
+#include "ryosen/highlights/seams.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/hull/convex_hull.h"
+#include "ryosen/hull/convex_hull.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <optional>
 #include <random>
 
-#include "core/base/parallel.h"
-#include "core/geometry/predicates.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/geometry/predicates.h"
 #include "tests/support/core/brute_hull.h"
 #include "tests/support/core/long_run.h"
 

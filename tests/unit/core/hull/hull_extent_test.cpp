@@ -1,4 +1,4 @@
-#include "core/hull/hull_extent.h"
+#include "ryosen/hull/hull_extent.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "core/geometry/predicates.h"
+#include "ryosen/geometry/predicates.h"
 #include "tests/support/core/long_run.h"
 
 namespace ryosen {

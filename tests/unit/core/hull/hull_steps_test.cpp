@@ -1,4 +1,4 @@
-#include "core/hull/hull_steps.h"
+#include "ryosen/hull/hull_steps.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 #include <set>
 
-#include "core/analysis/invariants.h"
-#include "core/forms/dcel.h"
-#include "core/geometry/predicates.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/forms/dcel.h"
+#include "ryosen/geometry/predicates.h"
 
 namespace ryosen {
 namespace {

@@ -1,11 +1,11 @@
-#include "core/hull/random_points.h"
+#include "ryosen/hull/random_points.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "core/hull/convex_hull.h"
+#include "ryosen/hull/convex_hull.h"
 #include "tests/support/core/run_algorithm.h"
 
 namespace ryosen {

@@ -1,18 +1,18 @@
 // Faces with rings: recognised in files, written back as they were, and bridged anew after edits.
-#include "core/indexed/bridged_corners.h"
+#include "ryosen/indexed/bridged_corners.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/vec2.hpp>
 #include <random>
 
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/bridges.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/bridges.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 namespace {

@@ -1,10 +1,10 @@
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/indexed/line_runs.h"
+#include "ryosen/indexed/line_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "core/indexed/pair_regular.h"
+#include "ryosen/indexed/pair_regular.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "core/analysis/invariants.h"
-#include "core/indexed/pair_corners.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/pair_corners.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,13 +1,13 @@
-#include "core/indexed/to_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/journal.h"
-#include "core/ops/collapse_edge.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/journal.h"
+#include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,9 +1,9 @@
-#include "core/io/edited_file.h"
+#include "ryosen/io/edited_file.h"
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/obj.h"
-#include "core/ops/all.h"
-#include "core/ops/rules/sheets.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/obj.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/ops/rules/sheets.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

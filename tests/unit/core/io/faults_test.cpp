@@ -1,7 +1,7 @@
 // A file that is refused for a value says at how many places there are such.
-#include "core/io/faults.h"
+#include "ryosen/io/faults.h"
 
-#include "core/io/obj_pieces.h"
+#include "ryosen/io/obj_pieces.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

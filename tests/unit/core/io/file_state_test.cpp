@@ -1,4 +1,4 @@
-#include "core/io/file_state.h"
+#include "ryosen/io/file_state.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <atomic>
 
-#include "core/base/interruption.h"
-#include "core/io/gzip.h"
+#include "ryosen/base/interruption.h"
+#include "ryosen/io/gzip.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

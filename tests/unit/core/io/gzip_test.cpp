@@ -1,4 +1,4 @@
-#include "core/io/gzip.h"
+#include "ryosen/io/gzip.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,4 +1,4 @@
-#include "core/io/input_file.h"
+#include "ryosen/io/input_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>

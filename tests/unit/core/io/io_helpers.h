@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/formats.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/file_difference.h"
 
 namespace ryosen::io_test {

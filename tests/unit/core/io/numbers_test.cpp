@@ -1,4 +1,4 @@
-#include "core/io/numbers.h"
+#include "ryosen/io/numbers.h"
 
 #include <gtest/gtest.h>
 

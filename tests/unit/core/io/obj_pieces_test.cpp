@@ -1,9 +1,9 @@
 // A file read in pieces is the file read in one, whatever the cuts and the threads.
-#include "core/io/obj_pieces.h"
+#include "ryosen/io/obj_pieces.h"
 
 #include <random>
 
-#include "core/io/obj.h"
+#include "ryosen/io/obj.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/io/obj.h"
+#include "ryosen/io/obj.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

@@ -1,7 +1,7 @@
 // The letters of the first word of OFF, and which of normal and colour comes first.
-#include "core/io/off_order.h"
+#include "ryosen/io/off_order.h"
 
-#include "core/io/off.h"
+#include "ryosen/io/off.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

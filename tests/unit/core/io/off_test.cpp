@@ -1,6 +1,6 @@
-#include "core/io/off.h"
+#include "ryosen/io/off.h"
 
-#include "core/io/obj.h"
+#include "ryosen/io/obj.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

@@ -1,10 +1,10 @@
 // The types and digits in which PLY columns are written.
-#include "core/io/ply_columns.h"
+#include "ryosen/io/ply_columns.h"
 
 #include <bit>
 #include <charconv>
 
-#include "core/io/byte_colours.h"
+#include "ryosen/io/byte_colours.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {

@@ -1,5 +1,5 @@
 // How the lines of PLY headers end, and what a header says of numbers that cannot be.
-#include "core/io/ply_header.h"
+#include "ryosen/io/ply_header.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

@@ -1,4 +1,4 @@
-#include "core/io/ply.h"
+#include "ryosen/io/ply.h"
 
 #include <algorithm>
 #include <bit>

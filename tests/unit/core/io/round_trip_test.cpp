@@ -1,10 +1,10 @@
 // Reading, saving and reading again, in every format and encoding, before and after edits.
-#include "core/indexed/from_indexed.h"
-#include "core/io/edited_file.h"
-#include "core/io/triangulated.h"
-#include "core/mesh/names.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/split_edge.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/edited_file.h"
+#include "ryosen/io/triangulated.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/split_edge.h"
 #include "tests/support/core/all_targets.h"
 #include "tests/unit/core/io/io_helpers.h"
 

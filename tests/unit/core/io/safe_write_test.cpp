@@ -1,4 +1,4 @@
-#include "core/io/safe_write.h"
+#include "ryosen/io/safe_write.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

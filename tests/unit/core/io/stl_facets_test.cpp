@@ -1,11 +1,11 @@
-#include "core/io/stl_facets.h"
+#include "ryosen/io/stl_facets.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-#include "core/io/welder.h"
+#include "ryosen/io/welder.h"
 
 namespace ryosen {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/io/stl.h"
+#include "ryosen/io/stl.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

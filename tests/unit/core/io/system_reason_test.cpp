@@ -1,4 +1,4 @@
-#include "core/io/system_reason.h"
+#include "ryosen/io/system_reason.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/text_lines.h"
+#include "ryosen/io/text_lines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/txt.h"
+#include "ryosen/io/txt.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

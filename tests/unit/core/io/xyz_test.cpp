@@ -1,4 +1,4 @@
-#include "core/io/xyz.h"
+#include "ryosen/io/xyz.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

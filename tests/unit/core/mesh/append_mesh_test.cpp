@@ -1,9 +1,9 @@
 // Meshes that are added to others.
-#include "core/mesh/append_mesh.h"
+#include "ryosen/mesh/append_mesh.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/invariants.h"
+#include "ryosen/analysis/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {

@@ -1,12 +1,12 @@
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/copies.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <chrono>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"

@@ -1,14 +1,14 @@
-#include "core/mesh/journal.h"
+#include "ryosen/mesh/journal.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/cell_marks.h"
-#include "core/ops/all.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/cell_marks.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,9 +1,9 @@
-#include "core/mesh/lookahead.h"
+#include "ryosen/mesh/lookahead.h"
 
 #include <gtest/gtest.h>
 
-#include "core/ops/collapse_edge.h"
-#include "core/ops/swap_edge.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/swap_edge.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,11 +1,11 @@
-#include "core/mesh/names.h"
+#include "ryosen/mesh/names.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

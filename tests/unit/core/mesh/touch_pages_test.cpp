@@ -1,4 +1,4 @@
-#include "core/mesh/touch_pages.h"
+#include "ryosen/mesh/touch_pages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "core/ops/delete.h"
+#include "ryosen/ops/delete.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/attribute.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,10 +1,10 @@
-#include "core/ops/detach.h"
+#include "ryosen/ops/detach.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,13 +1,13 @@
-#include "core/ops/dissolve_series.h"
+#include "ryosen/ops/dissolve_series.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/each.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/each.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"

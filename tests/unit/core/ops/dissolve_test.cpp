@@ -1,10 +1,10 @@
-#include "core/ops/dissolve.h"
+#include "ryosen/ops/dissolve.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,10 +1,10 @@
-#include "core/ops/each.h"
+#include "ryosen/ops/each.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/ops/extrude_edges.h"
+#include "ryosen/ops/extrude_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

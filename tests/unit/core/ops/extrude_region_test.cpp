@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/extrude.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/extrude.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

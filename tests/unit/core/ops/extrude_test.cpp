@@ -1,11 +1,11 @@
-#include "core/ops/extrude.h"
+#include "ryosen/ops/extrude.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,8 +1,8 @@
-#include "core/ops/fill.h"
+#include "ryosen/ops/fill.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,8 +1,8 @@
-#include "core/ops/make_face.h"
+#include "ryosen/ops/make_face.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

@@ -1,13 +1,13 @@
 // Many calls of one operator: whatever its row does at less cost says and does the same as each call by itself.
-#include "core/ops/op_series.h"
+#include "ryosen/ops/op_series.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "core/analysis/invariants.h"
-#include "core/ops/each.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/ops/each.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

@@ -2,12 +2,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/analysis/invariants.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

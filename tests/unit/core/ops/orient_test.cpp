@@ -1,12 +1,12 @@
-#include "core/ops/orient.h"
+#include "ryosen/ops/orient.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/formats.h"
-#include "core/ops/rules/turn_faces.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/rules/turn_faces.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/oracle/orienting.h"

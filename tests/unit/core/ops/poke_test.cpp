@@ -1,14 +1,14 @@
-#include "core/ops/poke.h"
+#include "ryosen/ops/poke.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/io/formats.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

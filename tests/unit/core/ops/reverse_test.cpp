@@ -1,14 +1,14 @@
-#include "core/ops/reverse.h"
+#include "ryosen/ops/reverse.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

@@ -1,9 +1,9 @@
-#include "core/ops/separate_fans.h"
+#include "ryosen/ops/separate_fans.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

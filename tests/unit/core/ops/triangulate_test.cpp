@@ -1,13 +1,13 @@
-#include "core/ops/triangulate.h"
+#include "ryosen/ops/triangulate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/analysis/figures.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/outlook/remedy.h"
-#include "core/ops/rules/face_triangles.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/rules/face_triangles.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,13 +1,13 @@
-#include "core/ops/vertex_split.h"
+#include "ryosen/ops/vertex_split.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/rules/face_geometry.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/face_geometry.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

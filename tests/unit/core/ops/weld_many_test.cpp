@@ -5,11 +5,11 @@
 #include <map>
 #include <numeric>
 
-#include "core/analysis/invariants.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/each.h"
-#include "core/ops/rules/sheets.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/each.h"
+#include "ryosen/ops/rules/sheets.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

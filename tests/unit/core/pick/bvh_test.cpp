@@ -1,4 +1,4 @@
-#include "core/pick/bvh.h"
+#include "ryosen/pick/bvh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-#include "core/pick/nearest.h"
+#include "ryosen/pick/nearest.h"
 #include "tests/support/core/bvh_inspector.h"
 #include "tests/unit/core/pick/pick_fixtures.h"
 

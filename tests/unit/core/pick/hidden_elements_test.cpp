@@ -1,9 +1,9 @@
-#include "core/pick/hidden_elements.h"
+#include "ryosen/pick/hidden_elements.h"
 
 #include <gtest/gtest.h>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 namespace {

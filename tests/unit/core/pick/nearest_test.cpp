@@ -1,4 +1,4 @@
-#include "core/pick/nearest.h"
+#include "ryosen/pick/nearest.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pick/primitive.h"
+#include "ryosen/pick/primitive.h"
 
 namespace ryosen::test {
 

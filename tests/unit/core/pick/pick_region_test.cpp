@@ -4,10 +4,10 @@
 #include <numbers>
 #include <set>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/pick/picker.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/pick/picker.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

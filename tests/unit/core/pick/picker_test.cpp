@@ -1,10 +1,10 @@
-#include "core/pick/picker.h"
+#include "ryosen/pick/picker.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/edit.h"
-#include "core/mesh/touched.h"
-#include "core/ops/all.h"
+#include "ryosen/mesh/edit.h"
+#include "ryosen/mesh/touched.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/pick/ray.h"
+#include "ryosen/pick/ray.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/pick/surface_triangles.h"
+#include "ryosen/pick/surface_triangles.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"

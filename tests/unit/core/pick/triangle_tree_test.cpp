@@ -1,11 +1,11 @@
-#include "core/pick/triangle_tree.h"
+#include "ryosen/pick/triangle_tree.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/algo/measure/measured_surface.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/slow_distance.h"
 #include "tests/support/core/ugly_meshes.h"

@@ -1,11 +1,11 @@
-#include "core/selection/conversion.h"
+#include "ryosen/selection/conversion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,12 +1,12 @@
-#include "core/selection/selectors.h"
+#include "ryosen/selection/selectors.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

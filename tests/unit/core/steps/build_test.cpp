@@ -5,11 +5,11 @@
 #include <set>
 #include <string>
 
-#include "core/forms/all.h"
-#include "core/forms/opposite_map.h"
-#include "core/forms/polygons.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/names.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/opposite_map.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 

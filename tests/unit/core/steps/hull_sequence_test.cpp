@@ -1,4 +1,4 @@
-#include "core/steps/hull_sequence.h"
+#include "ryosen/steps/hull_sequence.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <random>
 #include <set>
 
-#include "core/geometry/predicates.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/names.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/core/step_checks.h"
 
 namespace ryosen {

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "core/forms/all.h"
-#include "core/forms/halfedge_table.h"
-#include "core/forms/polygons.h"
-#include "core/forms/source_operators.h"
-#include "core/mesh/names.h"
-#include "core/steps/all.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/halfedge_table.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/forms/source_operators.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/shapes.h"

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/forms/all.h"
-#include "core/forms/pairing.h"
-#include "core/forms/polygons.h"
-#include "core/mesh/names.h"
-#include "core/ops/all.h"
-#include "core/steps/all.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/pairing.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/random_meshes.h"

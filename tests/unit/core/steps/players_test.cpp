@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/steps/all.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/shapes.h"

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/forms/all.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/find_element.h"
-#include "core/mesh/names.h"
-#include "core/ops/all.h"
-#include "core/steps/all.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/random_meshes.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/steps/all.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/stated_changes.h"
 #include "tests/support/core/step_checks.h"

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "core/forms/all.h"
-#include "core/forms/opposite_map.h"
-#include "core/forms/source_operators.h"
-#include "core/forms/split_3ij.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/opposite_map.h"
+#include "ryosen/forms/source_operators.h"
+#include "ryosen/forms/split_3ij.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/step_checks.h"

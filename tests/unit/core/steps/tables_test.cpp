@@ -1,12 +1,12 @@
 // The tables along what is played equal a replay from the start, in whatever order they are asked for.
-#include "core/steps/tables.h"
+#include "ryosen/steps/tables.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <tuple>
 
-#include "core/steps/all.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

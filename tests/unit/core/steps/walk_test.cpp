@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/forms/all.h"
-#include "core/forms/polygons.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/steps/all.h"
+#include "ryosen/forms/all.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/random_meshes.h"

@@ -1,4 +1,4 @@
-#include "core/view/camera.h"
+#include "ryosen/view/camera.h"
 
 #include <gtest/gtest.h>
 

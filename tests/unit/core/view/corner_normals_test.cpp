@@ -1,4 +1,4 @@
-#include "core/view/corner_normals.h"
+#include "ryosen/view/corner_normals.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/indexed/from_indexed.h"
-#include "core/view/packed_normal.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/view/packed_normal.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"

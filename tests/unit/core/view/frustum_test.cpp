@@ -1,4 +1,4 @@
-#include "core/view/frustum.h"
+#include "ryosen/view/frustum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/view/named_views.h"
+#include "ryosen/view/named_views.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/view/packed_normal.h"
+#include "ryosen/view/packed_normal.h"
 
 #include <gtest/gtest.h>
 

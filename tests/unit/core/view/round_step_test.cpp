@@ -1,4 +1,4 @@
-#include "core/view/round_step.h"
+#include "ryosen/view/round_step.h"
 
 #include <gtest/gtest.h>
 

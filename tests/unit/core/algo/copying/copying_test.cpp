@@ -1,17 +1,17 @@
 // Duplicates and mirror images of elements.
-#include "core/algo/copying/copying.h"
+#include "ryosen/algo/copying/copying.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
-#include "core/algo/copying/part.h"
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/problem_sets.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/algo/copying/part.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/problem_sets.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,14 +1,14 @@
 // What a guard of a surface tells of a step, against a comparison of all faces with each other.
-#include "core/algo/crossings/crossing_guard.h"
+#include "ryosen/algo/crossings/crossing_guard.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/predicates.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 

@@ -1,5 +1,5 @@
 // Of many pages on a spine a triangle finds those it can meet.
-#include "core/algo/crossings/faces_at_hubs.h"
+#include "ryosen/algo/crossings/faces_at_hubs.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/geometry/predicates.h"
+#include "ryosen/geometry/predicates.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -1,18 +1,18 @@
 // What is found near triangles while a mesh with hubs changes, against asking every face.
-#include "core/algo/crossings/near_faces.h"
+#include "ryosen/algo/crossings/near_faces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/predicates.h"
-#include "core/geometry/triangles_meet.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/mesh/edit.h"
-#include "core/ops/collapse_edge.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/geometry/triangles_meet.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/edit.h"
+#include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/random_meshes.h"
 
 namespace ryosen::test {

@@ -1,4 +1,4 @@
-#include "core/algo/measure/distance.h"
+#include "ryosen/algo/measure/distance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/algo/measure/measured_surface.h"
-#include "core/indexed/from_indexed.h"
+#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/slow_distance.h"

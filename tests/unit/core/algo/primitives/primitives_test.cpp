@@ -1,5 +1,5 @@
 // Every primitive over several values, by oracles on the polygon list alone.
-#include "core/algo/primitives/primitives.h"
+#include "ryosen/algo/primitives/primitives.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <numbers>
 #include <set>
 
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/problem_sets.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/to_indexed.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/problem_sets.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/to_indexed.h"
 #include "tests/support/core/run_algorithm.h"
 
 namespace ryosen::test {

@@ -1,5 +1,5 @@
 // How primitives come into a mesh: as one entry of the history, beside what is there, or not at all.
-#include "core/algo/primitives/shape.h"
+#include "ryosen/algo/primitives/shape.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cstring>
 #include <numbers>
 
-#include "core/algo/primitives/primitives.h"
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/invariants.h"
-#include "core/mesh/attribute.h"
+#include "ryosen/algo/primitives/primitives.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/attribute.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,5 +1,5 @@
 // Remeshing: what it keeps to the bit, how even the result is, and that it stays on the surface.
-#include "core/algo/remesh/remesh.h"
+#include "ryosen/algo/remesh/remesh.h"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +11,16 @@
 #include <numbers>
 #include <random>
 
-#include "core/algo/remesh/features.h"
-#include "core/algo/remesh/planar_regions.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/self_intersections.h"
-#include "core/base/parallel.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/algo/remesh/features.h"
+#include "ryosen/algo/remesh/planar_regions.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"

@@ -9,11 +9,11 @@
 #include <numbers>
 #include <set>
 
-#include "core/algo/remesh/features.h"
-#include "core/algo/remesh/remesh.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/triangulate.h"
+#include "ryosen/algo/remesh/features.h"
+#include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/triangulate.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/algo/repair/find_holes.h"
-#include "core/algo/repair/hole_triangles.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/repair/find_holes.h"
+#include "ryosen/algo/repair/hole_triangles.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/open_shapes.h"
 #include "tests/support/core/run_algorithm.h"
 

@@ -1,4 +1,4 @@
-#include "core/algo/repair/fill_holes.h"
+#include "ryosen/algo/repair/fill_holes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <map>
 
-#include "core/algo/repair/find_holes.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/geometry/single_precision.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/find_holes.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/geometry/single_precision.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/algorithm_input.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/open_shapes.h"

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/algo/repair/fill_holes.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/fill_holes.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/open_shapes.h"
 

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/algo/repair/fill_holes.h"
-#include "core/algo/repair/fill_report.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/geometry/single_precision.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/repair/fill_holes.h"
+#include "ryosen/algo/repair/fill_report.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/geometry/single_precision.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/open_shapes.h"
 #include "tests/support/core/shapes.h"

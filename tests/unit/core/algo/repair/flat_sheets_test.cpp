@@ -1,13 +1,13 @@
 // The outer borders of flat sheets, which fill_holes leaves open, and borders that look like these.
-#include "core/algo/repair/flat_sheets.h"
+#include "ryosen/algo/repair/flat_sheets.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/open_shapes.h"
 #include "tests/support/core/run_algorithm.h"

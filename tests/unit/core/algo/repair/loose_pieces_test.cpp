@@ -1,8 +1,8 @@
-#include "core/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/loose_pieces.h"
 
 #include <gtest/gtest.h>
 
-#include "core/algo/repair/report.h"
+#include "ryosen/algo/repair/report.h"
 #include "tests/support/core/boxes.h"
 #include "tests/support/core/recipe_checks.h"
 #include "tests/support/core/shapes.h"

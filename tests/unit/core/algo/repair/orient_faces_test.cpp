@@ -1,4 +1,4 @@
-#include "core/algo/repair/orient_faces.h"
+#include "ryosen/algo/repair/orient_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +8,14 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "core/algo/repair/recipe.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/mesh_kind.h"
-#include "core/analysis/shells.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/mesh_kind.h"
+#include "ryosen/analysis/shells.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/boxes.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/recipe_checks.h"

@@ -1,13 +1,13 @@
-#include "core/algo/repair/pair_faces.h"
+#include "ryosen/algo/repair/pair_faces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/algo/repair/recipe.h"
-#include "core/analysis/figures.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/recipe_checks.h"
 #include "tests/support/core/shapes.h"

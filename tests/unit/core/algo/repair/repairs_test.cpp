@@ -1,4 +1,4 @@
-#include "core/algo/repair/repairs.h"
+#include "ryosen/algo/repair/repairs.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "core/algo/repair/report.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/self_intersections.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/algo/repair/report.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/algorithm_input.h"
 #include "tests/support/core/open_shapes.h"
 #include "tests/support/core/shapes.h"

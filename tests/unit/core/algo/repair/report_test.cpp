@@ -1,4 +1,4 @@
-#include "core/algo/repair/report.h"
+#include "ryosen/algo/repair/report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/algo/repair/rim_plane.h"
+#include "ryosen/algo/repair/rim_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "core/geometry/single_precision.h"
+#include "ryosen/geometry/single_precision.h"
 #include "tests/support/core/open_shapes.h"
 
 namespace ryosen::test {

@@ -1,4 +1,4 @@
-#include "core/algo/repair/stitch.h"
+#include "ryosen/algo/repair/stitch.h"
 
 #include <gtest/gtest.h>
 
@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "core/algo/repair/recipe.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/repair/recipe.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/recipe_checks.h"

@@ -1,8 +1,8 @@
-#include "core/algo/simplify/detail_levels.h"
+#include "ryosen/algo/simplify/detail_levels.h"
 
 #include <gtest/gtest.h>
 
-#include "core/analysis/invariants.h"
+#include "ryosen/analysis/invariants.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,12 +1,12 @@
 // Which way the input looks near a place, against a search through all its faces.
-#include "core/algo/simplify/input_sides.h"
+#include "ryosen/algo/simplify/input_sides.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/geometry/point_triangle.h"
+#include "ryosen/geometry/point_triangle.h"
 #include "tests/support/core/simplified.h"
 
 namespace ryosen::test {

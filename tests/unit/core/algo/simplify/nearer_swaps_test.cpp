@@ -1,12 +1,12 @@
 // What it takes to tell how far a simplified surface lies from what it was.
-#include "core/algo/simplify/nearer_swaps.h"
+#include "ryosen/algo/simplify/nearer_swaps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/indexed/from_indexed.h"
+#include "ryosen/indexed/from_indexed.h"
 
 namespace ryosen::test {
 namespace {

@@ -1,7 +1,7 @@
 // Where collapses put points on flat and straight parts, and that values are those of the place.
 #include <gtest/gtest.h>
 
-#include "core/algo/simplify/quadric.h"
+#include "ryosen/algo/simplify/quadric.h"
 #include "tests/support/core/simplified.h"
 #include "tests/support/core/valued_sheet.h"
 

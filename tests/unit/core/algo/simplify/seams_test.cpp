@@ -3,13 +3,13 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/algo/edge_rules.h"
-#include "core/algo/simplify/flat_normals.h"
-#include "core/indexed/from_indexed.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/triangle_corners.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/algo/simplify/flat_normals.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/triangle_corners.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
 

@@ -1,5 +1,5 @@
 // Simplification in hard places: far smaller parts, exact planes, hubs, effort, levels and cancelling.
-#include "core/algo/simplify/simplifier.h"
+#include "ryosen/algo/simplify/simplifier.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "core/algo/measure/distance.h"
-#include "core/algo/simplify/remaining_edges.h"
-#include "core/algo/simplify/simplify.h"
-#include "core/io/formats.h"
-#include "core/pick/nearest.h"
+#include "ryosen/algo/measure/distance.h"
+#include "ryosen/algo/simplify/remaining_edges.h"
+#include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/pick/nearest.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/simplified.h"

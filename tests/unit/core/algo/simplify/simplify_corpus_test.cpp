@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "core/algo/simplify/simplify.h"
-#include "core/algo/simplify/simplifier.h"
-#include "core/io/formats.h"
+#include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/io/formats.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/simplified.h"
 

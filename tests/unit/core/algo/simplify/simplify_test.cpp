@@ -1,5 +1,5 @@
 // Simplification: what it promises of every mesh, judged by the plain verdicts and warnings of the kernel's collapse.
-#include "core/algo/simplify/simplify.h"
+#include "ryosen/algo/simplify/simplify.h"
 
 #include <gtest/gtest.h>
 
@@ -7,15 +7,15 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "core/algo/simplify/plain_collapse.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/self_intersections.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/collapse_edge.h"
-#include "core/ops/rules/corner_values.h"
-#include "core/ops/rules/plain_check.h"
+#include "ryosen/algo/simplify/plain_collapse.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/plain_check.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/simplified.h"

@@ -6,10 +6,10 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "core/algo/measure/distance.h"
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/triangle_corners.h"
+#include "ryosen/algo/measure/distance.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/triangle_corners.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"

@@ -1,5 +1,5 @@
 // Smoothing against closed forms: waves on a closed grid, symmetric solids, cylinders, planes.
-#include "core/algo/smooth/smooth.h"
+#include "ryosen/algo/smooth/smooth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/figures.h"
-#include "core/geometry/is_finite.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,5 +1,5 @@
 // Subdivision against closed forms, counts, an oracle on polygon lists, and its own laws.
-#include "core/algo/subdivide/subdivide.h"
+#include "ryosen/algo/subdivide/subdivide.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <numbers>
 #include <random>
 
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/analysis/mesh_kind.h"
-#include "core/indexed/to_indexed.h"
-#include "core/mesh/attribute.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/analysis/mesh_kind.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"

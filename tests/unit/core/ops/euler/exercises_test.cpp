@@ -3,10 +3,10 @@
 
 #include <fstream>
 
-#include "core/analysis/euler_poincare.h"
-#include "core/analysis/figures.h"
-#include "core/analysis/invariants.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 namespace {

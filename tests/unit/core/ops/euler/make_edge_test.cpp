@@ -1,11 +1,11 @@
-#include "core/ops/euler/make_edge.h"
+#include "ryosen/ops/euler/make_edge.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 
-#include "core/analysis/invariants.h"
-#include "core/ops/all.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 namespace {

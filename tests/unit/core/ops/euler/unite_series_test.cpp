@@ -1,13 +1,13 @@
-#include "core/ops/euler/unite_series.h"
+#include "ryosen/ops/euler/unite_series.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/analysis/invariants.h"
-#include "core/indexed/from_indexed.h"
-#include "core/ops/euler/unite_edge.h"
-#include "core/ops/rules/surgery.h"
+#include "ryosen/analysis/invariants.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/euler/unite_edge.h"
+#include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"

@@ -1,8 +1,8 @@
-#include "core/ops/lines/syntax.h"
+#include "ryosen/ops/lines/syntax.h"
 
 #include <gtest/gtest.h>
 
-#include "core/ops/all.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,10 +1,10 @@
-#include "core/ops/outlook/collapsible_edges.h"
+#include "ryosen/ops/outlook/collapsible_edges.h"
 
 #include <gtest/gtest.h>
 
-#include "core/indexed/from_indexed.h"
-#include "core/io/formats.h"
-#include "core/ops/collapse_edge.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

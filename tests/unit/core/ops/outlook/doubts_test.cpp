@@ -1,8 +1,8 @@
-#include "core/ops/outlook/doubts.h"
+#include "ryosen/ops/outlook/doubts.h"
 
 #include <gtest/gtest.h>
 
-#include "core/ops/outlook/preview.h"
+#include "ryosen/ops/outlook/preview.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

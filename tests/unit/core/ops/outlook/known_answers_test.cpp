@@ -1,9 +1,9 @@
-#include "core/ops/outlook/known_answers.h"
+#include "ryosen/ops/outlook/known_answers.h"
 
 #include <gtest/gtest.h>
 
-#include "core/indexed/from_indexed.h"
-#include "core/ops/outlook/preview.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/ops/outlook/preview.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"

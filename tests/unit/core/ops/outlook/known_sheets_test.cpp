@@ -1,12 +1,12 @@
-#include "core/ops/outlook/known_sheets.h"
+#include "ryosen/ops/outlook/known_sheets.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "core/ops/all.h"
-#include "core/ops/rules/sheets.h"
+#include "ryosen/ops/all.h"
+#include "ryosen/ops/rules/sheets.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

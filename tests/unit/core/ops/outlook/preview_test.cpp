@@ -1,9 +1,9 @@
-#include "core/ops/outlook/preview.h"
+#include "ryosen/ops/outlook/preview.h"
 
 #include <gtest/gtest.h>
 
-#include "core/geometry/triangles_cross.h"
-#include "core/mesh/circulate.h"
+#include "ryosen/geometry/triangles_cross.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

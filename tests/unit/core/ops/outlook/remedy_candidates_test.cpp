@@ -1,4 +1,4 @@
-#include "core/ops/outlook/remedy_candidates.h"
+#include "ryosen/ops/outlook/remedy_candidates.h"
 
 #include <gtest/gtest.h>
 

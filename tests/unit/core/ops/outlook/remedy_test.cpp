@@ -1,8 +1,8 @@
-#include "core/ops/outlook/remedy.h"
+#include "ryosen/ops/outlook/remedy.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/circulate.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "core/ops/outlook/tool_verdicts.h"
+#include "ryosen/ops/outlook/tool_verdicts.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "core/indexed/from_indexed.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
-#include "core/ops/all.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

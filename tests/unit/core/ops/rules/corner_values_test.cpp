@@ -1,4 +1,4 @@
-#include "core/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/corner_values.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "core/mesh/circulate.h"
-#include "core/mesh/copies.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -1,13 +1,13 @@
-#include "core/ops/rules/crossings.h"
+#include "ryosen/ops/rules/crossings.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/geometry/triangles_cross.h"
-#include "core/mesh/circulate.h"
-#include "core/mesh/face_polygon.h"
+#include "ryosen/geometry/triangles_cross.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

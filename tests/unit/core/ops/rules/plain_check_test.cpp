@@ -1,13 +1,13 @@
 // The quick answers of the checks against the judgement rule for rule.
-#include "core/ops/rules/plain_check.h"
+#include "ryosen/ops/rules/plain_check.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "core/io/formats.h"
-#include "core/mesh/circulate.h"
-#include "core/ops/all.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/shapes.h"
 

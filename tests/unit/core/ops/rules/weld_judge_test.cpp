@@ -1,9 +1,9 @@
-#include "core/ops/rules/weld_judge.h"
+#include "ryosen/ops/rules/weld_judge.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/copies.h"
-#include "core/ops/weld.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/weld.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

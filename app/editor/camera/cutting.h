@@ -1,0 +1,13 @@
+// The plane that a session cuts its mesh at.
+#pragma once
+
+#include "app/editor/session/session.h"
+
+namespace ryosen {
+
+// Cuts in the middle of the mesh, or no more. O(vertices), as the next one is.
+void cut_across(Session& session, ClipWay way);
+// Moves the plane, which there must be, so that this share of the extent of the mesh across it is kept.
+void move_cut(Session& session, double share);
+
+}  // namespace ryosen

@@ -1,0 +1,48 @@
+// What a view is framed by: the vertices with edges, and isolated ones that are not far from them; and what of it is free.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <span>
+
+#include "ryosen/mesh/mesh.h"
+#include "ryosen/view/camera.h"
+
+namespace ryosen {
+
+class Session;
+
+using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
+
+// Calls visit(places) of the vertices that have edges, or of all where none has. O(n).
+void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
+
+// The same with isolated vertices up to four diagonals of their box from its middle, so that the mesh takes an eighth of
+// the view at least: one that a scanner left in a corner of its room would make it a dot.
+void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
+
+// What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, which are as round
+// as that is wide. What is framed keeps off the strips, unless they leave hardly any of the view, and off the axes where
+// one of its places would lie there.
+struct Covered {
+  double left = 0, right = 0, above = 0;
+  std::optional<PixelRect> corner;
+};
+// By what a tab has opened, the caption of what is played, and the axes.
+Covered covered_view(const Session& session);
+// The strips of that alone, as shares of the view; none where they leave hardly any of it.
+CoveredShares covered_shares(const Session& session);
+
+// The camera in the same direction that shows places in the free part of a view.
+Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view);
+// Whether a camera shows all of these that are finite beside the strips.
+bool shows_all(const Camera& camera, Size view, const Covered& covered, std::span<const glm::dvec3> places);
+
+// The camera in the same direction that shows the places to frame of all of these meshes.
+Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
+// The same for all that a session shows, beside what lies over its view: its mesh, with the one that it is compared with,
+// or what is played, as it ends.
+Camera framing_of(const Session& session, const Mesh* beside, const Camera& from);
+
+}  // namespace ryosen

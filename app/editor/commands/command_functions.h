@@ -1,0 +1,95 @@
+// What the rows of the command table call; everybody else goes through the table. Each takes the words behind the id, and
+// all of the text behind it.
+#pragma once
+
+#include "app/editor/camera/view_switches.h"
+#include "app/editor/commands/commands.h"
+
+namespace ryosen {
+
+// The line says the command in another form than its row shows.
+Outcome wrong_arguments(std::string_view id);
+Outcome failed(const Failure& failure);
+// [N]: a number from 1, which is 1 where it is left out; none for anything else.
+std::optional<std::uint32_t> count_of(Words arguments);
+
+using RunCommand = Outcome(Session& session, Words arguments, std::string_view whole);
+using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& line);
+
+// Operators, and commands of commands: commands_operator.cpp
+CommandRow row_of(const OpInfo& op, std::string_view called);
+RunCommand run_either;
+FaultOfCommand fault_of_either, fault_of_ask;
+// Files and the history: commands_document.cpp
+RunCommand run_exercise, run_figure, run_start, run_new, run_open, run_reload, run_keep_mine, run_append, run_save,
+    run_save_selected, run_undo, run_redo, run_recover, run_shot;
+FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_figure, fault_of_open,
+    fault_of_recover;
+bool recover_only_tells(Words arguments);
+// Algorithms: commands_algorithm.cpp
+CommandRow row_of(const AlgorithmRow& algorithm);
+RunCommand run_repair, run_would;
+FaultOfCommand fault_of_repair, fault_of_would;
+// What the pointer does: commands_pointing.cpp
+RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
+FaultOfCommand fault_of_remedy;
+// Another mesh beside this one: commands_comparing.cpp
+RunCommand run_compare;
+FaultOfCommand fault_of_compare;
+// Selecting: commands_selecting.cpp
+RunCommand run_select, run_keep, run_forget;
+enum class SelectHow { anew, add, toggle };
+// Adds what is not there yet; where wanted takes out what is, or what was there before.
+void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how);
+FaultOfCommand fault_of_select, fault_of_keep;
+std::string select_syntax();
+// Moving the selection by hand: commands_view.cpp
+RunCommand run_gesture;
+// Those named; fails at the first that is not there. Of a range those that are. And what is wrong with the names on any
+// mesh.
+Outcome find_named(Session& session, std::string_view command, Words names, Elements& found);
+std::optional<Text> fault_of_names(std::string_view command, Words names);
+// Hiding: commands_hiding.cpp
+RunCommand run_hide, run_isolate, run_unhide;
+FaultOfCommand fault_of_hide;
+// Colouring and measuring: commands_measuring.cpp
+RunCommand run_colours, run_measure;
+FaultOfCommand fault_of_colours, fault_of_measure;
+std::string colours_syntax();
+// Playing step by step: commands_playing.cpp
+RunCommand run_steps;
+FaultOfCommand fault_of_steps;
+std::string steps_syntax();
+// Levels of detail and what holds edges: commands_simplifying.cpp
+RunCommand run_levels, run_account;
+FaultOfCommand fault_of_levels, fault_of_account;
+std::string levels_syntax(), account_syntax();
+bool levels_take_long(Words arguments);
+// Searching on request: commands_searching.cpp
+RunCommand run_self_intersections;
+FaultOfCommand fault_of_self_intersections;
+// In a region of the picture: commands_region.cpp
+RunCommand run_box, run_lasso, run_band;
+// Events of mouse and keyboard: commands_input.cpp
+RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
+FaultOfCommand fault_of_move, fault_of_key;
+std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
+// What is seen: view_switches.cpp, commands_view.cpp
+CommandRow row_of(const ViewSwitch& row);
+RunCommand run_camera, run_view, run_frame, run_drag, run_show;
+// Where the mesh is cut: cutting.cpp
+RunCommand run_clip_at;
+FaultOfCommand fault_of_clip_at;
+// The user interface: commands_window.cpp, commands_preferences.cpp
+std::string panel_syntax();
+std::string preference_ids(), prefer_syntax();
+RunCommand run_prefer, run_bind;
+FaultOfCommand fault_of_bind;
+RunCommand run_panel, run_menu, run_columns, run_values, run_language, run_cancel, run_quit;
+
+// Whether the file is a large one.
+bool opening_takes_long(Words arguments);
+// Of a file that could not be read, or whose reading was given up.
+Outcome not_read(const Failure& failure, const std::string& name);
+
+}  // namespace ryosen

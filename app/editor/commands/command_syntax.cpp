@@ -1,0 +1,49 @@
+#include "app/editor/commands/command_syntax.h"
+
+#include "app/editor/commands/commands.h"
+#include "ryosen/ops/lines/syntax.h"
+
+namespace ryosen {
+
+namespace {
+
+// The command says it itself when it is tried. A camera goes on from the one before, so only what none of two can take
+// is wrong.
+std::optional<Text> fault_on_nothing(const std::string& line) {
+  std::optional<Text> fault;
+  for (const glm::dvec3& aside : {glm::dvec3(0), glm::dvec3(-71, 0.6, 5.7)}) {
+    Session session(std::make_unique<Document>());
+    session.camera.eye += aside;
+    session.camera.target -= aside;
+    const Outcome outcome = session.run(line);
+    if (outcome.exit_code != ExitCode::usage) return std::nullopt;
+    fault = outcome.sentence;
+  }
+  return fault;
+}
+
+}  // namespace
+
+Text behind(std::string_view id, const Text& sentence) {
+  return {std::string(id) + ": " + sentence.en, std::string(id) + "：" + sentence.ja};
+}
+
+std::optional<Text> fault_of_expect(Words arguments, const std::string& line) {
+  const bool is_about_command = arguments.size() > 1 && (arguments[0] == "legal" || arguments[0] == "refused");
+  if (!is_about_command) return fault_on_nothing(line);
+  if (!find_op(arguments[1])) return behind("expect", not_an_operator(arguments[1]));
+  const auto fault = fault_of_arguments(arguments[1], arguments.subspan(2));
+  if (!fault) return std::nullopt;
+  return behind("expect", behind(arguments[1], *fault));
+}
+
+std::optional<Text> fault_of_command(const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty()) return std::nullopt;
+  const auto call = call_of(line);
+  if (!call) return unknown_command(words[0]).sentence;
+  if (!call->row.fault) return fault_on_nothing(call->line);
+  return call->row.fault(Words(split_words(call->line)).subspan(1), call->line);
+}
+
+}  // namespace ryosen

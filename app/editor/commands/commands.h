@@ -1,0 +1,134 @@
+// The table of commands: what a script line, a key, a menu entry or a click may say. Operators and algorithms are commands
+// too, read from their own tables. A command that changes the mesh itself sends an operator or an algorithm to the
+// document (Document::apply, Document::run), each one entry of the history; what it needs beyond those is written as one.
+//
+// Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
+// takes long or looks at the window itself, the guards of files which one it reads or writes, the check of a script what is
+// wrong with its arguments.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/session/session.h"
+#include "ryosen/selection/selectors.h"
+
+namespace ryosen {
+
+using Words = std::span<const std::string_view>;
+
+// What a command does to the document. All but `none` goes into the log.
+enum class Effect {
+  none,      // also where it sends another command, which has an effect of its own
+  edits,     // an entry of the history
+  steps,     // through the history
+  replaces,  // another document takes its place: unsaved changes would be lost
+  writes,    // it to a file
+};
+
+// What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
+// any other a picture; `writes_part` is a mesh that does
+// not become the document's.
+enum class FileAccess { none, reads, writes, writes_part };
+
+// A call of a command that has a name of its own, as a menu shows it.
+struct NamedCall {
+  std::string_view line, en, ja;
+};
+
+struct CommandRow {
+  std::string_view id;
+  std::string syntax;
+  std::string_view help_en, help_ja;
+  Effect effect;
+  // Does it; `whole` is all of the text behind the id. What it performed is the line that does the same; for one that
+  // edits or steps, where it is left empty, the line that was said.
+  std::function<Outcome(Session& session, Words arguments, std::string_view whole)> run;
+
+  std::string_view aliases = "";                     // further ids, separated by blanks
+  bool is_long = false;                              // may take long: the window first shows that it is at work
+  bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
+  bool keeps_trial = false;     // needs no element of the document: what is on trial stays (Session::end_trial)
+  bool leaves_level = false;    // where a level of detail is shown, that is left and nothing else done
+  bool leads_to_edits = false;  // what it begins or sends ends in lines that edit
+  bool prepares_edits = false;  // in the log it says what the next line works on
+  bool reads_again = false;     // replaces the mesh by what is in its file now
+  bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it
+  FileAccess file = FileAccess::none;
+  // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
+  // session, so a command has one that touches anything outside of its session, or that needs a mesh or its elements.
+  std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
+  // With these arguments it only tells something: no effect, and not long.
+  bool (*only_tells)(Words arguments) = nullptr;
+  // It works on `selected`, or on so many elements of any kind that are named, or pointed at; 0: on none.
+  std::size_t most_elements = 0;
+  // The line that it sends, where it stands for another one; empty where there is none.
+  std::string (*sends)(Words arguments) = nullptr;
+  std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
+  std::vector<NamedCall> named = {};
+};
+
+// All commands: operators, those of the editor, and algorithms.
+std::vector<CommandRow> command_table();
+// By id or alias.
+std::optional<CommandRow> find_command_row(std::string_view id);
+// As the window calls it: an operator or an algorithm by its name, others by their id.
+Text name_of_command(std::string_view id);
+// The same of a line, which may be a call that has a name of its own.
+Text name_of_line(std::string_view line);
+
+// The help, with the ids behind it that the row lists.
+std::string help_of(const CommandRow& row, Language language);
+
+// A line as its row sees it.
+struct CommandCall {
+  CommandRow row;    // with the properties that it has with these arguments
+  std::string line;  // what is done: what a key sends, in place of the line that presses it
+};
+// None where the line says no command.
+std::optional<CommandCall> call_of(std::string_view line);
+// The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then, a
+// picture to one that is not there yet.
+std::string file_of(const CommandCall& call);
+
+// How scripts call an algorithm: by its id, behind `repair` where that is wanted or an operator has the id.
+std::string called(const AlgorithmRow& algorithm, bool as_repair = false);
+// The line that selects what a row of the table of selectors finds, with its usual value.
+std::string select_line(const Selector& row);
+// The line that selects all that has a problem, or what the one at an element is about; never that of a selector.
+std::string select_line(const ProblemRow& row, std::string_view element = {});
+// The line that runs an algorithm with these values.
+std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
+
+// What a line of `repair` without a fault would do; null while that is being tried.
+const RepairReport* tried(Session& session, const std::string& line);
+
+// A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
+// anything else reads the table.
+class ScopedCommand {
+ public:
+  explicit ScopedCommand(CommandRow row);
+  ~ScopedCommand();
+  ScopedCommand(const ScopedCommand&) = delete;
+  ScopedCommand& operator=(const ScopedCommand&) = delete;
+};
+
+// All ids, operators and their aliases included: for "did you mean".
+std::vector<std::string> command_ids();
+// Not a command: usage, with the closest id or alias named.
+Outcome unknown_command(std::string_view id);
+// The same of a word in the place of an operator.
+Text not_an_operator(std::string_view word);
+Outcome usage_error(std::string en, std::string ja);
+Outcome usage_error(const Text& sentence);
+// Long work that was given up.
+Outcome cancelled();
+// An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
+// stands at another place of the history, else usage; with a sentence that says which, and of quarantined faces.
+Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);
+
+}  // namespace ryosen

@@ -1,0 +1,226 @@
+// Algorithms as commands: each by its id, and `repair`, which knows them by what they solve.
+#include <algorithm>
+#include <new>
+
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/document/repair_call.h"
+#include "app/editor/session/first_slots.h"
+#include "app/editor/shown/levels.h"
+
+namespace ryosen {
+
+namespace {
+
+// The repair of a list or a single word, which fault_of_repair has let pass.
+RepairCall call_of_repair(Words words) {
+  if (is_list_of_repairs(words[0])) return read_repairs(words[0]).call;
+  const AlgorithmRow& row = *find_algorithm(words[0]);
+  return {{{&row, *read_values(row.parameters, words.subspan(1)).values}}, false};
+}
+
+Text fault_of(const ReadRepairs& read) {
+  return *read.fault + (read.unknown.empty() ? Text() : did_you_mean(read.unknown, ids_of_repairs()));
+}
+
+// What is done is an entry of the history by now, and stays one where there is no memory to say more of it.
+template <class SayMore>
+void unless_memory_lacks(SayMore say_more) {
+  try {
+    say_more();
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+// The repairs of a list, in rounds, as one entry of the history.
+Outcome run_recipe(Session& session, const std::string& list) {
+  const RepairCall call = read_repairs(list).call;
+  for (const RecipeStep& step : call.steps)
+    if (const ReadValues found = step.values.on(session.mesh()); !found.values)
+      return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
+  Outcome outcome;
+  outcome.performed = "repair " + list;
+  RecipeEvents events;
+  if (session.on_progress)
+    events.progress = [&](const RecipeStep& step, std::size_t, double share) {
+      return session.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
+                                 static_cast<double>(call.steps.size()));
+    };
+  const BesideRepairs beside = session.document().beside_repairs();
+  const auto result = session.document().run(call.steps, outcome.performed, events);
+  if (!result) return cancelled();
+  unless_memory_lacks([&] {
+    RepairReport report = report_of(call, *result, session.mesh(), beside.input());
+    outcome.sentence = told(report, session.mesh());
+    session.keep_report(std::move(report));
+  });
+  return outcome;
+}
+
+bool means_selection(std::string_view word) { return word == "selected" || word.ends_with("=selected"); }
+
+// The word `selected`, alone or as a value, stands for these names.
+std::vector<std::string> with_names(Words words, const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
+  std::vector<std::string> meant;
+  for (const std::string_view word : words) {
+    meant.emplace_back(word);
+    if (means_selection(word)) meant.back().replace(word.size() - std::string_view("selected").size(), word.npos, list);
+  }
+  return meant;
+}
+
+// The word `selected` alone is the value of the first parameter: of elements, or none.
+std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
+  const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
+  if (words.empty() || words[0] != "selected" || row.parameters.empty() || takes_elements(row.parameters[0])) return {};
+  const auto elements = std::find_if(row.parameters.begin(), row.parameters.end(), takes_elements);
+  if (elements == row.parameters.end())
+    return Text{"it takes no elements, so that 'selected' means nothing", "要素を取らないため、selected は使えません"};
+  const std::string whole = std::string(elements->id) + "=selected";
+  return Text{"what is selected is given by its name, " + whole,
+              "選択した要素は " + whole + " と名前をつけて指定します"};
+}
+
+std::vector<std::string> names_of_kept(const Session& session) {
+  std::vector<std::string> names;
+  for (const auto& [name, elements] : session.selections.kept) names.push_back(name);
+  return names;
+}
+
+// Of those names the ones under which nothing is kept any more.
+Text gone_text(const Session& session, const std::vector<std::string>& names) {
+  std::string gone, gone_ja;
+  for (const std::string& name : names) {
+    if (session.selections.kept.contains(name)) continue;
+    gone += (gone.empty() ? "'" : ", '") + name + "'";
+    gone_ja += "「" + name + "」";
+  }
+  if (gone.empty()) return {};
+  return {
+      " What was kept as " + gone + " is gone, since it cannot be told what has become of it; undo brings it back.",
+      "取っておいた選択" + gone_ja + "は、対応する要素がわからなくなったため破棄しました（元に戻すと復活します）。"};
+}
+
+// `call` is what stands before the values. A first value without its name stays so.
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
+  const std::string id(row.id);
+  if (const auto fault = fault_of_selected(row, given_words)) return usage_error(behind(row.id, *fault));
+  if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
+    return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
+  session.document().end_trial();  // a preview of it has what it would add, and is larger
+  std::vector<std::string> names;
+  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selected_names();
+  const std::vector<std::string> meant = with_names(given_words, names);
+  const std::vector<std::string_view> words(meant.begin(), meant.end());
+  const ReadValues given = read_values(row.parameters, words);
+  if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
+  const ReadValues found = given.values->on(session.mesh());
+  if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
+  if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
+  const bool has_bare_value = !words.empty() && words[0].find('=') == std::string_view::npos;
+  const std::string values = given.values->line(has_bare_value);
+  Outcome outcome;
+  outcome.performed = call + (values.empty() ? "" : " " + values);
+  const FirstSlots before(session.mesh());
+  const bool was_empty = session.mesh().live() == ElementCounts();
+  // Who wants it later asks for it (make_account).
+  const bool wants_account = row.accounts_for_edges && session.is_shown(panel_opened_by(PanelOpener::levelled));
+  const std::vector<std::string> names_before = names_of_kept(session);
+  const bool wants_descent = !session.selection.empty() || !names_before.empty();
+  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress,
+                                       {wants_account, wants_descent});
+  if (!result) return cancelled();
+  if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
+  if (result->refused)
+    return failed(ExitCode::refused, {id + ": " + result->refused->en, id + "：" + result->refused->ja});
+  if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
+  unless_memory_lacks([&] {
+    if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
+    if (result->account && !result->account->rules.empty())
+      session.keep_account({session.document().serial(), session.document().revision(),
+                            std::move(result->account->rules), std::move(result->account->remaining)});
+    if (!row.is_repair()) return;
+    const BesideRepairs beside = session.document().beside_repairs();
+    session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+  });
+  outcome.sentence = std::move(result->text);
+  unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session, names_before); });
+  return outcome;
+}
+
+}  // namespace
+
+CommandRow row_of(const AlgorithmRow& algorithm) {
+  const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
+    if (auto alone = fault_of_selected(algorithm, given)) return behind(algorithm.id, *alone);
+    const std::vector<std::string> meant = with_names(given, {"v0"});  // any name does here
+    const std::vector<std::string_view> words(meant.begin(), meant.end());
+    ReadValues read = read_values(algorithm.parameters, words);
+    return read.values ? std::nullopt : std::optional(behind(algorithm.id, read.sentence));
+  };
+  return {.id = algorithm.id,
+          .syntax = syntax_of(algorithm.parameters),
+          .help_en = algorithm.help_en,
+          .help_ja = algorithm.help_ja,
+          .effect = Effect::edits,
+          .run = [&algorithm](
+                     Session& session, Words words,
+                     std::string_view) { return run_algorithm(session, algorithm, words, std::string(algorithm.id)); },
+          .is_long = true,
+          .fault = fault};
+}
+
+std::string called(const AlgorithmRow& algorithm, bool as_repair) {
+  const std::string id(algorithm.id);
+  return as_repair || find_op(id) ? "repair " + id : id;
+}
+
+std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values) {
+  const std::string text = values.line();
+  return called(algorithm) + (text.empty() ? "" : " " + text);
+}
+
+std::optional<Text> fault_of_repair(Words words, const std::string& line) {
+  if (words.empty()) return wrong_arguments("repair").sentence;
+  const AlgorithmRow* const row = find_algorithm(words[0]);
+  if (row && row->is_repair()) return row_of(*row).fault(words.subspan(1), line);
+  const ReadRepairs read = read_repairs(words[0]);
+  if (read.fault) return fault_of(read);
+  return words.size() == 1 ? std::nullopt : std::optional(wrong_arguments("repair").sentence);
+}
+
+Outcome run_repair(Session& session, Words words, std::string_view) {
+  if (const auto fault = fault_of_repair(words, {})) return usage_error(fault->en, fault->ja);
+  if (is_list_of_repairs(words[0])) return run_recipe(session, std::string(words[0]));
+  const AlgorithmRow& row = *find_algorithm(words[0]);
+  return run_algorithm(session, row, words.subspan(1), called(row, true));
+}
+
+std::optional<Text> fault_of_would(Words words, const std::string& line) {
+  if (words.empty() || words[0] != "repair") return wrong_arguments("would").sentence;
+  return fault_of_repair(words.subspan(1), line);
+}
+
+Outcome run_would(Session& session, Words words, std::string_view) {
+  if (const auto fault = fault_of_would(words, {})) return usage_error(*fault);
+  const RepairCall call = call_of_repair(words.subspan(1));
+  const BesideRepairs beside = session.document().beside_repairs();
+  const auto report = try_repair(session.mesh(), call, beside.input(), session.on_progress);
+  if (!report) return cancelled();
+  if (report->fault) return usage_error(*report->fault);
+  Outcome outcome;
+  outcome.sentence = Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, session.mesh());
+  return outcome;
+}
+
+const RepairReport* tried(Session& session, const std::string& line) {
+  const std::vector<std::string_view> words = split_words(line);
+  const RepairCall call = call_of_repair(Words(words).subspan(1));
+  return session.trials().of(session.document(), line, call, session.is_dear_to_try());
+}
+
+}  // namespace ryosen

@@ -1,0 +1,136 @@
+#include <cmath>
+
+#include "app/editor/camera/camera_text.h"
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/input.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/input/view_input.h"
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+namespace {
+
+// BUTTON X,Y [MODIFIERS]
+struct ButtonEvent {
+  MouseButton button;
+  Pointer at;
+};
+std::optional<Pointer> read_pointer(Words arguments) {
+  const auto pixel = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
+  if (!pixel || arguments.size() > 2) return std::nullopt;
+  const auto modifiers = arguments.size() == 2 ? find_modifiers(arguments[1]) : Modifiers();
+  return modifiers ? std::optional(Pointer{*pixel, *modifiers}) : std::nullopt;
+}
+std::optional<ButtonEvent> read_button_event(Words arguments) {
+  const auto button = arguments.empty() ? std::nullopt : find_button(arguments[0]);
+  const auto at = button ? read_pointer(arguments.subspan(1)) : std::nullopt;
+  return at ? std::optional(ButtonEvent{*button, *at}) : std::nullopt;
+}
+
+// The button is that which is held, and says nothing new.
+std::optional<Pointer> read_move(Words arguments) {
+  const bool has_button = !arguments.empty() && find_button(arguments[0]);
+  return read_pointer(arguments.subspan(has_button));
+}
+
+// A key that is bound to `key` presses another one; bound in a circle they would never come to an end.
+class PressedKey {
+ public:
+  PressedKey() { ++depth; }
+  PressedKey(const PressedKey&) = delete;
+  PressedKey& operator=(const PressedKey&) = delete;
+  ~PressedKey() { --depth; }
+
+  bool is_too_deep() const { return depth > most; }
+
+  static constexpr int most = 8;
+
+ private:
+  static thread_local int depth;
+};
+thread_local int PressedKey::depth = 0;
+
+Outcome keys_press_each_other(std::string_view chord) {
+  const std::string name(chord), most = std::to_string(PressedKey::most);
+  return failed(ExitCode::refused,
+                {"key " + name + ": keys press each other in a circle, or more than " + most + " in a row",
+                 "key " + name + "：キー同士が循環しているか、" + most + " 回を超えて続いています"});
+}
+
+}  // namespace
+
+Outcome run_press(Session& session, Words arguments, std::string_view) {
+  const auto event = read_button_event(arguments);
+  if (!event) return wrong_arguments("press");
+  session.input().press(event->button, event->at);
+  return {};
+}
+
+Outcome run_release(Session& session, Words arguments, std::string_view) {
+  const auto event = read_button_event(arguments);
+  if (!event) return wrong_arguments("release");
+  const Outcome clicked = session.input().release(event->button, event->at);
+  Outcome outcome;  // the event came where it should: what a hand would be told is no failure of the script
+  outcome.sentence = clicked.sentence;
+  return outcome;
+}
+
+Outcome run_move(Session& session, Words arguments, std::string_view) {
+  if (const auto at = read_move(arguments)) {
+    session.input().move(*at);
+    return {};
+  }
+  const std::string sent = sent_by_move(arguments);
+  return sent.empty() ? wrong_arguments("move") : session.run(sent);
+}
+
+std::string sent_by_move(Words arguments) {
+  if (arguments.size() < 2 || read_move(arguments)) return {};
+  std::string line = "move_vertex";
+  for (const std::string_view word : arguments) line.append(" ").append(word);
+  return line;
+}
+
+std::optional<Text> fault_of_move(Words arguments, const std::string&) {
+  return read_move(arguments) ? std::nullopt : std::optional(wrong_arguments("move").sentence);
+}
+
+Outcome run_wheel(Session& session, Words arguments, std::string_view) {
+  const auto steps = arguments.empty() ? std::nullopt : parse_double(arguments[0]);
+  const auto at = steps ? read_pointer(arguments.subspan(1)) : std::nullopt;
+  if (!at) return wrong_arguments("wheel");
+  constexpr double most_steps = 100;  // about a million times as large
+  if (std::abs(*steps) > most_steps)
+    return usage_error("wheel: at most 100 steps at a time", "wheel：一度に回せるのは 100 段までです");
+  session.input().wheel(*steps, *at);
+  return {};
+}
+
+Outcome run_type(Session& session, Words arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("type");
+  return session.input().type(without_blanks(whole));
+}
+
+std::string sent_by_key(Words arguments) {
+  const auto key = arguments.size() == 1 ? find_key(arguments[0]) : std::nullopt;
+  return key ? key->command : std::string();
+}
+
+std::optional<Text> fault_of_key(Words arguments, const std::string&) {
+  if (arguments.size() != 1) return wrong_arguments("key").sentence;
+  // Another key may be bound by then.
+  if (find_key(arguments[0]) || is_panel_key(arguments[0]) || chord_from(arguments[0]) == arguments[0])
+    return std::nullopt;
+  return no_such_key(arguments[0]).sentence;
+}
+
+Outcome run_key(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("key");
+  const PressedKey pressed;
+  if (pressed.is_too_deep()) return keys_press_each_other(arguments[0]);
+  return session.input().key(std::string(arguments[0]));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,264 @@
+// Operators as commands, on named elements or on the selection; and `either`, which is told several commands.
+#include <algorithm>
+#include <optional>
+
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/session/operator_selection.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/base/split_list.h"
+#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/selection/element_set.h"
+#include "ryosen/selection/slot_ranges.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::string_view selected_word = "selected";
+
+bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selected_word; }
+
+Outcome apply(Session& session, const std::string& called, Words arguments, std::string_view whole) {
+  const Parsed<AnyOp> parsed = parse_op(session.mesh(), called, arguments);
+  if (!parsed.op) return no_element(session.document(), called + std::string(whole), parsed.error, parsed.sentence);
+  Outcome outcome = session.document().apply(*parsed.op, session.strict);
+  if (outcome.done()) outcome.performed = session.document().history().back().command;
+  return outcome;
+}
+
+std::string line_of(const OpInfo& op, Words words) {
+  std::string line(op.id);
+  for (const std::string_view word : words) line.append(" ").append(word);
+  return line;
+}
+
+// What one element of a selection may be: "a vertex or an edge"; empty where none alone is enough.
+Text kinds_taken(const OpInfo& op) {
+  constexpr struct {
+    Element::Kind kind;
+    const char *one, *two, *ja, *two_ja;
+  } words[] = {{Element::Kind::vertex, "a vertex", "two vertices or more", "頂点", "二つ以上の頂点"},
+               {Element::Kind::edge, "an edge", "two edges or more", "稜線", "二本以上の稜線"},
+               {Element::Kind::face, "a face", "two faces or more", "面", "二つ以上の面"}};
+  Text told;
+  for (const auto& [kind, one, two, ja, two_ja] : words) {
+    if (!takes(op, kind, {})) continue;
+    if (!told.en.empty()) told = told + Text{" or ", "または"};
+    told = told + (least_taken(op) == 2 ? Text{two, two_ja} : Text{one, ja});
+  }
+  if (op.in_place_of)
+    told = told + Text{", or ", "、または"} + Text{std::string(op.in_place_of->en), std::string(op.in_place_of->ja)};
+  return told;
+}
+
+// A syntax that asks for several elements in words: "two vertices in order; a face behind them where several come into
+// question". As it stands where it asks for something else.
+Text in_words(std::string_view syntax) {
+  struct Kind {
+    const char *one, *many, *ja, *counter_ja;
+    int wanted = 0;
+  };
+  Kind vertices{"vertex", "vertices", "頂点", "個"}, edges{"edge", "edges", "稜線", "本"},
+      faces{"face", "faces", "面", "個"};
+  bool may_be_more = false, may_name_face = false, may_name_sides = false;
+  for (const std::string_view word : split_words(syntax)) {
+    if (word == "..." || word == "...]")
+      may_be_more = true;
+    else if (word.size() == 1 && word[0] >= 'A' && word[0] <= 'Z')
+      ++vertices.wanted;
+    else if (word == "A-B")
+      ++edges.wanted;
+    else if (word == "fN")
+      ++faces.wanted;
+    else if (word == "[fN]")
+      may_name_face = true;
+    else if (word == "[P-A]" || word == "[Q-B]")
+      may_name_sides = true;
+    else if (word != "[fM" && word != "[C-D" && word != "[DISTANCE|X,Y,Z]")
+      return {std::string(syntax), std::string(syntax)};
+  }
+  constexpr const char* numbers[] = {"no", "one", "two", "three"};
+  const Kind& kind = faces.wanted > 0 ? faces : edges.wanted > 0 ? edges : vertices;
+  const int n = kind.wanted;
+  if (n < 1 || n > 3 || vertices.wanted + edges.wanted + faces.wanted != n)
+    return {std::string(syntax), std::string(syntax)};
+  Text told{std::string(numbers[n]) + " " + (n == 1 ? kind.one : kind.many),
+            std::string(kind.ja) + "を " + std::to_string(n) + " " + kind.counter_ja};
+  if (may_be_more) told = told + Text{" or more", "以上"};
+  if (n > 1) told = told + Text{", in order", "、この順に"};
+  if (may_name_face)
+    told = told + Text{"; then a face, where several have them", "（面が一つに決まらなければ続けて面）"};
+  if (may_name_sides)
+    told = told + Text{"; then the halfedges that end there, where several do",
+                       "（場所が一つに決まらなければ続けて終点での半稜線）"};
+  return told;
+}
+
+Outcome nothing_selected(const OpInfo& op) {
+  const std::string en(op.name_en), ja(op.name_ja);
+  const Text kinds = op.on_selection == OnSelection::all ? in_words(op.syntax) : kinds_taken(op);
+  return failed(ExitCode::refused, {en + ": nothing is selected that it works on; select " + kinds.en,
+                                    ja + "：対象となる要素が選択されていません。選択するもの：" + kinds.ja});
+}
+
+Outcome does_not_fit(const OpInfo& op) {
+  const std::string en(op.name_en), ja(op.name_ja);
+  const Text wanted = in_words(op.syntax);
+  return failed(ExitCode::refused, {en + ": what is selected does not fit; it takes " + wanted.en,
+                                    ja + "：選択された要素が合いません。必要なもの：" + wanted.ja});
+}
+
+// "12 done. 3 refused: RULE. 2 were deleted before their turn.", or "One face was made."
+Text told(const OpInfo& op, const EachResult& result) {
+  Text text{"Nothing was done.", "何も実行していません。"};
+  if (result.done > 0 && !op.made.en_one.empty())
+    text = count_text(result.calls, op.made.en_one, op.made.en_many, op.made.ja);
+  else if (result.done > 0)
+    text = count_text(result.done, "One done.", "# done.", "# 件を実行しました。");
+  for (const EachResult::Refused& refused : result.refused) {
+    const RuleText& rule = text_of(refused.rule);
+    const Text count = count_text(refused.elements.size(), "One refused", "# refused", "# 件は実行できません");
+    text.en += " " + count.en + ": " + std::string(rule.en);
+    text.ja += count.ja + "：" + std::string(rule.ja);
+  }
+  if (result.ends > 0) {
+    const Text ends = count_text(result.ends, "One vertex that was left with two edges went too.",
+                                 "# vertices that were left with two edges went too.",
+                                 "稜線が二本になった頂点 # 個も取り除きました。");
+    text.en += " " + ends.en;
+    text.ja += ends.ja;
+  }
+  if (result.gone > 0) {
+    const Text gone = count_text(result.gone, "One was deleted before its turn.", "# were deleted before their turn.",
+                                 "# 件は順番の前に削除されました。");
+    text.en += " " + gone.en;
+    text.ja += gone.ja;
+  }
+  return text;
+}
+
+// What was refused stays selected, and so does what is of another kind, or else all that lives on.
+void select_refused(Session& session, const EachResult& result) {
+  if (result.refused.empty()) return;
+  Elements left = result.others;
+  for (const EachResult::Refused& refused : result.refused)
+    left.insert(left.end(), refused.elements.begin(), refused.elements.end());
+  drop_lost(left, session.mesh(), false);
+  session.selection = std::move(left);
+}
+
+// The selection without those that were refused: the same is done with it whatever is refused for.
+std::string line_without_refused(const Elements& selection, const EachResult& result) {
+  ElementSet refused;
+  for (const EachResult::Refused& each : result.refused)
+    for (const Element& e : each.elements) refused.insert(e);
+  Elements left;
+  for (const Element& e : selection)
+    if (!refused.contains(e)) left.push_back(e);
+  return "select" + slot_ranges(left);
+}
+
+Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
+  const Elements selected = worked_on(session, op, words.subspan(1));
+  Outcome outcome;
+  outcome.performed = line_of(op, words);
+  outcome.selecting = selected == session.selection ? session.select_line() : "select" + slot_ranges(selected);
+  const auto result = session.document().apply_to_each(op, selected, words.subspan(1), outcome.performed,
+                                                       session.strict, session.on_progress);
+  if (!result) return cancelled();
+  if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
+  if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
+  // A script that is not strict would do what was refused for a warning.
+  if (session.strict && result->refusals() > 0) outcome.selecting = line_without_refused(selected, *result);
+  outcome.sentence = told(op, *result);
+  for (const EachResult::Refused& refused : result->refused) {
+    outcome.reasons.push_back({refused.rule, refused.elements});
+    drop_lost(outcome.reasons.back().witnesses, session.mesh(), false);  // a later call may have deleted some
+  }
+  if (result->done == 0) {
+    outcome.kind = Outcome::Kind::refused;
+    outcome.exit_code = ExitCode::refused;
+    outcome.performed.clear();
+    return outcome;
+  }
+  select_refused(session, *result);
+  return outcome;
+}
+
+Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
+  if (session.selection.empty()) return nothing_selected(op);
+  const Elements selected = worked_on(session, op, words.subspan(1));
+  const std::vector<std::string> names = names_taken(session, op, selected, words.subspan(1));
+  std::vector<std::string_view> arguments(names.begin(), names.end());
+  arguments.insert(arguments.end(), words.begin() + 1, words.end());
+  if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);
+  return apply(session, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
+}
+
+Outcome apply_to_selection(Session& session, const OpInfo& op, Words words) {
+  if (op.on_selection == OnSelection::all) return apply_to_all(session, op, words);
+  return apply_to_each(session, op, words);
+}
+
+std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
+  if (op.on_selection == OnSelection::none) return fault_of_arguments(op.id, words);
+  for (const auto kind : {Element::Kind::vertex, Element::Kind::edge, Element::Kind::face})
+    if (op.on_selection == OnSelection::all || takes(op, kind, words.subspan(1))) return std::nullopt;
+  return not_of_syntax(words.back(), std::string(selected_word) + " | " + std::string(op.syntax));
+}
+
+}  // namespace
+
+std::vector<std::string> alternatives(std::string_view whole) {
+  std::vector<std::string> lines;
+  for (const std::string_view line : split_list(whole, '|')) lines.emplace_back(without_blanks(line));
+  return lines;
+}
+
+CommandRow row_of(const OpInfo& op, std::string_view called) {
+  const std::string word(called);
+  const auto run = [word, &op](Session& session, Words arguments, std::string_view whole) {
+    if (!is_on_selection(arguments)) return apply(session, word, arguments, whole);
+    const auto fault = fault_on_selection(op, arguments);
+    return fault ? usage_error(behind(word, *fault)) : apply_to_selection(session, op, arguments);
+  };
+  const auto fault = [word, &op](Words arguments, const std::string&) -> std::optional<Text> {
+    const auto wrong =
+        is_on_selection(arguments) ? fault_on_selection(op, arguments) : fault_of_arguments(word, arguments);
+    return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
+  };
+  return {.id = op.id,
+          .syntax = std::string(op.syntax),
+          .help_en = op.help_en,
+          .help_ja = op.help_ja,
+          .effect = Effect::edits,
+          .run = run,
+          .aliases = op.aliases,
+          .may_take_long = is_on_selection,
+          .fault = fault};
+}
+
+std::optional<Text> fault_of_either(Words, const std::string& line) {
+  const std::vector<std::string> lines = alternatives(behind_word(line));
+  if (lines.size() < 2) return wrong_arguments("either").sentence;
+  for (const std::string& each : lines)
+    if (const auto fault = fault_of_command(each)) return fault;
+  return std::nullopt;
+}
+
+// Of several refusals the first is told: it is what was most likely meant.
+Outcome run_either(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_either(arguments, "either " + std::string(whole))) return usage_error(*fault);
+  std::optional<Outcome> told;
+  for (const std::string& line : alternatives(whole)) {
+    Outcome outcome = session.run(line);
+    if (outcome.done() || outcome.exit_code == ExitCode::cancelled) return outcome;
+    const bool is_better = !told || (told->exit_code == ExitCode::usage && outcome.exit_code == ExitCode::refused);
+    if (is_better) told = std::move(outcome);
+  }
+  return told ? *told : wrong_arguments("either");
+}
+
+}  // namespace ryosen

@@ -1,0 +1,133 @@
+// The command `steps`: begins to play, and goes through what is played.
+#include <charconv>
+
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/preferences/panel_list.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
+
+namespace ryosen {
+
+namespace {
+
+std::size_t one_back(const Player& player) { return player.position() > 0 ? player.position() - 1 : 0; }
+std::size_t one_forward(const Player& player) { return std::min(player.position() + 1, player.size()); }
+
+// A way through what is played: where it leads, and whether it goes on by itself then.
+struct PlayerWay {
+  std::string_view id;
+  std::size_t (*to)(const Player& player);
+  bool (*is_running)(const Player& player);
+};
+bool stops(const Player&) { return false; }
+bool goes_on(const Player& player) { return player.is_running; }
+
+constexpr PlayerWay player_ways[] = {
+    {"first", [](const Player&) { return std::size_t{0}; }, stops},
+    {"back", one_back, stops},
+    {"forward", one_forward, goes_on},
+    {"last", [](const Player& player) { return player.size(); }, stops},
+    // From the end it begins anew.
+    {"play", [](const Player& player) { return player.position() == player.size() ? 0 : player.position(); },
+     [](const Player& player) { return !player.is_running; }},
+    {"pause", [](const Player& player) { return player.position(); }, stops},
+};
+
+const PlayerWay* find_way(std::string_view id) {
+  for (const PlayerWay& way : player_ways)
+    if (way.id == id) return &way;
+  return nullptr;
+}
+
+std::optional<std::size_t> step_number(std::string_view word) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && end == word.data() + word.size() ? std::optional(number) : std::nullopt;
+}
+
+Outcome nothing_played() {
+  return failed(ExitCode::refused, {"nothing is played; begin with steps WHAT, as in steps script cube",
+                                    "再生中のものがありません。steps script cube のように始めてください"});
+}
+
+Outcome refused_step(const Player& player) {
+  const std::string n = std::to_string(player.size());
+  return failed(ExitCode::usage, {"steps at: there are " + n + " steps here, from 0 for none done",
+                                  "steps at：手順は " + n + " まで（0 は最初の状態）"});
+}
+
+// Goes there, or tells that the mesh is another one by now.
+Outcome go_to_step(Session& session, std::size_t position) {
+  Player& player = *session.player;
+  if (!player.fits(session.document())) {
+    const std::string call = player.call();
+    session.player.reset();
+    return failed(ExitCode::refused, {"the mesh has changed since; play it again: steps " + call,
+                                      "再生を始めた後にメッシュが変わりました。もう一度：steps " + call});
+  }
+  const bool returns = !player.is_shown(session.document()) && player.camera_before;
+  player.go_to(session.document(), position);
+  if (returns) session.frame_all();  // the mesh beneath was looked at meanwhile
+  if (player.position() == player.size()) player.is_running = false;
+  Outcome outcome;
+  if (player.step()) outcome.sentence = player.step()->caption;
+  return outcome;
+}
+
+}  // namespace
+
+std::string steps_syntax() {
+  std::string syntax;
+  for (const steps::StepsRow& row : steps::all_steps()) syntax += steps::call_of(row) + "|";
+  for (const PlayerWay& way : player_ways) syntax.append(way.id).append("|");
+  return syntax + "at N|close";
+}
+
+std::optional<Text> fault_of_steps(Words arguments, const std::string&) {
+  if (arguments.empty()) return wrong_arguments("steps").sentence;
+  if (find_way(arguments[0]) || arguments[0] == "close")
+    return arguments.size() == 1 ? std::nullopt : std::optional(wrong_arguments("steps").sentence);
+  if (arguments[0] == "at")
+    return arguments.size() == 2 && step_number(arguments[1]) ? std::nullopt
+                                                              : std::optional(wrong_arguments("steps").sentence);
+  const auto row = find_played(arguments[0]);
+  return row ? std::nullopt : std::optional(row.failure().message.text);
+}
+
+// The words that call what is played; the name of a script may have blanks.
+std::vector<std::string> called_words(Session& session, Words arguments, std::string_view whole) {
+  const auto row = find_played(arguments[0]);
+  if (arguments.size() < 2 || !row || !(*row)->plays_script) return {arguments.begin(), arguments.end()};
+  std::string name = file_name(behind_word(without_blanks(whole)));
+  if (is_script_file(name)) session.files.reads(name, FileRole::script);
+  return {std::string(arguments[0]), std::move(name)};
+}
+
+Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_steps(arguments, {})) return usage_error(*fault);
+  if (arguments[0] == "close") {
+    end_playing(session);
+    return {};
+  }
+  const PlayerWay* const way = find_way(arguments[0]);
+  if (!way && arguments[0] != "at") {
+    Outcome outcome = begin_playing(session, called_words(session, arguments, whole));
+    if (!outcome.done()) return outcome;
+    session.show(panel_opened_by(PanelOpener::played), true);
+    outcome.sentence = session.player->remark();
+    if (session.levels) outcome.say(leave_level(session).sentence);
+    return outcome;
+  }
+  if (!session.player) return nothing_played();
+  Player& player = *session.player;
+  if (!way) {
+    const std::size_t number = *step_number(arguments[1]);
+    return number > player.size() ? refused_step(player) : go_to_step(session, number);
+  }
+  const std::size_t to = way->to(player);
+  player.is_running = way->is_running(player);
+  return go_to_step(session, to);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,125 @@
+#include "app/editor/commands/command_functions.h"
+
+#include <algorithm>
+
+#include "app/editor/camera/camera_text.h"
+#include "app/editor/camera/fly.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/pick_modes.h"
+#include "app/editor/session/asking.h"
+#include "app/editor/texts/remedy_text.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/ops/lines/syntax.h"
+
+namespace ryosen {
+
+namespace {
+
+// An operator that works on what the pointer is on.
+const OpInfo* find_tool(std::string_view id) {
+  const OpInfo* op = find_op(id);
+  return op && is_tool(*op) ? op : nullptr;
+}
+
+Outcome not_a_tool(std::string_view id) {
+  const std::string name(id);
+  if (!find_op(id)) {
+    std::vector<std::string> tools;
+    for (const OpInfo& op : all_ops())
+      if (is_tool(op)) add_ids(op, tools);
+    return usage_error(Text{"'" + name + "' is not a tool", "「" + name + "」はツールではありません"} +
+                       did_you_mean(name, tools));
+  }
+  return usage_error(name + " does not work on what is clicked; say it as a command",
+                     name + " はクリックした要素に働く操作ではないので、コマンドとして実行してください");
+}
+
+}  // namespace
+
+Outcome run_walk(Session& session, Words arguments, std::string_view) {
+  const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
+  if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
+  if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge)
+    return failed(ExitCode::refused, {"select one halfedge first; halfedges are walked from there",
+                                      "先に半稜線を一つ選択してください。そこから辿ります"});
+  const Mesh& mesh = session.mesh();
+  const Halfedge h = session.selection[0].halfedge();
+  session.selection = {where == "next"   ? mesh.next(h)
+                       : where == "prev" ? mesh.prev(h)
+                       : where == "twin" ? twin(h)
+                                         : mesh.counter_clockwise(h)};
+  session.links.walked(h, session.selection[0].halfedge());
+  keep_in_sight(session, session.selection[0]);
+  return {};
+}
+
+Outcome run_tool(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("tool");
+  if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
+  session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  session.asked_line.clear();
+  session.release_verdict();
+  if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
+  return {};
+}
+
+std::optional<Text> fault_of_ask(Words arguments, const std::string& line) {
+  if (arguments.empty() || can_be_asked(behind_word(line))) return std::nullopt;
+  return behind("ask", {"'" + std::string(behind_word(line)) + "' lacks no element that could be pointed at",
+                        "「" + std::string(behind_word(line)) + "」には指して与える要素がありません"});
+}
+
+Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
+  if (const auto fault = fault_of_ask(arguments, "ask " + std::string(whole))) return usage_error(*fault);
+  if (!arguments.empty()) {
+    session.tool.clear();
+    session.asked_line = without_blanks(whole);
+    session.release_verdict();
+    return {};
+  }
+  if (session.asked_line.empty())
+    return failed(ExitCode::refused, {"no operator asks for elements", "要素を待っている操作はありません"});
+  if (fault_of_command(session.asked_line)) return failed(ExitCode::refused, asked_text(session.asked_line));
+  return carry_out_asked(session);
+}
+
+Outcome run_mode(Session& session, Words arguments, std::string_view) {
+  for (const auto& [mode, id, point_en, point_ja, help_en, help_ja] : pick_modes) {
+    if (arguments.size() != 1 || arguments[0] != id) continue;
+    session.mode = mode;
+    session.release_verdict();
+    if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
+    return {};
+  }
+  return wrong_arguments("mode");
+}
+
+Outcome run_click(Session& session, Words arguments, std::string_view) {
+  const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
+  if (!at || arguments.size() > 2) return wrong_arguments("click");
+  if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
+  return session.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.tool);
+}
+
+std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {
+  return count_of(arguments) ? std::nullopt : std::optional(wrong_arguments("remedy").sentence);
+}
+
+Outcome run_remedy(Session& session, Words arguments, std::string_view) {
+  const auto number = count_of(arguments);
+  if (!number) return wrong_arguments("remedy");
+  if (!session.is_verdict_held())
+    return failed(ExitCode::refused,
+                  {"there is nothing to carry out here: no click was refused, and nothing waits for elements",
+                   "ここで実行することはありません。拒否されたクリックも、要素を待っている操作もありません"});
+  const std::vector<std::string> lines = session.hover_remedy();
+  if (lines.empty()) return failed(ExitCode::refused, without_remedy(session.hover()->preview.verdict));
+  if (*number > lines.size())
+    return failed(ExitCode::refused, {"the remedy has only " + std::to_string(lines.size()) + " lines",
+                                      "対処は " + std::to_string(lines.size()) + " 行しかありません"});
+  return session.run(lines[*number - 1]);
+}
+
+}  // namespace ryosen

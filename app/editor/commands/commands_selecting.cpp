@@ -1,0 +1,274 @@
+// The command `select`.
+#include <algorithm>
+
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/script.h"
+#include "app/editor/commands/words.h"
+#include "app/editor/input/pick_modes.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/selection/element_set.h"
+#include "ryosen/selection/selectors.h"
+#include "ryosen/selection/slot_ranges.h"
+
+namespace ryosen {
+
+namespace {
+
+// What is asked for: names, behind a word that says what becomes of the selection; all that a problem is about, or all
+// problems of a kind; or what a selector finds.
+struct Selecting {
+  SelectHow how = SelectHow::anew;
+  const ProblemRow* problem = nullptr;
+  const Selector* selector = nullptr;
+  bool is_kept = false;
+  bool is_wrong = false;  // it says a problem, and none that there is
+  Words names;  // of elements or ranges of them; the values of a selector; the name of a selection that was kept
+};
+
+// Before the id of a problem, which a selector may have too.
+constexpr std::string_view of_problem = "problem";
+
+// The name that the words are: one of them, or several in quotes. None where they are neither.
+std::optional<std::string> kept_name(Words words) {
+  if (words.empty()) return std::nullopt;
+  const char* const begin = words.front().data();  // the words are parts of one line
+  const std::string_view whole(begin, static_cast<std::size_t>(words.back().data() + words.back().size() - begin));
+  const bool is_quoted = whole.size() > 2 && whole.front() == '"' && whole.back() == '"';
+  return words.size() == 1 || is_quoted ? std::optional(file_name(whole)) : std::nullopt;
+}
+
+Text fault_of_kept_name(std::string_view command, Words words) {
+  const Text form = wrong_arguments(command).sentence;
+  if (words.size() < 2) return form;
+  return form + Text{"; a name of several words stands in quotes", "。空白を含む名前は引用符で囲みます"};
+}
+
+Selecting read_selecting(Words arguments) {
+  Selecting asked{.names = arguments};
+  const std::string_view first = arguments.empty() ? "" : arguments[0];
+  if (first == of_problem) {
+    asked.names = arguments.subspan(std::min<std::size_t>(arguments.size(), 2));
+    if (arguments.size() == 2 || arguments.size() == 3) asked.problem = find_problem_row(arguments[1]);
+    asked.is_wrong = !asked.problem;
+    return asked;
+  }
+  if (first == "add" || first == "toggle") {
+    asked.how = first == "add" ? SelectHow::add : SelectHow::toggle;
+    asked.names = arguments.subspan(1);
+    return asked;
+  }
+  asked.is_kept = first == "kept";
+  asked.selector = find_selector(first);
+  if (arguments.size() <= 2) asked.problem = find_problem_row(first);
+  if (asked.is_kept || asked.selector || asked.problem) asked.names = arguments.subspan(1);
+  return asked;
+}
+
+// The kinds of problems and the selectors that a word may stand for: those that it is a part of, else the one that it is
+// a slip of.
+Text meant_by(std::string_view word) {
+  std::vector<std::string> known;
+  for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);
+  for (const Selector& row : selectors()) known.emplace_back(row.id);
+  Text ids;
+  for (const std::string& id : known)
+    if (word.size() > 2 && id.find(word) != id.npos)
+      ids = ids + (ids.en.empty() ? Text() : Text{" or ", " か "}) + Text{id, id};
+  if (ids.en.empty()) return did_you_mean(word, known);
+  return Text{"; did you mean ", "。"} + ids + Text{"?", " ですか？"};
+}
+
+std::optional<Text> fault_of(const Selecting& asked) {
+  if (asked.is_wrong) return wrong_arguments("select").sentence;
+  if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
+  if (asked.is_kept)
+    return kept_name(asked.names) ? std::nullopt : std::optional(fault_of_kept_name("select", asked.names));
+  if (asked.selector) {
+    if (parse_values(*asked.selector, asked.names)) return std::nullopt;
+    const std::string syntax = syntax_of(*asked.selector);
+    if (asked.names.empty() && !asked.selector->value_en.empty())
+      return Text{"select: " + std::string(asked.selector->value_en) + " is missing: " + syntax,
+                  "select：" + std::string(asked.selector->value_ja) + "がありません（" + syntax + "）"};
+    if (asked.selector->value == Selector::Value::map_range)
+      return Text{"select: expected " + syntax + " with one of the maps " + colour_map_ids(),
+                  "select：書き方は " + syntax + "（MAP は " + colour_map_ids() + "）"};
+    return Text{"select: expected " + syntax, "select：書き方は " + syntax};
+  }
+  const bool is_kept = asked.problem && (asked.problem->is_local() || asked.problem->is_on_request());
+  if (asked.problem && asked.names.empty() && !is_kept)
+    return Text{"select: " + std::string(asked.problem->id) + " is not kept; name the element",
+                "select：" + std::string(asked.problem->id) + " は一覧を保持していません。要素名を付けてください"};
+  const auto fault = fault_of_names("select", asked.names);
+  return fault && asked.names.size() == 1 ? std::optional(*fault + meant_by(asked.names[0])) : fault;
+}
+
+Elements all_of(Session& session, const ProblemRow& problem) {
+  Elements found;
+  session.highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
+  return found;
+}
+
+Element::Kind kind_of(PickMode mode) {
+  switch (mode) {
+    case PickMode::vertex:
+      return Element::Kind::vertex;
+    case PickMode::edge:
+      return Element::Kind::edge;
+    case PickMode::face:
+      return Element::Kind::face;
+    case PickMode::halfedge:
+      return Element::Kind::halfedge;
+  }
+  return Element::Kind::edge;
+}
+
+const PickModeRow& mode_of(Element::Kind kind) {
+  return *std::find_if(std::begin(pick_modes), std::end(pick_modes),
+                       [&](const PickModeRow& row) { return kind_of(row.mode) == kind; });
+}
+
+Outcome nothing_kept(const Session& session, std::string_view name) {
+  const std::string wanted(name);
+  std::vector<std::string> known;
+  for (const auto& [kept, elements] : session.selections.kept) known.push_back(kept);
+  const Text hint = did_you_mean(name, known);
+  return failed(
+      ExitCode::refused,
+      Text{"no selection is kept as '" + wanted + "'", "「" + wanted + "」という名前の選択はありません"} + hint);
+}
+
+// What was searched for, but for what is hidden.
+Outcome select(Session& session, Elements found) {
+  session.drop_hidden(found);
+  Outcome outcome;
+  outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
+                                   : count_text(found.size(), "one element is selected", "# elements are selected",
+                                                "# 個を選択しました");
+  session.selection = std::move(found);
+  return outcome;
+}
+
+// All that has been found of it, and where that is nothing because nobody has searched, a word about how.
+Outcome select_all_of(Session& session, const ProblemRow& row) {
+  Outcome outcome = select(session, all_of(session, row));
+  if (row.is_on_request() && !session.has_searched(row.kind)) {
+    const std::string en(row.several_en), ja(row.name_ja), by(row.searched_by);
+    outcome.sentence = {
+        "nothing is selected: nobody has searched for " + en + " since the last edit, as " + by + " does",
+        "選択はありません：「" + ja + "」は最後の編集の後、まだ探していません（" + by + " で探します）"};
+  }
+  return outcome;
+}
+
+// What lives of it.
+Outcome select_kept(Session& session, std::string_view name) {
+  const auto kept = session.selections.kept.find(name);
+  if (kept == session.selections.kept.end()) return nothing_kept(session, name);
+  Elements found = kept->second;
+  drop_lost(found, session.mesh(), false);
+  return select(session, std::move(found));
+}
+
+}  // namespace
+
+Outcome find_named(Session& session, std::string_view command, Words names, Elements& found) {
+  for (const std::string_view name : names) {
+    if (const auto range = parse_slot_range(name)) {
+      add_living(session.mesh(), *range, found);
+      continue;
+    }
+    const NamedElement named = find_element(session.mesh(), name);
+    if (!named.element) {
+      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
+      return usage_error(behind(command, sentence));
+    }
+    found.push_back(*named.element);
+  }
+  return {};
+}
+
+std::optional<Text> fault_of_names(std::string_view command, Words names) {
+  for (const std::string_view name : names)
+    if (!is_element_name(name) && !parse_slot_range(name))
+      return behind(command, not_understood(name, {"the name of an element", "要素の名前を"}));
+  return std::nullopt;
+}
+
+std::string select_syntax() {
+  std::string syntax = "[add|toggle] NAME...|A..B|[problem] PROBLEM [NAME]|kept NAME";
+  for (const Selector& row : selectors()) syntax += "|" + syntax_of(row);
+  return syntax;
+}
+
+std::string select_line(const Selector& row) {
+  return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
+}
+
+std::string select_line(const ProblemRow& row, std::string_view element) {
+  const std::string line = "select " + std::string(of_problem) + " " + std::string(row.id);
+  return element.empty() ? line : line + " " + std::string(element);
+}
+
+void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how) {
+  if (how == SelectHow::anew) selection.clear();
+  ElementSet selected(selection), taken_out;
+  for (const Element& e : elements) {
+    if (selected.insert(e)) {
+      selection.push_back(e);
+    } else if (how == SelectHow::toggle) {
+      taken_out.insert(e);
+    }
+  }
+  if (how == SelectHow::toggle) std::erase_if(selection, [&](const Element& e) { return taken_out.contains(e); });
+}
+
+std::optional<Text> fault_of_select(Words arguments, const std::string&) { return fault_of(read_selecting(arguments)); }
+
+Outcome run_select(Session& session, Words arguments, std::string_view) {
+  const Selecting asked = read_selecting(arguments);
+  if (const auto fault = fault_of(asked)) return usage_error(*fault);
+  if (asked.selector) {
+    const Selector& row = *asked.selector;
+    if (const Text missing = missing_for(row, session.selection); !missing.en.empty())
+      return failed(ExitCode::refused, missing);
+    Elements found =
+        row.find(session.mesh(), session.selection, kind_of(session.mode), *parse_values(row, asked.names));
+    if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
+    return select(session, std::move(found));
+  }
+  if (asked.is_kept) return select_kept(session, *kept_name(asked.names));
+  if (asked.problem && asked.names.empty()) return select_all_of(session, *asked.problem);
+  Elements found;
+  if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
+  if (asked.problem) found = session.about(*asked.problem, found[0]);
+  put_into_selection(session.selection.changed(), found, asked.how);
+  return {};
+}
+
+std::optional<Text> fault_of_keep(Words arguments, const std::string& line) {
+  if (kept_name(arguments)) return std::nullopt;
+  return fault_of_kept_name(line.substr(0, line.find(' ')), arguments);
+}
+
+Outcome run_keep(Session& session, Words arguments, std::string_view) {
+  const std::optional<std::string> name = kept_name(arguments);
+  if (!name) return usage_error(fault_of_kept_name("keep", arguments));
+  if (session.selection.empty())
+    return failed(ExitCode::refused, {"nothing is selected that could be kept", "取っておく選択がありません"});
+  session.selections.kept.insert_or_assign(*name, session.selection);
+  return {};
+}
+
+Outcome run_forget(Session& session, Words arguments, std::string_view) {
+  const std::optional<std::string> name = kept_name(arguments);
+  if (!name) return usage_error(fault_of_kept_name("forget", arguments));
+  const auto kept = session.selections.kept.find(*name);
+  if (kept == session.selections.kept.end()) return nothing_kept(session, *name);
+  session.selections.kept.erase(kept);
+  return {};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,162 @@
+// The levels of detail of a mesh, and the account of the last simplification.
+#include <charconv>
+#include <utility>
+
+#include "app/editor/commands/command_functions.h"
+#include "app/editor/commands/command_syntax.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
+#include "ryosen/algo/edge_rules.h"
+#include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/io/elements.h"
+#include "ryosen/mesh/find_element.h"
+
+namespace ryosen {
+
+namespace {
+
+std::optional<std::size_t> face_count(std::string_view word) {
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  return error == std::errc() && end == word.data() + word.size() ? std::optional(number) : std::nullopt;
+}
+
+Outcome no_levels() {
+  return failed(ExitCode::refused, {"there are no levels of detail yet; begin with levels",
+                                    "詳細度がまだありません。まず levels で作ってください"});
+}
+
+Text told(const ShownLevels& levels) {
+  const std::string n = std::to_string(levels.faces()), all = std::to_string(levels.faces(0));
+  return {n + " of " + all + " faces.", "面 " + all + " 枚中 " + n + " 枚。"};
+}
+
+// The values on this mesh, as those of a simplification.
+ParameterValues as_of_simplify(const ParameterValues& given) {
+  ParameterValues values(find_algorithm("simplify")->parameters);
+  for (const ParameterRow& row : given.rows())
+    if (const std::string text = given.text(row.id); !text.empty()) values.set(row.id, text, row.id);
+  return values;
+}
+
+Outcome begin_levels(Session& session, Words words) {
+  const ReadValues given = read_values(level_parameters(), words);
+  if (!given.values) return usage_error(behind("levels", given.sentence));
+  const Text left = session.player ? leave_playing(session).sentence : Text();
+  end_levels(session);
+  session.end_trial();
+  const ParameterValues values = as_of_simplify(*given.values);
+  const ReadValues found = values.on(session.mesh());
+  const auto telling = [&](Outcome outcome) {
+    if (!left.en.empty()) outcome.say(left);
+    return outcome;
+  };
+  if (!found.values) return telling(failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence));
+  Progress progress(session.on_progress);
+  const std::vector<Vertex> on_lines = vertices_on_lines(session.document().file(), session.mesh().file_vertices());
+  BuiltLevels built = build_levels(session.mesh(), {.values = *found.values, .on_lines = on_lines}, progress);
+  if (built.refused) return telling(failed(ExitCode::refused, behind("levels", *built.refused)));
+  if (!built.levels) return telling(cancelled());
+  session.levels = std::make_shared<ShownLevels>(std::move(built.levels), values, session.document());
+  session.levels->go_to(session.document(), 0);
+  session.show(panel_opened_by(PanelOpener::levelled), true);
+  Outcome outcome;
+  const std::string least = std::to_string(session.levels->faces(session.levels->levels().last()));
+  outcome.sentence =
+      told(*session.levels) + Text{" The last level has " + least + ".", "最も粗い段階は " + least + " 枚。"};
+  return telling(std::move(outcome));
+}
+
+Outcome go_to_level(Session& session, std::size_t faces) {
+  if (!session.levels->fits(session.document())) {
+    session.levels.reset();
+    return failed(ExitCode::refused, {"the mesh has changed since; begin again with levels",
+                                      "その後メッシュが変わりました。もう一度 levels で始めてください"});
+  }
+  session.levels->go_to(session.document(), session.levels->level_of(faces));
+  Outcome outcome;
+  outcome.sentence = told(*session.levels);
+  return outcome;
+}
+
+const EdgeRuleRow* find_rule(std::string_view id) {
+  for (const EdgeRuleRow& row : edge_rules)
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+void select_under(Session& session, const EdgeAccount& account, EdgeRule rule) {
+  Elements found;
+  for (std::uint32_t i = 0; i < account.rules.size(); ++i)
+    if (account.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
+  session.selection = std::move(found);
+}
+
+}  // namespace
+
+std::string levels_syntax() { return "[NAME=VALUE ...]|at FACES|keep|close"; }
+
+bool levels_take_long(Words arguments) {
+  return arguments.empty() || arguments[0].find('=') != std::string_view::npos || arguments[0] == "keep";
+}
+
+std::optional<Text> fault_of_levels(Words arguments, const std::string&) {
+  if (arguments.empty()) return std::nullopt;
+  if (arguments[0] == "at")
+    return arguments.size() == 2 && face_count(arguments[1]) ? std::nullopt
+                                                             : std::optional(wrong_arguments("levels").sentence);
+  if (arguments[0] == "keep" || arguments[0] == "close")
+    return arguments.size() == 1 ? std::nullopt : std::optional(wrong_arguments("levels").sentence);
+  ReadValues read = read_values(level_parameters(), arguments);
+  return read.values ? std::nullopt : std::optional(behind("levels", read.sentence));
+}
+
+Outcome run_levels(Session& session, Words arguments, std::string_view) {
+  if (const auto fault = fault_of_levels(arguments, {})) return usage_error(*fault);
+  const std::string_view word = arguments.empty() ? std::string_view() : arguments[0];
+  if (word == "close") {
+    end_levels(session);
+    return {};
+  }
+  if (word != "at" && word != "keep") return begin_levels(session, arguments);
+  if (!session.levels) return no_levels();
+  if (word == "at") return go_to_level(session, *face_count(arguments[1]));
+  const std::string line = session.levels->line();
+  return session.run(line);  // which ends them
+}
+
+std::string account_syntax() {
+  std::string syntax;
+  for (const EdgeRuleRow& row : edge_rules) syntax.append(syntax.empty() ? "[" : "|").append(row.id);
+  return syntax + "]";
+}
+
+std::optional<Text> fault_of_account(Words arguments, const std::string&) {
+  const bool is_known = arguments.empty() || (arguments.size() == 1 && find_rule(arguments[0]));
+  return is_known ? std::nullopt : std::optional(wrong_arguments("account").sentence);
+}
+
+Outcome run_account(Session& session, Words arguments, std::string_view) {
+  if (const auto fault = fault_of_account(arguments, {})) return usage_error(*fault);
+  if (line_to_account_for(session).empty())
+    return failed(ExitCode::refused, {"there is no account; simplify makes one, until the next change",
+                                      "内訳がありません。simplify の直後、次の変更までの間だけ示せます"});
+  const EdgeAccount* const account = make_account(session);
+  if (!account) return cancelled();
+  session.show(panel_opened_by(PanelOpener::levelled), true);
+  Outcome outcome;
+  if (!arguments.empty()) {
+    select_under(session, *account, find_rule(arguments[0])->rule);
+    return outcome;
+  }
+  for (const EdgeRuleRow& row : edge_rules) {
+    const std::size_t count = account->counts[static_cast<std::size_t>(row.rule)];
+    if (count == 0) continue;
+    const std::string number = std::to_string(count);
+    const Text one{std::string(row.id) + " " + number, std::string(row.name_ja) + " " + number};
+    outcome.sentence = outcome.sentence.en.empty() ? one : outcome.sentence + Text{", ", "、"} + one;
+  }
+  return outcome;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,158 @@
+#include "app/editor/commands/command_functions.h"
+
+#include <algorithm>
+
+#include "app/editor/commands/script.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/preferences/panel_list.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
+
+namespace ryosen {
+
+namespace {
+
+Outcome no_such_panel(const std::string& id) {
+  std::vector<std::string> known;
+  for (const PanelRow& row : panel_list()) known.emplace_back(row.id);
+  const Text hint = did_you_mean(id, known), all{"; known: " + panel_ids(), "。あるのは " + panel_ids()};
+  return usage_error(Text{"there is no panel '" + id + "'", "パネル「" + id + "」はありません"} +
+                     (hint.en.empty() ? all : hint));
+}
+
+// What the command does with a panel; some only with those of the columns.
+struct PanelAct {
+  std::string_view id;
+  bool of_columns;
+  void (*act)(Session& session, const PanelRow& row);
+};
+constexpr PanelAct panel_acts[] = {
+    {"on", false, [](Session& session, const PanelRow& row) { session.show(row, true); }},
+    {"off", false, [](Session& session, const PanelRow& row) { session.show(row, false); }},
+    {"fold", true, [](Session& session, const PanelRow& row) { session.layout.folded.emplace(row.id); }},
+    {"unfold", true, [](Session& session, const PanelRow& row) { session.layout.folded.erase(std::string(row.id)); }},
+    {"left", true, [](Session& session, const PanelRow& row) { session.layout.put(row, PanelPlace::left); }},
+    {"right", true, [](Session& session, const PanelRow& row) { session.layout.put(row, PanelPlace::right); }},
+    {"flyout", true,
+     [](Session& session, const PanelRow& row) {
+       session.layout.show(row, true);
+       session.layout.flyout = row.id;
+     }},
+};
+
+}  // namespace
+
+Outcome run_panel(Session& session, Words arguments, std::string_view) {
+  if (arguments.empty() || arguments.size() > 2) return wrong_arguments("panel");
+  const std::string id(arguments[0]);
+  if (id == "none" && arguments.size() > 1)
+    return usage_error("panel none closes what lies over the view; it takes no further word",
+                       "panel none は画面に重なるものを閉じます。後ろに言葉は付けられません");
+  if (id == "none") {
+    session.open_panel.clear();
+    session.layout.flyout.clear();
+    return {};
+  }
+  const std::string_view word = arguments.size() == 1 ? "on" : arguments[1];
+  const auto act =
+      std::find_if(std::begin(panel_acts), std::end(panel_acts), [&](const auto& a) { return a.id == word; });
+  if (act == std::end(panel_acts)) return wrong_arguments("panel");
+  const PanelRow* const row = find_panel(id);
+  if (!row) return no_such_panel(id);
+  if (row->place == PanelPlace::over && act->of_columns)
+    return usage_error("the panel " + id + " lies over the view: it is opened and closed, by on and off",
+                       "パネル " + id + " は画面に重なるもので、on と off で開閉するだけです");
+  act->act(session, *row);
+  return {};
+}
+
+std::string panel_syntax() {
+  std::string words;
+  for (const PanelAct& act : panel_acts) words.append(words.empty() ? "" : "|").append(act.id);
+  return "ID|none [" + words + "]";
+}
+
+Outcome run_menu(Session& session, Words arguments, std::string_view) {
+  const MenuRow* const menu = arguments.empty() ? menu_bar : find_menu(arguments[0]);
+  if (!menu || arguments.size() > 1) return wrong_arguments("menu");
+  session.asked_menu = menu;
+  return {};
+}
+
+Outcome run_columns(Session& session, Words arguments, std::string_view) {
+  const std::string_view side = arguments.size() == 2 ? arguments[0] : "";
+  if (side != "left" && side != "right") return wrong_arguments("columns");
+  const std::optional<std::uint32_t> width = count_of(arguments.subspan(1));
+  if (!width) return wrong_arguments("columns");
+  if (*width < least_column_px || *width > most_column_px) {
+    const std::string least = std::to_string(least_column_px), most = std::to_string(most_column_px);
+    return usage_error("a column is between " + least + " and " + most + " pixels wide",
+                       "列の幅は " + least + " から " + most + " までです");
+  }
+  session.layout.width_px(side == "left" ? PanelPlace::left : PanelPlace::right) = static_cast<int>(*width);
+  return {};
+}
+
+Outcome run_values(Session& session, Words arguments, std::string_view) {
+  if (arguments.size() != 1) return wrong_arguments("values");
+  const AlgorithmRow* const row = find_algorithm(arguments[0]);
+  if (!row) {
+    std::vector<std::string> known;
+    for (const AlgorithmRow& other : algorithm_table()) known.emplace_back(other.id);
+    const std::string wrong(arguments[0]);
+    return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
+                       did_you_mean(wrong, known));
+  }
+  session.asked_algorithm = row->id;
+  session.show(panel_opened_by(PanelOpener::asked_values), true);
+  return {};
+}
+
+Outcome run_language(Session& session, Words arguments, std::string_view) {
+  const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
+  if (word != "en" && word != "ja") return wrong_arguments("language");
+  session.language = word == "ja" ? Language::japanese : Language::english;
+  return {};
+}
+
+Outcome leave_question(Session& session) {
+  session.asked_question.reset();
+  Outcome outcome;
+  outcome.sentence = {"The question is left.", "問題を終えました。"};
+  return outcome;
+}
+
+// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a question
+// of the program, the tool, the selection, and last what is played, a level of detail, or a question of the practice.
+Outcome run_cancel(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("cancel");
+  if (session.band || session.armed_gesture) {
+    session.band.reset();
+    session.armed_gesture.reset();
+    return {};
+  }
+  if (!session.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");
+  if (session.is_verdict_held()) {
+    session.release_verdict();
+    session.point_away();
+    return {};
+  }
+  if (!session.asked_line.empty()) {
+    session.asked_line.clear();
+    return {};
+  }
+  if (!session.tool.empty()) return session.run("tool none");
+  if (!session.shows_step() && !session.selection.empty()) return session.run("select none");
+  if (session.player) return leave_playing(session);
+  if (shows_level(session)) return leave_level(session);
+  if (asked_element(session)) return leave_question(session);
+  return session.shows_step() ? Outcome() : session.run("select none");
+}
+
+Outcome run_quit(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("quit");
+  if (session.quit) session.quit();
+  return {};
+}
+
+}  // namespace ryosen

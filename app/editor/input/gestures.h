@@ -1,0 +1,61 @@
+// What the mouse and the keys do, in the manner of several programs: a table of presets, each with its drags and with the
+// keys that it has otherwise than the first.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/input/input.h"
+#include "ryosen/base/message.h"
+
+namespace ryosen {
+
+// What a drag does: with the camera, or selecting what lies in the box or the loop that it draws.
+enum class Gesture { orbit, pan, zoom, box, lasso };
+
+constexpr bool selects(Gesture gesture) { return gesture == Gesture::box || gesture == Gesture::lasso; }
+
+struct DragRow {
+  MouseButton button;
+  bool shift, ctrl;
+  Gesture gesture;
+};
+
+// What a click with Select in hand selects: the element, or the loop or ring of the edge that is nearest.
+enum class ClickSelects { element, loop, ring };
+
+struct KeyChange {
+  std::string_view chord, command, help_en, help_ja;
+};
+
+struct InputPreset {
+  std::string_view id, name_en, name_ja;
+  std::span<const DragRow> drags;
+  std::span<const KeyChange> keys;
+};
+
+// The first is Ryosen's own, which scripts use.
+std::span<const InputPreset> input_presets();
+// Alt makes no other gesture: with one that selects it goes through the surface. With modifiers that no row has it is
+// that of the button alone.
+Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modifiers);
+
+// Shift adds to the selection what any of them finds.
+ClickSelects click_selects(Modifiers modifiers);
+
+// What the gesture does, in a few words.
+Text help_of(Gesture gesture);
+
+// What is done with the mouse, and what that does.
+struct MouseRow {
+  Text input, does;
+};
+
+// A drag as it is called: "Shift+left drag", to stand within a sentence.
+Text name_of(const DragRow& drag);
+// All that the mouse does in the preset: its drags, then the clicks and the wheel, which are the same in all.
+std::vector<MouseRow> mouse_table(const InputPreset& preset);
+
+}  // namespace ryosen

@@ -1,0 +1,155 @@
+// The numbers of elements as labels.
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "app/editor/labels/labels.h"
+#include "ryosen/forms/polygons.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/pick/screen_segment.h"
+
+namespace ryosen {
+
+namespace {
+
+class NumberLabels {
+ public:
+  NumberLabels(Session& session, std::vector<Label>& labels)
+      : session_(session),
+        m_(session.mesh()),
+        places_(session.drawn_positions()),
+        labels_(labels),
+        screen_(session.camera, session.view),
+        selected_(session.selection.begin(), session.selection.end()) {}
+
+  template <class Handle>
+  void add(std::uint32_t slots, char letter) {
+    constexpr std::size_t many = 4000;  // more than can have room
+    std::vector<std::uint32_t> in_view;
+    for (std::uint32_t i = 0; i < slots; ++i) {
+      const Handle element(i);
+      if (m_.is_alive(element) && is_own(element) && !session_.hidden().hides(m_, element) &&
+          is_in_view(middle(element)))
+        in_view.push_back(i);
+    }
+    const std::size_t step = in_view.size() / many + 1;
+    for (std::size_t n = 0; n < in_view.size(); ++n) {
+      const Handle element(in_view[n]);
+      const bool is_selected = selected_.contains(Element(element));
+      if (n % step != 0 && !is_selected) continue;
+      Label label = label_of(element);
+      label.text = letter + std::to_string(element.index);
+      label.priority = is_selected ? selected_priority : number_priority;
+      labels_.push_back(std::move(label));
+    }
+  }
+
+  // As text 003 numbers the sides of triangles, and any corners in their order; those at a boundary in a colour of their own.
+  void add_corners() {
+    constexpr std::uint32_t inner_colour = 0x1F5FA8, boundary_colour = 0x00785A;
+    std::uint32_t number = 0;
+    for (const Halfedge h : forms::corner_halfedges(m_)) {
+      const std::uint32_t n = number++;
+      if (session_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
+      Label label = label_of(h);
+      label.text = std::to_string(n);
+      label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;
+      if (selected_.contains(Element(h))) label.priority = selected_priority;
+      labels_.push_back(std::move(label));
+    }
+  }
+
+ private:
+  // One number for all copies of a point.
+  bool is_own(Vertex v) const { return point(m_, v) == v; }
+  template <class Handle>
+  bool is_own(Handle) const {
+    return true;
+  }
+
+  bool is_in_view(const glm::dvec3& place) const {
+    const auto at = screen_.project(place);
+    return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session_.view.width &&
+           at->pixel.y < session_.view.height;
+  }
+
+  glm::dvec3 middle(Vertex v) const { return places_[v.index]; }
+  glm::dvec3 middle(Edge e) const {
+    const auto [a, b] = ends(m_, e);
+    return 0.5 * middle(a) + 0.5 * middle(b);
+  }
+  glm::dvec3 middle(Halfedge h) const { return middle(edge(h)); }
+  glm::dvec3 middle(Face f) const {
+    glm::dvec3 sum(0);
+    double corners = 0;
+    for (const Vertex v : vertices_around(m_, f)) {
+      sum += middle(v);
+      ++corners;
+    }
+    return sum / corners;
+  }
+
+  // Of the loop of a halfedge that bounds a hole of its face, which lies away from it.
+  std::optional<glm::dvec3> middle_of_ring(Halfedge h) const {
+    const Face f = m_.face(h);
+    if (!f || !m_.has_rings(f)) return std::nullopt;
+    glm::dvec3 sum(0);
+    double corners = 0;
+    for (const Halfedge other : loop(m_, h)) {
+      if (other == m_.halfedge(f)) return std::nullopt;
+      sum += middle(m_.from(other));
+      ++corners;
+    }
+    return sum / corners;
+  }
+
+  // Beside its vertex, so that both are seen.
+  Label label_of(Vertex v) const { return {.at = middle(v), .shift_px = {0, -13}}; }
+  Label label_of(Edge e) const { return {.at = middle(e)}; }
+  Label label_of(Face f) const { return {.at = middle(f), .own = f}; }
+  // On the side of its face; without one, away from that of its twin.
+  Label label_of(Halfedge h) const {
+    constexpr double inwards = 0.25;
+    const glm::dvec3 at = middle(h);
+    if (const auto around = middle_of_ring(h)) return {.at = at - inwards * (*around - at), .own = m_.face(h)};
+    if (const Face f = m_.face(h)) return {.at = at + inwards * (middle(f) - at), .own = f};
+    const Face across = m_.face(twin(h));
+    return {.at = across ? at - inwards * (middle(across) - at) : at};
+  }
+
+  Session& session_;
+  const Mesh& m_;
+  std::span<const glm::dvec3> places_;
+  std::vector<Label>& labels_;
+  ScreenProjection screen_;
+  std::set<Element> selected_;
+};
+
+}  // namespace
+
+void add_numbers(Session& session, std::vector<Label>& labels) {
+  NumberLabels numbers(session, labels);
+  const Mesh& mesh = session.mesh();
+  switch (session.settings.numbers) {
+    case Numbers::off:
+      return;
+    case Numbers::vertices:
+      return numbers.add<Vertex>(mesh.vertex_slots(), 'v');
+    case Numbers::edges:
+      return numbers.add<Edge>(mesh.edge_slots(), 'e');
+    case Numbers::faces:
+      return numbers.add<Face>(mesh.face_slots(), 'f');
+    case Numbers::halfedges:
+      return numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
+    case Numbers::all:
+      numbers.add<Vertex>(mesh.vertex_slots(), 'v');
+      numbers.add<Face>(mesh.face_slots(), 'f');
+      numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
+      return numbers.add<Edge>(mesh.edge_slots(), 'e');
+    case Numbers::corners:
+      return numbers.add_corners();
+  }
+}
+
+}  // namespace ryosen

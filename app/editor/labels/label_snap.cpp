@@ -1,0 +1,15 @@
+#include "app/editor/labels/labels.h"
+
+namespace ryosen {
+
+void add_snap(Session& session, std::vector<Label>& labels) {
+  const SnapTarget& target = *session.gesture()->snapped_to();
+  labels.push_back({.at = target.place,
+                    .text = target.name,
+                    .priority = snap_priority,
+                    .shift_px = {0, -22},
+                    .else_px = {{0, 22}, {36, 0}, {-36, 0}},
+                    .through = true});
+}
+
+}  // namespace ryosen

@@ -1,0 +1,37 @@
+#include "app/editor/labels/labels.h"
+#include "app/editor/textbook/playing.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/middle.h"
+
+namespace ryosen {
+
+void add_step(Session& session, std::vector<Label>& labels) {
+  const Player& player = *session.player;
+  const steps::Step* const step = player.step();
+  const Text caption = step ? step->caption : player.name();
+  const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
+  const std::string sentences[] = {number + caption.in(session.language)};
+  add_caption(session, sentences, labels);
+  if (!step) return;
+  const Mesh& mesh = session.mesh();
+  for (const steps::Mark& mark : step->marks) {
+    const steps::RoleRow& role = steps::row_of(mark.role);
+    if (!role.is_label || !has_slot(mesh.lengths(), mark.element) || !is_alive(mesh, mark.element)) continue;
+    Label label{.at = middle_of(mesh, mark.element), .text = std::string(role.id), .priority = measure_priority};
+    label.through = true;
+    // A halfedge has its label on the side of its face.
+    if (mark.element.kind == Element::Kind::halfedge && !mesh.is_outside(mark.element.halfedge())) {
+      glm::dvec3 centre{0};
+      double corners = 0;
+      for (const Vertex v : vertices_around(mesh, mesh.face(mark.element.halfedge()))) {
+        centre += mesh.position(v);
+        ++corners;
+      }
+      label.at += 0.25 * (centre / corners - label.at);
+    }
+    labels.push_back(std::move(label));
+  }
+}
+
+}  // namespace ryosen

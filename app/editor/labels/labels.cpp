@@ -1,0 +1,188 @@
+#include "app/editor/labels/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/editor/textbook/playing.h"
+#include "ryosen/pick/screen_segment.h"
+
+namespace ryosen {
+
+namespace {
+
+bool is_step_shown(const Session& session) { return session.player && session.player->is_shown(session.document()); }
+
+constexpr LabelSource sources[] = {
+    {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
+    {"links", [](const Session& session) { return session.links.is_on(session); }, add_links},
+    {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
+    {"step", is_step_shown, add_step},
+    {"snap", [](const Session& session) { return session.gesture() && session.gesture()->snapped_to(); }, add_snap},
+    {"faceless", is_faceless, add_faceless},
+    {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
+};
+
+// The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
+class TakenCells {
+ public:
+  explicit TakenCells(Size view) : view_(view), columns_((view.width + cell_px - 1) / cell_px), taken_(cells(view)) {}
+
+  // Whether all of it lies in the view and no label is there.
+  bool has_room(const PixelRect& rect) const {
+    if (rect.empty() || intersection(rect, PixelRect::all(view_)) != rect) return false;
+    bool is_free = true;
+    for_each_cell(rect, [&](std::size_t cell) { is_free = is_free && !taken_[cell]; });
+    return is_free;
+  }
+  void take(const PixelRect& rect) {
+    for_each_cell(intersection(rect, PixelRect::all(view_)), [&](std::size_t cell) { taken_[cell] = true; });
+  }
+
+ private:
+  static constexpr int cell_px = 4;
+
+  static std::size_t cells(Size view) {
+    const auto along = [](int pixels) { return static_cast<std::size_t>((pixels + cell_px - 1) / cell_px); };
+    return along(view.width) * along(view.height);
+  }
+  template <class Visit>
+  void for_each_cell(const PixelRect& rect, Visit visit) const {
+    for (int y = rect.y0 / cell_px; y * cell_px < rect.y1; ++y)
+      for (int x = rect.x0 / cell_px; x * cell_px < rect.x1; ++x)
+        visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x));
+  }
+
+  Size view_;
+  int columns_;
+  std::vector<bool> taken_;
+};
+
+// Where there is room for a rectangle, by whole steps from where it is; of several places the nearest. None where the
+// view is full. O(view / step²) rectangles.
+template <class HasRoom>
+std::optional<PixelRect> nearest_room(const HasRoom& has_room, const PixelRect& rect, Size view, glm::ivec2 middle) {
+  constexpr int step = 8;
+  const int width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
+  std::optional<PixelRect> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (int y = rect.y0 % step; y + height <= view.height; y += step) {
+    for (int x = rect.x0 % step; x + width <= view.width; x += step) {
+      const double distance = glm::length(glm::dvec2(x + width / 2 - middle.x, y + height / 2 - middle.y));
+      const PixelRect place{x, y, x + width, y + height};
+      if (distance >= least || !has_room(place)) continue;
+      nearest = place;
+      least = distance;
+    }
+  }
+  return nearest;
+}
+
+// Below half a billion pixels either way, so that it can be counted in.
+bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
+
+// What the handles of the gizmo cover, with the room in which they are taken hold of.
+void take_handles(const Session& session, TakenCells& cells) {
+  const std::optional<Gizmo> gizmo = session.gizmo();
+  if (!gizmo) return;
+  const double around = 8 * session.size_scale();
+  const ScreenProjection screen(session.camera, session.view);
+  const auto take = [&](const glm::dvec3& place) {
+    const auto at = screen.project(place);
+    if (!at || !is_near(at->pixel)) return;
+    const glm::ivec2 low(glm::floor(at->pixel - around)), high(glm::ceil(at->pixel + around));
+    cells.take({low.x, low.y, high.x, high.y});
+  };
+  // A stroke is hardly longer than a hundred pixels.
+  constexpr int steps = 16;
+  const auto take_along = [&](const std::vector<GizmoStroke>& strokes) {
+    for (const GizmoStroke& stroke : strokes)
+      for (int i = 0; i <= steps; ++i) take(glm::mix(stroke.a, stroke.b, double(i) / steps));
+  };
+  for (const GizmoHandle& handle : gizmo->handles) {
+    take_along(handle.strokes);
+    take_along(handle.letter);
+  }
+}
+
+// Where labels lie, one after the other.
+class LabelPlaces {
+ public:
+  // `margin`: the room around each.
+  LabelPlaces(const Session& session, double scale, int margin)
+      : view_(session.view), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
+    take_handles(session, handles_);
+  }
+
+  // For one of this size at a pixel; none where it has no room.
+  std::optional<PixelRect> room_of(const Label& label, Size size, glm::dvec2 pixel) const {
+    const auto has_room = [&](const PixelRect& rect) {
+      return taken_.has_room(rect) && (!label.moves_aside || handles_.has_room(rect));
+    };
+    PixelRect rect = shifted(label, size, pixel, label.shift_px);
+    for (std::size_t i = 0; i < label.else_px.size() && !has_room(rect); ++i)
+      rect = shifted(label, size, pixel, label.else_px[i]);
+    if (has_room(rect)) return rect;
+    if (!label.moves_aside || glm::clamp(pixel, glm::dvec2(0), glm::dvec2(view_.width, view_.height)) != pixel)
+      return std::nullopt;
+    if (const auto near = nearest_room(has_room, rect, view_, glm::ivec2(pixel))) return near;
+    return nearest_room([&](const PixelRect& r) { return taken_.has_room(r); }, rect, view_, glm::ivec2(pixel));
+  }
+  // Those of a legend stand together.
+  void take(const PixelRect& rect, const Label& label) {
+    const int around = label.ground ? 0 : margin_;
+    taken_.take({rect.x0 - around, rect.y0 - around, rect.x1 + around, rect.y1 + around});
+  }
+
+ private:
+  PixelRect shifted(const Label& label, Size size, glm::dvec2 pixel, glm::dvec2 shift_px) const {
+    const glm::dvec2 there = pixel + shift_px * scale_;
+    const double before = label.begins_there ? 0 : 0.5 * size.width;
+    const int x = static_cast<int>(std::lround(there.x - before)),
+              y = static_cast<int>(std::lround(there.y - 0.5 * size.height));
+    return {x, y, x + size.width, y + size.height};
+  }
+
+  Size view_;
+  double scale_;
+  int margin_;
+  TakenCells taken_, handles_;
+};
+
+}  // namespace
+
+std::span<const LabelSource> label_sources() { return sources; }
+
+std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Size(const std::string& text)>& size_of,
+                                       double scale) {
+  std::vector<Label> labels;
+  for (const LabelSource& source : label_sources())
+    if (source.is_on(session)) source.add(session, labels);
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const Label& a, const Label& b) { return a.priority > b.priority; });
+  const ScreenProjection screen(session.camera, session.view);
+  const std::optional<ClipPlane> clip = session.clip_plane();
+  const bool hides = session.settings.xray == Xray::off && !session.gesture();
+  // Room around each: more where there are many, so that the mesh stays visible between them.
+  const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
+  LabelPlaces places(session, scale, margin);
+  std::vector<PlacedLabel> placed;
+  for (const Label& label : labels) {
+    if (placed.size() == most_labels) break;
+    const auto at = label.pixel ? ScreenPoint{*label.pixel, 0} : screen.project(label.at);
+    if (!at || !is_near(at->pixel)) continue;
+    if (clip && !label.pixel && clip->cuts(label.at)) continue;
+    Size size = size_of(label.text);
+    size.width = std::max(size.width, static_cast<int>(std::lround(label.least_width_px * scale)));
+    const std::optional<PixelRect> rect = places.room_of(label, size, at->pixel);
+    if (!rect) continue;
+    if (hides && !label.pixel && !label.through &&
+        !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
+      continue;
+    places.take(*rect, label);
+    placed.push_back({{rect->x0, rect->y0}, size, label.text, label.ground});
+  }
+  return placed;
+}
+
+}  // namespace ryosen

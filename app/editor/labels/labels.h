@@ -1,0 +1,88 @@
+// The labels of a session: short texts at places of the mesh, which every picture shows, with or without panels.
+//
+// To have further ones drawn, write a function that adds them and its row in labels.cpp. The picture leaves out what lies
+// behind the surface or would lie over a label that goes first.
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/editor/session/session.h"
+
+namespace ryosen {
+
+struct Label {
+  glm::dvec3 at{0};                      // in mesh space; the text is centred there
+  std::string text = {};                 // one line, UTF-8
+  int priority = 0;                      // a higher one goes first; among equal ones the one that comes earlier
+  Face own = {};                         // the face it is written on, which does not hide it
+  glm::dvec2 shift_px{0};                // of the text from there, at display scale 1
+  std::vector<glm::dvec2> else_px = {};  // further shifts to try, in this order, where that has no room
+  // It was asked for: where it has none, or lies over the gizmo, it moves to the nearest room of the view.
+  bool moves_aside = false;
+  std::optional<glm::dvec2> pixel = {};      // instead of `at`: of the view, never hidden
+  bool through = false;                      // shown though the surface hides its place
+  bool begins_there = false;                 // the place is the left end of the text, not its middle
+  double least_width_px = 0;                 // at display scale 1
+  std::optional<std::uint32_t> ground = {};  // the colour below the text, 0xRRGGBB; else that of all labels
+};
+
+// What labels are about, from the least priority on.
+inline constexpr int number_priority = 0, selected_priority = 1, measure_priority = 2, link_priority = 3,
+                     legend_priority = 4, snap_priority = 5;
+
+struct LabelSource {
+  std::string_view id;
+  // Whether it has any now; cheap, asked for each frame.
+  bool (*is_on)(const Session& session);
+  void (*add)(Session& session, std::vector<Label>& labels);
+};
+std::span<const LabelSource> label_sources();
+
+// At most so many are drawn at a time.
+inline constexpr std::size_t most_labels = 400;
+
+// A label with its place in the view: the upper left corner of its text, in pixels of the view.
+struct PlacedLabel {
+  glm::ivec2 corner;
+  Size size;
+  std::string text;
+  std::optional<std::uint32_t> ground = {};
+  friend bool operator==(const PlacedLabel&, const PlacedLabel&) = default;
+};
+
+// Those of all sources that are seen, in full within the view, and do not overlap. `size_of` gives the size of a text in
+// pixels, `scale` is that of the display. The same session gives the same labels. Cost: those elements that the sources
+// go over, and a ray for each label that has room.
+std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Size(const std::string& text)>& size_of,
+                                       double scale);
+
+// Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
+// many in view, every so many-th. O(slots of that sort).
+void add_numbers(Session& session, std::vector<Label>& labels);
+// Adds what the arrows of the selected element's links are, beside them, away from their edges.
+void add_links(Session& session, std::vector<Label>& labels);
+// Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
+void add_measures(Session& session, std::vector<Label>& labels);
+// Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
+void add_step(Session& session, std::vector<Label>& labels);
+// How high at the top of the view a usual caption reaches, in pixels.
+double caption_px(const Session& session);
+// Adds sentences in the upper left corner, broken into lines that have room.
+void add_caption(const Session& session, std::span<const std::string> sentences, std::vector<Label>& labels);
+// Whether a file is open and its mesh has nothing that a picture could show as a surface or as edges.
+bool is_faceless(const Session& session);
+// Adds how much there is then, and the first warning of the file.
+void add_faceless(Session& session, std::vector<Label>& labels);
+// Adds the name of what is snapped to, beside the place where that is.
+void add_snap(Session& session, std::vector<Label>& labels);
+// Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
+void add_map_legend(Session& session, std::vector<Label>& labels);
+
+}  // namespace ryosen

@@ -1,0 +1,42 @@
+// How the panels of the columns lie beside the view: what the commands `panel` and `columns` change.
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/editor/preferences/panel_list.h"
+
+namespace ryosen {
+
+// How wide a column may be, in pixels at scale 1.
+inline constexpr int least_column_px = 200, most_column_px = 640;
+
+struct Layout {
+  // Ids of panels.
+  std::set<std::string> switched;  // shown where their rows say hidden, or hidden where they say shown
+  std::set<std::string> folded;    // to their headers
+  std::set<std::string> moved;     // to the other side than their rows say
+  std::string flyout;              // of tabs, the one that is open over the view; empty for none
+  std::string wanted;              // somebody asked for this one just now: its column scrolls to it; empty for none
+  // Of the columns, at scale 1.
+  int left_px = 240, right_px = 292;
+
+  bool is_shown(const PanelRow& panel) const;
+  void show(const PanelRow& panel, bool on);
+  PanelPlace side_of(const PanelRow& panel) const;
+  void put(const PanelRow& panel, PanelPlace side);
+  bool is_folded(const PanelRow& panel) const { return folded.contains(std::string(panel.id)); }
+  // Of the left or the right column.
+  int& width_px(PanelPlace side) { return side == PanelPlace::left ? left_px : right_px; }
+  int width_px(PanelPlace side) const { return side == PanelPlace::left ? left_px : right_px; }
+  // Panels shown on a side.
+  std::size_t count(PanelPlace side) const;
+  bool is_empty(PanelPlace side) const { return count(side) == 0; }
+
+  // The commands that bring it about, beginning with a layout as at first. What is open over the view is not kept.
+  std::vector<std::string> commands() const;
+};
+
+}  // namespace ryosen

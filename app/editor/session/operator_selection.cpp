@@ -1,0 +1,117 @@
+#include "app/editor/session/operator_selection.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "app/editor/session/session.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/ops/each.h"
+#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/selection/selectors.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::size_t few = 64;  // with more, nobody waits for what each of them would say
+
+Offer offer_of(const Mesh& mesh, const std::string& line) {
+  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  if (!parsed.op) return {false, {parsed.sentence}};
+  const Verdict verdict = check(mesh, *parsed.op);
+  return {verdict.legal(), describe_first(mesh, verdict.reasons)};
+}
+
+// All of a kind but what is hidden, points in place of vertices.
+Elements all_seen(const Session& session, Element::Kind kind) {
+  Elements all = find_selector("all")->find(session.mesh(), {}, kind, {});
+  session.drop_hidden(all);
+  return all;
+}
+
+// Whether that is selected. A look at the numbers where nothing is hidden and no point has copies.
+bool is_all_selected(const Session& session, Element::Kind kind) {
+  const Mesh& mesh = session.mesh();
+  const ElementCounts live = mesh.live();
+  const std::size_t selected = session.selection.count(kind);
+  if (selected == 0) return false;
+  const bool is_vertex = kind == Element::Kind::vertex, is_face = kind == Element::Kind::face;
+  if (!session.hidden().empty() || (is_vertex && mesh.has_copies())) return selected >= all_seen(session, kind).size();
+  return selected == (is_vertex ? live.vertices
+                      : is_face ? live.faces
+                                : live.edges) ||
+         (kind == Element::Kind::halfedge && selected == 2 * std::size_t{live.edges});
+}
+
+// The kind that an operator takes in place of the selection; none where that stands.
+std::optional<Element::Kind> kind_in_place(const Session& session, const OpInfo& op,
+                                           std::span<const std::string_view> arguments) {
+  constexpr Element::Kind kinds[] = {Element::Kind::face, Element::Kind::edge, Element::Kind::halfedge,
+                                     Element::Kind::vertex};
+  const Selection& selected = session.selection;
+  if (selected.empty() || op.on_selection == OnSelection::none) return std::nullopt;
+  std::optional<Element::Kind> taken;
+  bool is_all = false;
+  for (const Element::Kind kind : kinds) {
+    if (takes(op, kind, arguments)) {
+      if (selected.count(kind) > 0) return std::nullopt;
+      if (!taken) taken = kind;
+    }
+  }
+  if (!taken || (op.in_place_of && op.in_place_of->elements(session.mesh(), selected).size() >= least_taken(op)))
+    return std::nullopt;
+  for (const Element::Kind kind : kinds) is_all = is_all || is_all_selected(session, kind);
+  return is_all ? taken : std::nullopt;
+}
+
+}  // namespace
+
+Elements worked_on(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
+  const auto kind = kind_in_place(session, op, arguments);
+  return kind ? all_seen(session, *kind) : static_cast<const Elements&>(session.selection);
+}
+
+std::vector<std::string> names_taken(const Session& session, const OpInfo& op, const Elements& elements,
+                                     std::span<const std::string_view> arguments) {
+  Elements taken;
+  for (const Element& e : elements)
+    if (takes(op, e.kind, arguments)) taken.push_back(e);
+  return session.names_of(taken.empty() ? elements : taken);
+}
+
+bool fits_selection(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
+  if (session.selection.empty() || op.on_selection == OnSelection::none) return false;
+  const auto kind = kind_in_place(session, op, arguments);
+  if (kind && session.selection.size() > few) return true;
+  const Elements in_place = kind ? all_seen(session, *kind) : Elements();
+  const Elements& selected = kind ? in_place : static_cast<const Elements&>(session.selection);
+  const auto is_taken = [&](const Element& e) { return takes(op, e.kind, {}); };
+  if (op.on_selection != OnSelection::all)
+    return called_with(session.mesh(), op, selected, arguments).taken.size() >= least_taken(op);
+  if (selected.size() > few) return std::any_of(selected.begin(), selected.end(), is_taken);
+  const std::vector<std::string> names = names_taken(session, op, selected, {});
+  return !fault_of_arguments(op.id, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+Offer offer_on_selection(const Session& session, const OpInfo& op) {
+  if (session.selection.size() > few || !fits_selection(session, op)) return {};
+  const Elements selected = worked_on(session, op, {});
+  if (selected.size() > few) return {};
+  const std::string id(op.id);
+  if (op.on_selection == OnSelection::all) {
+    std::string line = id;
+    for (const std::string& name : names_taken(session, op, selected, {})) line += " " + name;
+    return offer_of(session.mesh(), line);
+  }
+  const CalledWith with = called_with(session.mesh(), op, selected, {});
+  if (with.is_in_place || (op.on_selection == OnSelection::into_last && selected.size() > 1)) return {};
+  std::optional<Offer> first;
+  for (const std::string& name : session.names_of(with.taken)) {
+    Offer offer = offer_of(session.mesh(), id + " " + name);
+    if (offer.may_be) return {};
+    if (!first) first = std::move(offer);
+  }
+  return first.value_or(Offer());
+}
+
+}  // namespace ryosen

@@ -1,0 +1,255 @@
+#include "app/editor/session/session.h"
+
+#include <cassert>
+#include <new>
+#include <utility>
+
+#include "app/editor/camera/first_camera.h"
+#include "app/editor/camera/framing.h"
+#include "app/editor/input/view_input.h"
+#include "app/editor/recovery/autosave.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/textbook/playing.h"
+
+namespace ryosen {
+
+Session::Session(std::unique_ptr<Document> document) {
+  for (const HighlightRow& row : highlight_table())
+    if (row.is_shown_at_first()) shown.insert(std::string(row.id));
+  for (const PanelRow& row : panel_list())
+    if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
+  set_document(std::move(document));
+}
+
+bool Session::is_shown(const PanelRow& panel) const {
+  return panel.place == PanelPlace::over ? open_panel == panel.id : layout.is_shown(panel);
+}
+
+bool Session::is_at_start() const {
+  return !begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
+}
+
+bool Session::is_empty() const { return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts(); }
+
+void Session::show(const PanelRow& panel, bool on) {
+  if (on && panel.place != PanelPlace::over) layout.wanted = panel.id;
+  if (is_shown(panel) == on) return;
+  if (panel.place == PanelPlace::over)
+    open_panel = on ? panel.id : "";
+  else
+    layout.show(panel, on);
+}
+
+// What may find no memory comes first.
+void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
+  RunFiles files_then = files;
+  files_then.begin_document();
+  const std::filesystem::path& source = read_from ? *read_from : document->path();
+  if (!source.empty()) files_then.reads(source, FileRole::mesh);
+  document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
+    follow(journal, transaction, change);
+  });
+  const Camera first = turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
+  Covered covered = covered_view(*this);
+  covered.above = 0;  // what is played ends
+  const Camera camera_then = framing({&document->mesh()}, first, view, covered);
+  document->before_writing = [this] {
+    preparation_.reset();
+    trials_.let_write();
+  };
+  trials_.forget();
+  if (autosave) autosave->begin(*document);
+  preparation_.reset();
+  document_ = std::move(document);
+  beside_.reset();
+  surface_.reset();
+  change_on_disk_ = FileState::Change::none;
+  files = std::move(files_then);
+  camera = framed_ = camera_then;
+  aside_.reset();
+  forget_derived();
+  file_normals_ = FileNormals();
+  remedy_line_.clear();
+  selection.clear();
+  selections.clear();
+  colouring.reset();
+  measures.clear();
+  links.forget_trail();
+  player.reset();
+  levels.reset();
+  cut.reset();
+  log_.clear();
+}
+
+void Session::forget_derived() {
+  if (aside_) selection = std::move(aside_->selection);
+  aside_.reset();
+  map_values_.reset();
+  preparation_.reset();  // it builds the tree of the picker
+  hidden_ = HiddenElements();
+  picker_.reset();
+  corner_normals_.reset();
+  file_normals_.end();
+  highlights_.reset();
+  boundary_loops_.reset();
+  euler_.reset();
+  kind_.reset();
+  hover_.reset();
+  pointed_handle_ = nullptr;
+  tool_verdicts_.reset();
+  gesturing_.reset();
+  release_verdict();
+  drawn_changes_ = DrawnChanges();
+}
+
+void Session::follow(const Journal& journal, std::size_t transaction, Document::Change change) {
+  try {
+    update_derived(journal, transaction, change);
+  } catch (const std::bad_alloc&) {
+    forget_derived();
+    selection.clear();
+  }
+}
+
+void Session::update_derived(const Journal& journal, std::size_t transaction, Document::Change change) {
+  const Mesh& m = mesh();
+  if (change == Document::Change::tried) set_aside();
+  if (change == Document::Change::trial_ended) forget_gesture();
+  const TouchedElements touched = touched_elements(m, journal, transaction);
+  hidden_.follow(m, touched);
+  if (touched.everything) links.forget_trail();
+  const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
+  const bool has_normals =
+      !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;
+  if (has_normals)
+    file_normals_ = FileNormals();
+  else if (!is_trial)
+    file_normals_.follow(m, touched);
+  if (picker_) {
+    const std::vector<std::uint32_t> slots = picker_->update(m, touched);
+    if (corner_normals_ && (touched.everything || !needs_corner_normals())) {
+      corner_normals_.reset();
+      drawn_changes_.everything = true;  // what was drawn with them knows nothing of this edit
+    }
+    if (corner_normals_)
+      for (const std::uint32_t slot : corner_normals_->update(m, picker_->triangles(), touched))
+        drawn_changes_.triangles.push_back(slot);
+    drawn_changes_.everything |= touched.everything;
+    drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
+    for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
+    for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
+  }
+  if (tool_verdicts_ && touched.everything)
+    tool_verdicts_.reset();
+  else if (tool_verdicts_ && !is_trial)
+    tool_verdicts_->follow(m, touched);
+  if (!is_trial) {
+    update_map_values(transaction);
+  } else if (map_values_) {  // a trial is no transaction of the history
+    map_values_.reset();
+    map_extent_.reset();
+    drawn_changes_.everything = true;
+  }
+  if (highlights_) {
+    forget_hidden();
+    highlights_->update(m, journal, transaction);
+    drawn_changes_.everything |= highlights_->changed_everything();
+    for (const Marked& marked : highlights_->changes()) note_mark(marked);
+    note_marks(touched);
+    // A mark at a point is hidden with all its copies, wherever they are.
+    drawn_changes_.searched |= !hidden_.empty() && m.has_copies();
+  }
+  if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // the lists are not needed
+  if (boundary_loops_) {
+    const IndexSet& boundary = highlights_->of(ProblemKind::boundary_loop);
+    Neighbourhood around(m);
+    if (highlights_->changed_everything())
+      boundary_loops_->search(around, boundary);
+    else
+      boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
+  }
+  if (euler_) {
+    const std::string_view line =
+        is_trial ? std::string_view() : std::string_view(document_->history()[transaction].command);
+    const OpInfo* op = find_op(line.substr(0, line.find(' ')));
+    const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
+                         follow_operator(*euler_, m, highlights_->problems(), *boundary_loops_);
+    if (!is_kept) euler_.reset();
+  }
+  if (change == Document::Change::made) {
+    const HistoryEntry& entry = document_->history()[transaction];
+    std::optional<SelectionMemory::Passage> passage;
+    if (touched.everything) passage = {entry.lineage, entry.descent.get()};
+    selections.made(transaction, selection.changed(), m, passage, journal.lengths_before(transaction));
+  }
+  if (change == Document::Change::undone) selections.undone(transaction, selection.changed(), m, touched.everything);
+  if (change == Document::Change::redone) selections.redone(transaction, selection.changed(), m, touched.everything);
+  if (change == Document::Change::tried && touched.everything) {
+    selection.clear();
+    measures.clear();
+  }
+  if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
+  if (change == Document::Change::trial_ended) bring_back();
+  drop_hidden(selection.changed());
+  if (is_verdict_held_)
+    ask_held_verdict_again();
+  else if (hover_)
+    point_at(hover_->pixel, hover_->modifiers);
+}
+
+// Nothing is pointed at meanwhile: a preview would end the trial.
+void Session::set_aside() {
+  release_verdict();
+  hover_.reset();
+  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}, {}});
+  const bool is_of_now = highlights_ && searched_ && searched_->document == document_->serial() &&
+                         searched_->revision + 1 == document_->revision();
+  if (!is_of_now) return;
+  aside.searched = searched_->kind;
+  aside.findings = highlights_->of(searched_->kind).to_vector();
+  aside.pairs = searched_->pairs;
+}
+
+void Session::bring_back() {
+  if (!aside_) return;
+  Aside aside = *std::exchange(aside_, std::nullopt);
+  selection = aside.selection;
+  measures = aside.measures;
+  if (!aside.hidden.empty()) hide(aside.hidden);
+  if (aside.searched) put_findings(*aside.searched, aside.findings, std::move(aside.pairs));
+}
+
+bool Session::look_at_disk() {
+  const FileState::Change before = change_on_disk_;
+  change_on_disk_ = document_->change_on_disk();
+  if (change_on_disk_ == FileState::Change::gone) document_->mark_unsaved();  // no file holds this mesh any more
+  return change_on_disk_ != before;
+}
+
+Input& Session::input() {
+  if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;
+  if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
+  return *view_input_;
+}
+
+Picker& Session::picker() {
+  if (!picker_) picker_.emplace(mesh(), &hidden_);
+  picker_->set_clip(clip_plane());
+  return *picker_;
+}
+
+std::string Session::document_name() const {
+  const std::string name = document_->path().filename().string();
+  if (!name.empty() || is_at_start()) return name;
+  return language == Language::japanese ? "（無題）" : "(unnamed)";
+}
+
+void Session::frame_all() { camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, camera); }
+
+Session::DrawnChanges Session::take_drawn_changes() {
+  DrawnChanges changes = std::move(drawn_changes_);
+  drawn_changes_ = {false, {}, {}, {}, {}, false, false};
+  return changes;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,465 @@
+// The editor state without window and rendering: document, selection, visibility, camera, hover. The window, the
+// command line, scripts and tests all change it through the same command lines.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/editor/camera/navigation.h"
+#include "app/editor/document/repair_trials.h"
+#include "app/editor/document/run_files.h"
+#include "app/editor/input/corner_axes.h"
+#include "app/editor/input/gizmo.h"
+#include "app/editor/input/keys.h"
+#include "app/editor/labels/drawn_links.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/preferences/panel_list.h"
+#include "app/editor/recovery/recovery.h"
+#include "app/editor/session/preparation.h"
+#include "app/editor/session/selection.h"
+#include "app/editor/session/selection_memory.h"
+#include "app/editor/shown/transform_gesture.h"
+#include "app/editor/textbook/asked_question.h"
+#include "ryosen/algo/measure/other_surface.h"
+#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/analysis/mesh_kind.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/document/document.h"
+#include "ryosen/highlights/highlight_sets.h"
+#include "ryosen/highlights/map_values.h"
+#include "ryosen/ops/outlook/tool_verdicts.h"
+#include "ryosen/pick/picker.h"
+#include "ryosen/view/clip_plane.h"
+#include "ryosen/view/corner_normals.h"
+#include "ryosen/view/view_settings.h"
+
+namespace ryosen {
+
+class Autosave;
+
+// What the surface is coloured by. The range stays through edits, so that equal colours stay equal values.
+struct Colouring {
+  const ColourMap* map = nullptr;
+  MapRange range;
+  friend bool operator==(const Colouring&, const Colouring&) = default;
+};
+
+class Player;
+class ShownLevels;
+struct EdgeAccount;
+// Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
+struct Cut {
+  ClipWay way = ClipWay::off;
+  double share = 0.5;
+  ClipPlane plane;
+};
+
+// What the last repair did and left.
+struct LastRepair {
+  std::uint64_t serial, revision;  // of the document behind it
+  RepairReport report;
+};
+
+// The element under the pointer, and what a click would do.
+struct Hover {
+  glm::dvec2 pixel{0};
+  Modifiers modifiers;
+  Picked picked;
+  std::optional<AnyOp> op;  // if the tool applies to what was picked
+  Preview preview;          // of that operator
+};
+
+class Session {
+ public:
+  static constexpr int usual_font_px = 15;
+
+  explicit Session(std::unique_ptr<Document> document);
+
+  Document& document() { return *document_; }
+  const Document& document() const { return *document_; }
+  const Mesh& mesh() const { return document_->mesh(); }
+
+  // Executes a command line (see commands.h) and logs it if done. Never throws on user input.
+  Outcome run(const std::string& line);
+  // What is carried out at the moment, by its name.
+  Text at_work() const;
+  // The command lines executed so far: a script that reproduces the state.
+  const std::vector<std::string>& log() const { return log_; }
+
+  // State changed by commands.
+  Camera camera;
+  OrbitAbout orbit_about = OrbitAbout::point;
+  std::size_t input_preset = 0;          // of input_presets()
+  std::optional<Gesture> armed_gesture;  // of the next drag with the left button
+  std::optional<Band> band;              // that a drag draws just now
+  glm::dvec2 pointer{-1e9};              // where it was last
+  Size view{1280, 720};
+  glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
+  glm::dvec2 covered_px{0};   // of its width, at its left and its right, by what a tab has opened over it
+  // Sets both of all of the picture that is not covered by panels: this one has the left half where a mesh stands beside it.
+  void place_view(Size whole, glm::dvec2 origin);
+  std::string tool;  // id of an operator, or empty: select
+  PickMode mode = PickMode::edge;
+  std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
+  std::set<std::string> shown;  // ids of the highlight table
+  // Each entry of the history remembers what was selected around it, and brings it back.
+  Selection selection;
+  SelectionMemory selections;
+  std::optional<Colouring> colouring;
+  DrawnLinks links;                     // as arrows in the view
+  std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
+  std::shared_ptr<Player> player;       // of what is played step by step (playing.h); null for nothing
+  std::shared_ptr<ShownLevels> levels;  // of detail, that are gone through (levels.h); null for none
+  std::optional<AskedQuestion> asked_question;
+  // User interface state changed by commands; stored without effect if there is no UI.
+  Language language = Language::english;
+  ViewSettings settings;
+  double ui_scale = 1;                  // of all of the window, times that of the display
+  double display_scale = 1;             // set by the window
+  int font_size_px = usual_font_px;     // at scale 1
+  int samples = 1;                      // a side of each pixel of the view
+  double crease_deg = 30;               // edges that bend by more stay sharp where the surface is smooth
+  std::vector<KeyBinding> bindings;     // the user's own keys
+  bool begins_empty = false;            // somebody wants an empty mesh, not the start page
+  bool awaits_file = false;             // that is read just now: nothing is offered meanwhile
+  std::vector<std::string> recent{};    // files that were open before, the latest first; kept by the window
+  std::string open_panel;               // the one that lies over the view; empty for none
+  const MenuRow* asked_menu = nullptr;  // the window opens it for the keyboard in its next frame
+  Layout layout;                        // of those in the columns
+  std::string asked_algorithm;          // whose values the panel of values asks for
+  std::vector<LostSession> lost;        // as last listed
+
+  // What the pointer picks with these keys held: what the tool applies to, the edge whose loop is asked for, else what
+  // `mode` says.
+  PickMode pointed_sort(Modifiers modifiers = {}) const;
+
+  // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
+  double size_scale() const { return display_scale * ui_scale; }
+  // The same of what is written there, which grows with the letters that somebody prefers.
+  double label_scale() const { return size_scale() * std::max(1.0, double(font_size_px) / usual_font_px); }
+
+  // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel of the
+  // picture or window, and the one that the pointer is on. A click on one looks from there.
+  bool shows_verdicts = false;  // of the tool in hand, on all elements that it acts on
+  bool shows_axes = false;
+  std::optional<CornerAxes> axes_in_corner() const;
+  const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
+  const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }
+
+  // Another mesh beside this one in the picture, to be compared with: seen by the same camera in the same way, never
+  // edited. Null ends that. Both are framed anew.
+  void put_beside(std::unique_ptr<Session> other);
+  bool has_beside() const { return beside_ != nullptr; }
+  // Null where there is none; up to date with what is looked at and how.
+  Session* beside();
+  // This, or the mesh beside it where a pixel of the picture or window lies in its part.
+  Session& part_at(glm::dvec2 pixel);
+  // That of the mesh beside, or that this one stands beside; null where there is none.
+  std::shared_ptr<const OtherSurface> other_surface();
+
+  // What lies beyond the plane is neither drawn nor picked. It stays where it is through edits, and through the camera.
+  std::optional<Cut> cut;
+  std::optional<ClipPlane> clip_plane() const { return cut ? std::optional(cut->plane) : std::nullopt; }
+
+  // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
+  // selected. None while it is moved.
+  GizmoKind gizmo_kind = GizmoKind::none;
+  std::optional<Gizmo> gizmo() const;
+  // The one at a pixel of the picture or window; none where Shift or Alt ask for something else. And the one that the
+  // pointer is on.
+  const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
+  const HandleRow* pointed_handle() const { return pointed_handle_; }
+
+  // There is nothing yet, and nobody has said that this is wanted.
+  bool is_at_start() const;
+  // There is no mesh, and none is shown or read.
+  bool is_empty() const;
+  bool is_shown(const PanelRow& panel) const;
+  // One over the view takes the place of the one that was open.
+  void show(const PanelRow& panel, bool on);
+
+  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h); set by the window
+  bool strict = false;           // warnings refuse too
+  RunFiles files{
+      RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
+  // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.
+  std::function<Status(const std::filesystem::path&)> take_picture;
+  // Where the events of scripts go: to what a frontend that runs scripts with panels has set, else to the view alone. A
+  // window has its own events, so that what is said there in its command panel goes to the view.
+  Input& input();
+  std::weak_ptr<Input> frontend_input;
+  // How files of meshes are read; a frontend that shows meanwhile what is read sets another way. One that was given up
+  // fails as cancelled.
+  std::function<Result<std::unique_ptr<Document>>(const std::filesystem::path&)> read_document = Document::open;
+  // Progress reports of long operations, may cancel them; set by the frontend.
+  Progress::Report on_progress;
+  // Ends the session; set by the window.
+  std::function<void()> quit;
+  // Crash recovery; set by the window, null elsewhere.
+  Autosave* autosave = nullptr;
+
+  // Hovering, at pixels from the upper left corner of the picture or window. The picker is updated after every edit.
+  void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
+  void point_away();
+  const std::optional<Hover>& hover() const { return hover_; }
+  // A click that is refused holds what it pointed at: until the next click, `cancel`, or another tool or mode the hover
+  // stays as it is, so that the pointer can go to its reasons and remedies. An edit asks its operator anew, and ends it
+  // where that has become legal or its element is gone.
+  bool is_verdict_held() const { return is_verdict_held_; }
+  void release_verdict() { is_verdict_held_ = false; }
+  // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
+  // tried out, and cached while operator and mesh are unchanged.
+  const std::vector<std::string>& hover_remedy();
+  // Of the tool in hand on all elements that it acts on; null where they are not to be shown. Kept up with edits. Complete,
+  // but for a window, which asks a slice of them in prepare().
+  ToolVerdicts* tool_verdicts();
+  bool asks_in_slices = false;
+  // The share that is asked while that goes on.
+  std::optional<double> asking_verdicts() const {
+    return tool_verdicts_ && !tool_verdicts_->is_complete() ? std::optional(tool_verdicts_->share()) : std::nullopt;
+  }
+  // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
+  // pointer is.
+  Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
+
+  // Moving, turning or scaling the selection by hand. While that lasts only the view changes; its end is one command.
+  // Commands that edit end it without one.
+  Outcome begin_gesture(PointTransform::Kind kind);
+  // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
+  Outcome begin_pull();
+  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
+  Outcome begin_split();
+  // Duplicates the selection and moves the copy, in the same way.
+  Outcome begin_copy();
+  const TransformGesture* gesture() const;  // null: none goes on
+  void follow_gesture(glm::dvec2 pixel, Modifiers modifiers);
+  std::optional<Outcome> gesture_key(const std::string& chord);  // none: there is no gesture
+  bool widen_gesture(double steps);
+  Outcome end_gesture();
+  Outcome give_up_gesture();  // says what it leaves
+  void cancel_gesture();
+
+  // Ends what is on trial, of a gesture or of what is played: from then on the mesh is the document's, with what of it was
+  // selected, hidden, measured and found. Each command line begins with that, unless its row keeps trials.
+  void end_trial();
+  // The mesh is that of a step that is played, not the document's: nothing of it is picked or selected.
+  bool shows_step() const { return document_->is_on_trial() && !gesturing_; }
+  // The places of vertices as they are drawn, those of the mesh but for a gesture; the step goes up with it.
+  std::span<const glm::dvec3> drawn_positions() const;
+  std::uint64_t gesture_step() const { return gesture_step_; }
+  // Faces that it would turn over or leave without area.
+  std::span<const Face> spoilt_by_gesture() const;
+
+  // What a menu at a pixel is about is selected, if it is not so already.
+  void select_for_menu(glm::dvec2 pixel);
+
+  // The selected elements as command lines name them, in order; distinguishes copies of a point.
+  std::vector<std::string> selected_names() const { return names_of(selection); }
+  std::vector<std::string> names_of(const Elements& elements) const;
+  // The line that selects them: by names where they are few, else by numbers, several in a row as v3..v9.
+  std::string select_line() const;
+
+  // What a problem of this kind at an element is about; the element alone where it has none of it (of equal faces it is the
+  // higher one that has it).
+  std::vector<Element> about(const ProblemRow& row, Element element);
+
+  // Hidden elements are neither drawn nor picked, and no longer selected. No entry of the history: it lasts until they are
+  // shown, deleted or renumbered.
+  const HiddenElements& hidden() const { return hidden_; }
+  void hide(std::span<const Element> elements);
+  void isolate(std::span<const Element> elements);
+  void unhide();
+  void drop_hidden(Elements& elements) const;
+
+  // The element of the document under a pixel; none outside the view, and none while another mesh is on trial.
+  std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  // What a click there would select: as that edits nothing, it reaches farther on the surface.
+  std::optional<Picked> pick_to_select(glm::dvec2 pixel, PickMode what);
+  // What is drawn under a pixel, for who needs its place alone.
+  std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px = pick_radius_px);
+  Picker::Depth pick_depth() const;
+  Picker& picker();
+
+  // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its
+  // lists of problems, or takes it over when it is found. Until then nothing is picked and no highlights are drawn; what
+  // else asks for findings waits for them. An edit ends it, and waits for that.
+  void prepare();
+  // The share that is done while that goes on; none when everything is there.
+  std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }
+
+  // What repairs would do. On a large mesh only what somebody points at is worth trying.
+  RepairTrials& trials() { return trials_; }
+  bool is_dear_to_try() const { return mesh().live().faces > 20000; }
+  // None where the document has changed since.
+  const RepairReport* last_repair() const;
+  void keep_report(RepairReport report);
+
+  // What holds the edges that the last simplification left; null where the document has changed since.
+  const EdgeAccount* account() const;
+  void keep_account(EdgeAccount account);
+
+  // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
+  const CornerNormals& corner_normals();
+  // The sets of problems, and of the highlights that are shown.
+  const HighlightSets& highlights();
+  // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
+  // edit. Whether it was searched for since. `pairs`: which of them belong together, as far as that is known.
+  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs = {});
+  void forget_findings(ProblemKind kind);
+  bool has_searched(ProblemKind kind) const;
+  // The values that the surface is coloured by, kept through edits; there must be such a colouring.
+  const MapValues& map_values();
+  // From the lowest to the highest of them; there must be one.
+  MapRange map_extent();
+  // The number of boundary loops on points; as up to date as the highlights.
+  const BoundaryLoopCount& boundary_loops();
+  // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
+  const EulerPoincare& euler_terms();
+  // The kind of mesh, in one word. If it is expensive (is_kind_evident, and a large mesh) it is recomputed only if
+  // `anew`, not after every edit; until then it is that of an earlier mesh.
+  const KindOfMesh& kind(bool anew = false);
+  bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
+
+  // Whether the document's file has changed on disk, as it was last looked at: for windows, now and then, and before a
+  // save. True where that is news.
+  bool look_at_disk();
+  FileState::Change change_on_disk() const { return change_on_disk_; }
+
+  // Replaces the document; resets selection, hover and log.
+  // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
+  void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
+  void frame_all();
+  // Whether the camera is where frame_all() has put it last.
+  bool is_framed() const { return framed_ == camera; }
+  // For titles: the name of the file, or that there is none; empty at the start.
+  std::string document_name() const;
+
+  // An element that entered or left a highlight set, or moved while in it.
+  using Marked = HighlightSets::Change;
+  // Changes since the last call, for mirrors of the drawn mesh. With `everything` the lists may be incomplete: rebuild
+  // all. Entries may be repeated, dead or past the end.
+  struct DrawnChanges {
+    bool everything = true;
+    std::vector<std::uint32_t> triangles;  // slots of picker().triangles(), also with other normals
+    std::vector<std::uint32_t> vertices;   // created or moved
+    std::vector<std::uint32_t> faces;      // with changed corners or changed tinting highlights
+    std::vector<Marked> marks;
+    bool searched = true;  // for a highlight: take all marks and tints anew
+    bool hiding = true;    // something was hidden or shown: it is in the lists
+  };
+  DrawnChanges take_drawn_changes();
+
+ private:
+  Outcome run_line(const std::string& line);
+  // The log has room for it.
+  void log_line(Outcome& outcome, std::string line);
+  // Updates what is derived from the mesh; forgets it where there is no memory for that.
+  void finish_preparation();
+  void ask_slice_of_verdicts();
+  void follow(const Journal& journal, std::size_t transaction, Document::Change change);
+  void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
+  void forget_derived();
+  void set_aside();
+  void bring_back();
+  bool needs_corner_normals() const {
+    return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
+  }
+  void note_marks(const TouchedElements& touched);
+  void note_mark(Marked marked);
+  void update_map_values(std::size_t transaction);
+  void follow_hiding(const HiddenElements::Parts& changed);
+  void forget_hidden();
+  Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
+  Outcome apply_at(const OpTarget& target, const std::string& id);
+  void look_at(glm::dvec2 pixel, Modifiers modifiers);
+  const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
+  OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
+  void ask_held_verdict_again();
+
+  struct Gesturing;
+  struct GesturingDeleter {
+    void operator()(Gesturing* gesturing) const;
+  };
+  void begin_gesture_with(PointTransform::Kind kind, Elements elements);
+  void forget_gesture();
+  void follow_what_moves();
+  void show_gesture();
+  void note_gesture();
+  // Problems that depend on places, of the faces that a gesture changes: as they are drawn, or as they are.
+  void judge_as_drawn();
+  void list_coincident(bool are_listed);  // of points that lie on others by what is on trial
+  void judge_as_is();
+
+  std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another
+
+  std::unique_ptr<Session> beside_;
+  Session* stands_beside_ = nullptr;
+  std::shared_ptr<const OtherSurface> surface_;
+  std::uint64_t surface_revision_ = 0;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
+  std::uint64_t gesture_step_ = 0;
+  FileState::Change change_on_disk_ = FileState::Change::none;
+  HiddenElements hidden_;
+  std::optional<Picker> picker_;
+  FileNormals file_normals_;
+  std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
+  std::optional<HighlightSets> highlights_;
+  struct Searched {
+    ProblemKind kind;
+    std::uint64_t document, revision;
+    std::vector<FacePair> pairs;
+  };
+  std::optional<Searched> searched_;
+  // What names elements of the document, while another mesh is on trial.
+  struct Aside {
+    Elements selection;
+    std::vector<Elements> measures;
+    Elements hidden;
+    std::optional<ProblemKind> searched;
+    std::vector<std::uint32_t> findings;
+    std::vector<FacePair> pairs;
+  };
+  std::optional<Aside> aside_;
+  Camera framed_;
+  std::optional<MapValues> map_values_;
+  std::optional<MapRange> map_extent_;  // while the values are the same
+  std::optional<BoundaryLoopCount> boundary_loops_;
+  std::optional<EulerPoincare> euler_;
+  std::optional<KindOfMesh> kind_;
+  std::uint64_t kind_revision_ = 0;
+  std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
+  std::optional<Hover> hover_;
+  const HandleRow* pointed_handle_ = nullptr;
+  const AxisEnd* pointed_axis_end_ = nullptr;
+  std::unique_ptr<ToolVerdicts> tool_verdicts_;
+  struct Middle {
+    std::uint64_t selection = 0;  // by its stamp
+    std::uint64_t document = 0, revision = 0;
+    glm::dvec3 place{0};
+  };
+  mutable Middle middle_;  // of the selection, as it was last asked for
+  bool is_verdict_held_ = false;
+  std::vector<std::string> log_;
+  std::string running_;              // the first word of the line that is carried out
+  std::size_t lines_logged_ = 0;     // in logs of earlier documents too
+  std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
+  std::string remedy_line_;
+  std::uint64_t remedy_revision_ = 0;
+  DrawnChanges drawn_changes_;
+  std::optional<LastRepair> last_repair_;
+  std::shared_ptr<const EdgeAccount> account_;
+  std::unique_ptr<Input> view_input_;         // made when it is asked for
+  std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
+  RepairTrials trials_;                       // as this does
+};
+
+}  // namespace ryosen

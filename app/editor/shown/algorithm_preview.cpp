@@ -1,0 +1,123 @@
+#include "app/editor/shown/algorithm_preview.h"
+
+#include <chrono>
+#include <vector>
+
+#include "app/editor/camera/framing.h"
+#include "app/editor/commands/commands.h"
+
+namespace ryosen {
+
+namespace {
+
+using PreviewClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds patience{200};
+
+// The places of what comes: of vertices beyond the bounds that the mesh had, and of those of a new part.
+class ComingPlaces {
+ public:
+  ComingPlaces(const Mesh& mesh, const AlgorithmRow& row)
+      : new_from_(row.selects_added ? mesh.vertex_slots() : no_index), bounds_(box_of_live(mesh)) {
+    const double hair = 1e-9 * length_of(bounds_.highest - bounds_.lowest);
+    bounds_.lowest -= hair;
+    bounds_.highest += hair;
+  }
+
+  std::vector<glm::dvec3> in(const Mesh& mesh) const {
+    std::vector<glm::dvec3> places;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+      if (!mesh.is_alive(Vertex(i))) continue;
+      const glm::dvec3& place = mesh.position(Vertex(i));
+      if (i >= new_from_ || !bounds_.encloses({place, place})) places.push_back(place);
+    }
+    return places;
+  }
+
+ private:
+  static Box box_of_live(const Mesh& mesh) {
+    Box box;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      if (mesh.is_alive(Vertex(i)) && is_finite(mesh.position(Vertex(i)))) box.add(mesh.position(Vertex(i)));
+    return box;
+  }
+
+  std::uint32_t new_from_;
+  Box bounds_;
+};
+
+}  // namespace
+
+bool AlgorithmPreview::is_shown(const Session& session) const {
+  const Document& document = session.document();
+  return serial_ == document.serial() && revision_ == document.revision();
+}
+
+bool AlgorithmPreview::is_offered(const Session& session) const {
+  if (session.document().is_on_trial()) return is_shown(session);
+  return !session.is_dear_to_try() && session.mesh().live().vertices > 0 && !session.preparing();
+}
+
+void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
+  const std::string line = line_of(row, values);
+  if (line == line_ && is_shown(session)) return;
+  Document& document = session.document();
+  take_back(session);
+  document.end_trial();
+  line_ = line;
+  told_ = {};
+  const ComingPlaces coming(session.mesh(), row);
+  if (const ReadValues found = values.on(session.mesh()); found.values) {
+    const PreviewClock::time_point until = PreviewClock::now() + patience;
+    // A picture is the same however long it takes.
+    const bool is_patient = !session.trials().in_background;
+    const auto result =
+        document.try_out(row, *found.values, [&](double) { return is_patient || PreviewClock::now() < until; });
+    if (!result)
+      told_ = {"It takes too long to be shown beforehand.", "時間がかかるため、事前には表示しません。"};
+    else
+      told_ = result->refused ? *result->refused : result->fault ? *result->fault : result->text;
+  }
+  serial_ = document.serial();
+  revision_ = document.revision();
+  bring_into_view(session, coming.in(session.mesh()));
+}
+
+// Where all of the mesh was seen before, all of it: its panel covers a part of the view.
+void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
+  bool is_seen = true;
+  const auto look_for = [&](std::span<const glm::dvec3> some) {
+    is_seen = is_seen && shows_all(session.camera, session.view, covered_view(session), some);
+  };
+  look_for(places);
+  if (session.is_framed()) with_places_to_frame(session.mesh(), look_for);
+  if (is_left_alone_ || is_seen) return;
+  before_ = CameraBefore{session.camera, session.is_framed()};
+  session.frame_all();
+}
+
+// With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
+void AlgorithmPreview::take_back(Session& session) {
+  if (is_shown(session)) session.document().end_trial();
+  if (serial_ != session.document().serial()) before_.reset();
+  if (!before_) return;
+  is_left_alone_ = !session.is_framed();
+  if (!is_left_alone_) session.camera = before_->camera;
+  if (!is_left_alone_ && before_->was_framed) session.frame_all();
+  before_.reset();
+}
+
+void AlgorithmPreview::end(Session& session) {
+  take_back(session);
+  is_left_alone_ = false;
+  line_.clear();
+  told_ = {};
+  serial_ = 0;
+}
+
+void AlgorithmPreview::hand_over(Session& session) {
+  before_.reset();
+  end(session);
+}
+
+}  // namespace ryosen

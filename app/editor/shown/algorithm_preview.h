@@ -1,0 +1,45 @@
+// What an algorithm would do with the values that are in its fields, shown in the view before it is run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/editor/session/session.h"
+#include "ryosen/algo/algorithms.h"
+
+namespace ryosen {
+
+// On trial, beside the history. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
+// longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought into
+// view where it is not in it, until it goes or somebody moves the camera.
+class AlgorithmPreview {
+ public:
+  bool is_offered(const Session& session) const;
+  // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
+  void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
+  // Takes it back, where nothing else has taken its place.
+  void end(Session& session);
+  // As it is about to be done: what was brought into view stays there.
+  void hand_over(Session& session);
+  // Of what was shown last: what the algorithm says of it, or why nothing is shown. Empty where nothing was.
+  const Text& told() const { return told_; }
+
+ private:
+  bool is_shown(const Session& session) const;
+  void take_back(Session& session);
+  void bring_into_view(Session& session, std::span<const glm::dvec3> places);
+
+  std::string line_;                         // that is shown
+  std::uint64_t serial_ = 0, revision_ = 0;  // of the document, with that on trial
+  Text told_;
+  struct CameraBefore {
+    Camera camera;
+    bool was_framed;
+  };
+  std::optional<CameraBefore> before_;  // while what is shown was brought into view
+  bool is_left_alone_ = false;          // somebody has moved the camera since
+};
+
+}  // namespace ryosen

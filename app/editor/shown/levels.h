@@ -1,0 +1,89 @@
+// All levels of detail of a mesh in the view: what the command `levels` and the slider of its panel go through.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ryosen/algo/simplify/detail_levels.h"
+#include "ryosen/document/document.h"
+
+namespace ryosen {
+
+class Session;
+
+// What may be said of a simplification to all levels: its parameters but for a number or a share of faces.
+std::span<const ParameterRow> level_parameters();
+
+// The mesh of a level is shown on trial, beside the history, so that nothing of the document changes; whatever edits it
+// ends this.
+class ShownLevels {
+ public:
+  // The values are those of the simplification that the levels were built with.
+  ShownLevels(std::unique_ptr<DetailLevels> levels, ParameterValues values, const Document& document);
+
+  const DetailLevels& levels() const { return *levels_; }
+  // With the faces set aside, which each level has.
+  std::size_t faces(std::size_t level) const { return levels_->faces(level) + quarantined_; }
+  std::size_t faces() const { return faces(levels_->level()); }
+  // The first level that has at most so many.
+  std::size_t level_of(std::size_t faces) const;
+
+  // Whether the document is the one that they were built for, at the same place of its history; and whether it shows the
+  // level that this is on.
+  bool fits(const Document& document) const;
+  bool is_shown(const Document& document) const { return fits(document) && document.revision() == revision_; }
+  // Must fit. level <= levels().last().
+  void go_to(Document& document, std::size_t level);
+  // Takes back what is on trial.
+  void end(Document& document) const;
+  // The line that simplifies to the level as an entry of the history.
+  std::string line() const;
+
+ private:
+  std::unique_ptr<DetailLevels> levels_;
+  ParameterValues values_;
+  std::size_t quarantined_, history_position_;
+  std::uint64_t serial_, revision_;
+};
+
+void end_levels(Session& session);
+// Whether a level is shown, in place of the mesh of the document; and the way back, told.
+bool shows_level(const Session& session);
+Outcome leave_level(Session& session);
+
+enum class Effect;
+
+// Takes the level that is shown out of the way of a command line that is about the mesh beneath, and shows it again; an edit
+// of that ends the levels. What is about elements shows the mesh beneath until another level is asked for; only then is it
+// edited (Session::run). The outcome says so.
+class LevelAside {
+ public:
+  LevelAside(Session& session, Effect effect);
+  ~LevelAside();  // without an outcome, the levels are kept
+  void bring_back(Outcome& outcome);
+
+ private:
+  Session& session_;
+  std::shared_ptr<ShownLevels> levels_;
+  bool was_shown_;
+  Effect effect_;
+  std::uint64_t revision_ = 0;
+};
+
+// The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
+// one of the history. Empty where there is none.
+std::string line_to_account_for(const Session& session);
+
+// Under which rule each edge stands that it left, until the next change.
+struct EdgeAccount {
+  std::uint64_t serial, revision;   // of the document
+  std::vector<std::uint8_t> rules;  // by edge slot, as EdgeRule, or no_rule
+  std::vector<std::size_t> counts;  // by rule, counted on points
+};
+
+// Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
+const EdgeAccount* make_account(Session& session);
+
+}  // namespace ryosen

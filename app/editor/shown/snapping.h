@@ -1,0 +1,18 @@
+// What a movement by hand takes hold of, and what it snaps to.
+#pragma once
+
+#include "app/editor/session/session.h"
+
+namespace ryosen {
+
+// Pixels are those of the view. Of the points that are moved the nearest to the pointer on the screen, if it is near and
+// seen, and one that is moved alone wherever it is; else none.
+Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::dvec2 pixel);
+
+// Of what is not moved itself: a vertex near the pointer, else an edge, else the face under it.
+std::optional<SnapTarget> snap_target(Session& session, glm::dvec2 pixel, const PassedOver& own);
+
+// Of the lines on the ground below the mesh. O(vertices).
+RoundStep step_of_ground(const Mesh& mesh);
+
+}  // namespace ryosen

@@ -1,0 +1,279 @@
+#include "app/editor/shown/transform_gesture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/lines/arguments.h"
+
+namespace ryosen {
+
+namespace {
+
+// The parameter on the line p + t u nearest to a ray; none where they run alike.
+std::optional<double> nearest_on_axis(const glm::dvec3& p, const glm::dvec3& u, const Ray& ray) {
+  const glm::dvec3 w = p - ray.origin, d = unit_vector(ray.direction);
+  const double b = glm::dot(u, d), rest = 1 - b * b;
+  if (rest < 1e-6) return std::nullopt;
+  return (b * glm::dot(d, w) - glm::dot(u, w)) / rest;
+}
+
+// What added to a place gives the other, exactly where there is such a number: the difference is mostly off by no more
+// than its last digit.
+double way_from(double from, double to) {
+  double by = to - from;
+  for (int tries = 0; tries < 4 && from + by != to; ++tries)
+    by = std::nextafter(
+        by, from + by < to ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity());
+  return from + by == to ? by : to - from;
+}
+glm::dvec3 way_from(const glm::dvec3& from, const glm::dvec3& to) {
+  return {way_from(from.x, to.x), way_from(from.y, to.y), way_from(from.z, to.z)};
+}
+
+// The steps of the ground, or tenths of them where they would be longer than the hand goes, or tenfold where they would be
+// too short to be felt; with a tenth asked for, that.
+RoundStep felt_step(const TransformGesture::Where& where, double units_per_pixel) {
+  constexpr double longest_px = 120, shortest_px = 6;
+  RoundStep step = where.step;
+  const auto length_px = [&] { return step.size() / (units_per_pixel * where.size_scale); };
+  while (length_px() > longest_px && step.power > -300) --step.power;
+  while (length_px() < shortest_px && step.power < 300) ++step.power;
+  return where.is_fine ? step.tenth() : step;
+}
+
+constexpr RoundStep turn_step{5, 0}, scale_step{1, -1};
+double stepped(double value, RoundStep step, const TransformGesture::Where& where) {
+  return where.snaps ? (where.is_fine ? step.tenth() : step).nearest_to(value) : value;
+}
+
+// Of the faces among the elements; where there are none, of those at the points.
+glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std::span<const Vertex> points) {
+  Neighbourhood around(mesh);
+  glm::dvec3 sum(0);
+  bool has_faces = false;
+  for (const Element& e : elements) {
+    if (e.kind != Element::Kind::face || !is_alive(mesh, e)) continue;
+    sum += around.normal(e.face());
+    has_faces = true;
+  }
+  if (has_faces) return sum;
+  for (const Vertex v : points)
+    for_each_copy(mesh, v, [&](Vertex copy) {
+      for (const Face f : faces_around(mesh, copy))
+        if (f) sum += around.normal(f);
+    });
+  return sum;
+}
+
+bool is_axis_key(std::string_view chord) {
+  if (chord.starts_with("Shift+")) chord.remove_prefix(std::string_view("Shift+").size());
+  return chord == "X" || chord == "Y" || chord == "Z" || chord == "N";
+}
+
+}  // namespace
+
+TransformGesture::TransformGesture(PointTransform::Kind kind, const Mesh& mesh, Elements elements, glm::dvec2 pixel)
+    : kind_(kind), elements_(std::move(elements)), points_(points_of(mesh, elements_)), start_(pixel) {
+  const Box box = bounds_of(mesh.positions());
+  size_ = std::max(length_of(box.highest - box.lowest), 1e-300);
+  middle_ = middle_of(mesh, points_);
+  transform_.kind = kind;
+  transform_.about = middle_;
+  find_moved(mesh);
+}
+
+void TransformGesture::find_moved(const Mesh& mesh) { moved_ = moved_points(mesh, points_, falloff_); }
+
+void TransformGesture::follow(const Mesh&, const Where& where) {
+  switch (kind_) {
+    case PointTransform::Kind::move:
+      follow_move(where);
+      break;
+    case PointTransform::Kind::turn:
+      follow_turn(where);
+      break;
+    case PointTransform::Kind::scale:
+      follow_scale(where);
+  }
+  last_ = where.pixel;
+  take_number();
+}
+
+void TransformGesture::hold(const Mesh& mesh, Vertex point) {
+  held_ = mesh.position(point);
+  held_name_ = name_to_select(mesh, point);
+}
+
+// Where the rays of both pixels meet the plane; along it by as much as the view moves where it is seen from the side.
+glm::dvec3 TransformGesture::moved_in_plane(const Where& where) const {
+  const auto met = [&](glm::dvec2 pixel) -> std::optional<glm::dvec3> {
+    const Ray ray = ray_through(where.camera, where.view, pixel);
+    const glm::dvec3 direction = unit_vector(ray.direction);
+    const double towards = glm::dot(direction, *axis_);
+    constexpr double least = 0.02;
+    if (std::abs(towards) < least) return std::nullopt;
+    const double far = glm::dot(middle_ - ray.origin, *axis_) / towards;
+    if (far <= 0 && !where.camera.ortho_height) return std::nullopt;  // above the horizon
+    return ray.origin + far * direction;
+  };
+  const auto from = met(start_), to = met(where.pixel);
+  if (from && to) return *to - *from;
+  const double depth = depth_of(where.camera, middle_);
+  return place_at(where.camera, where.view, where.pixel, depth) - place_at(where.camera, where.view, start_, depth);
+}
+
+// Onto it where nothing binds it, else level with it.
+glm::dvec3 TransformGesture::moved_onto(const glm::dvec3& target) const {
+  const glm::dvec3 from = held_.value_or(middle_), by = way_from(from, target);
+  if (!axis_) return by;
+  const glm::dvec3 own = glm::abs(*axis_);
+  const bool is_coordinate = std::max({own.x, own.y, own.z}) == 1;  // which stays exact
+  const glm::dvec3 along = is_coordinate ? by * own : glm::dot(by, *axis_) * *axis_;
+  return is_in_plane_ ? by - along : along;
+}
+
+// Along the axis or in the plane that was chosen, or across the view.
+glm::dvec3 TransformGesture::moved_by(const Where& where, const std::optional<RoundStep>& step) const {
+  const auto stepped = [&](glm::dvec3 by) {
+    for (int k = 0; k < 3 && step; ++k) by[k] = step->nearest_to(by[k]);
+    return by;
+  };
+  const auto in_plane = [&](const glm::dvec3& by) { return by - glm::dot(by, *axis_) * *axis_; };
+  if (is_in_plane_) return in_plane(stepped(in_plane(moved_in_plane(where))));
+  if (axis_) {
+    const auto from = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, start_));
+    const auto to = nearest_on_axis(middle_, *axis_, ray_through(where.camera, where.view, where.pixel));
+    const double along = from && to ? *to - *from : 0;
+    return (step ? step->nearest_to(along) : along) * *axis_;
+  }
+  const double depth = depth_of(where.camera, middle_);
+  return stepped(place_at(where.camera, where.view, where.pixel, depth) -
+                 place_at(where.camera, where.view, start_, depth));
+}
+
+void TransformGesture::follow_move(const Where& where) {
+  std::optional<RoundStep> step;
+  if (where.snaps && !where.under)
+    step = felt_step(where, units_per_pixel(where.camera, where.view, depth_of(where.camera, middle_)));
+  const glm::dvec3 by = where.under ? moved_onto(where.under->place) : moved_by(where, step);
+  if (is_finite(by)) transform_.by = by;
+  snapped_to_ = where.under;
+  step_ = step ? std::optional(step->size()) : std::nullopt;
+}
+
+void TransformGesture::follow_turn(const Where& where) {
+  const auto centre = project(where.camera, where.view, middle_);
+  const glm::dvec3 forward = axes(where.camera).forward;
+  transform_.axis = axis_ ? *axis_ : -forward;
+  if (!centre) return;
+  const glm::dvec2 a = last_.value_or(start_) - centre->pixel, b = where.pixel - centre->pixel;
+  if (glm::length(a) < 1e-9 || glm::length(b) < 1e-9) return;
+  // Pixels go down, so that this is clockwise; positive is counter-clockwise as it is seen.
+  const double clockwise = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)) * 180 / std::numbers::pi;
+  const bool seen_from_behind = axis_ && glm::dot(*axis_, forward) > 0;
+  turned_deg_ += seen_from_behind ? clockwise : -clockwise;
+  transform_.angle_deg = stepped(turned_deg_, turn_step, where);
+}
+
+void TransformGesture::follow_scale(const Where& where) {
+  transform_.axis = axis_;
+  const auto centre = project(where.camera, where.view, middle_);
+  if (!centre) return;
+  const glm::dvec2 a = start_ - centre->pixel, b = where.pixel - centre->pixel;
+  constexpr double least_px = 8;  // nearer to the middle a pixel would be too much
+  const double from = std::max(glm::length(a), least_px);
+  const double factor = (glm::dot(a, b) < 0 ? -1 : 1) * glm::length(b) / from;
+  transform_.factor = stepped(factor, scale_step, where);
+}
+
+void TransformGesture::take_number() {
+  const auto number = parse_double(typed_);
+  if (!number) return;
+  switch (kind_) {
+    case PointTransform::Kind::move:
+      transform_.by = *number * typed_direction();
+      break;
+    case PointTransform::Kind::turn:
+      transform_.angle_deg = *number;
+      break;
+    case PointTransform::Kind::scale:
+      transform_.factor = *number;
+  }
+}
+
+// Along which a typed number moves: in a plane its first axis, X, Y or Z.
+glm::dvec3 TransformGesture::typed_direction() const {
+  if (!axis_) return {1, 0, 0};
+  if (!is_in_plane_) return *axis_;
+  const glm::dvec3 x(1, 0, 0), y(0, 1, 0);
+  const glm::dvec3 first = std::abs(axis_->x) < 0.9 ? x : y;
+  return unit_vector(first - glm::dot(first, *axis_) * *axis_);
+}
+
+void TransformGesture::choose_axis(const Mesh& mesh, char letter, bool in_plane) {
+  axis_letter_ = axis_letter_ == letter && is_in_plane_ == in_plane ? '\0' : letter;
+  is_in_plane_ = in_plane;
+  axis_.reset();
+  if (axis_letter_ == 'X') axis_ = glm::dvec3(1, 0, 0);
+  if (axis_letter_ == 'Y') axis_ = glm::dvec3(0, 1, 0);
+  if (axis_letter_ == 'Z') axis_ = glm::dvec3(0, 0, 1);
+  if (axis_letter_ == 'N') axis_ = direction_of(mean_normal(mesh, elements_, points_));
+  if (!axis_) axis_letter_ = '\0';
+  is_in_plane_ = is_in_plane_ && axis_;
+  if (kind_ != PointTransform::Kind::move) transform_.axis = axis_;
+}
+
+bool TransformGesture::key(const Mesh& mesh, std::string_view chord) {
+  if (chord.starts_with("Numpad")) chord.remove_prefix(std::string_view("Numpad").size());
+  if (chord == "Backspace") {
+    if (!typed_.empty()) typed_.pop_back();
+  } else if (chord == "O") {
+    falloff_ = falloff_ > 0 ? 0 : 0.1 * size_;
+    find_moved(mesh);
+  } else if (is_axis_key(chord)) {
+    choose_axis(mesh, chord.back(), chord.size() > 1 && kind_ == PointTransform::Kind::move);
+  } else if (chord == "-") {
+    typed_ = typed_.starts_with('-') ? typed_.substr(1) : "-" + typed_;
+  } else if (chord.size() == 1 && std::string_view("0123456789.").find(chord[0]) != std::string_view::npos) {
+    if (chord != "." || typed_.find('.') == std::string::npos) typed_ += chord;
+  } else {
+    return false;
+  }
+  take_number();
+  return true;
+}
+
+bool TransformGesture::widen(const Mesh& mesh, double steps) {
+  if (!(falloff_ > 0)) return false;
+  falloff_ = std::clamp(falloff_ * std::pow(1.1, steps), 1e-6 * size_, 10 * size_);
+  find_moved(mesh);
+  return true;
+}
+
+bool TransformGesture::does_nothing() const {
+  switch (kind_) {
+    case PointTransform::Kind::move:
+      return transform_.by == glm::dvec3(0);
+    case PointTransform::Kind::turn:
+      return transform_.angle_deg == 0;
+    case PointTransform::Kind::scale:
+      return transform_.factor == 1;
+  }
+  return true;
+}
+
+std::optional<glm::dvec3> TransformGesture::movement() const {
+  if (kind_ != PointTransform::Kind::move || falloff_ > 0) return std::nullopt;
+  return transform_.by;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,128 @@
+// What is played step by step (ryosen/steps), by the words that call it: "collapse 0-1", "script cube"; and how a
+// session plays it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "ryosen/document/document.h"
+#include "ryosen/steps/all.h"
+#include "ryosen/steps/tables.h"
+#include "ryosen/view/camera.h"
+
+namespace ryosen {
+
+class Session;
+
+// Its row; a failure names those that there are.
+Result<const steps::StepsRow*> find_played(std::string_view word);
+
+// What `script` takes in place of the name of an exercise or a file.
+inline constexpr std::string_view history_word = "history";
+// Whether that is a file.
+bool is_script_file(std::string_view name);
+
+// The steps that the words call on a mesh. A script is an exercise by its id, which begins with an empty mesh, or a file,
+// which goes on from this one.
+Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words);
+// The same on that of a document; `script history` plays its history.
+Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words);
+
+// What the words call, told: "A cube", "edge collapse 0-1".
+Text name_of_played(std::span<const std::string> words);
+// What the view shows, with a star where there are edits that are not saved: a file, or what is played or a level of detail
+// in its place, and beneath that the file, where that is to be told: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
+std::string shown_name(const Session& session, bool with_beneath = true);
+
+// Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
+// nothing of the document changes; an edit ends the player.
+class Player {
+ public:
+  // Of the words that call it. Before the first step.
+  Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document);
+
+  // Unique among those of this process; never 0.
+  std::uint64_t serial() const { return player_serial_; }
+  const std::vector<std::string>& words() const { return words_; }
+  const std::string& call() const { return call_; }
+  Text name() const { return name_of_played(words_); }
+  std::size_t size() const { return sequence_->size(); }
+  std::size_t position() const { return position_; }
+  // That which leads to the position; null before the first one.
+  const steps::Step* step() const { return step_ ? &*step_ : nullptr; }
+  Text remark() const { return sequence_->remark(); }
+  std::optional<steps::Curve> curve() const { return sequence_->curve(); }
+  // Of very many steps there is none: all steps before would have to be made.
+  bool has_tables() const { return sequence_->size() <= most_with_tables; }
+  // As all steps up to the position have filled them.
+  const steps::Tables& tables() { return tables_.at(position_); }
+  static constexpr std::size_t most_with_tables = 5000;
+  bool is_running = false;  // a frontend goes forward from time to time
+  // Shows meshes of its own in place of that of the document.
+  bool edits() const { return sequence_->edits(); }
+  // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
+  bool begins_with_nothing() const { return sequence_->edits() && sequence_->mesh_at(0).live().vertices == 0; }
+  std::optional<Camera> camera_before;
+  bool was_framed = false;                // and nobody had moved that: it may need another size by now
+  std::vector<glm::dvec3> places_at_end;  // that are framed instead of those of a step
+
+  // Whether the document is the one that it was made for, at the same place of its history.
+  bool fits(const Document& document) const;
+  // Whether the document also shows the state that the player is in: then the marks of the step are its elements.
+  bool is_shown(const Document& document) const { return fits(document) && document.revision() == revision_; }
+  // Must fit. position <= size().
+  void go_to(Document& document, std::size_t position);
+  // Takes back what is on trial.
+  void end(Document& document) const;
+
+ private:
+  std::uint64_t player_serial_;
+  std::vector<std::string> words_;
+  std::string call_;  // these as one line
+  std::unique_ptr<steps::Sequence> sequence_;
+  steps::TablesAlong tables_;
+  std::size_t position_ = 0;
+  std::optional<steps::Step> step_;
+  std::uint64_t serial_, revision_, hash_;  // of the document; the hash without a trial
+  std::size_t history_position_;
+};
+
+enum class Effect;
+
+// Begins to play in place of what is played.
+Outcome begin_playing(Session& session, std::span<const std::string> words);
+void end_playing(Session& session);
+// The same as somebody asks for it, told.
+Outcome leave_playing(Session& session);
+
+// Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step,
+// unless the command has begun to play something else. What is about elements or goes through the history shows the mesh
+// beneath until the next step; only then is that edited (Session::run). Where it was made of another mesh than it is then
+// it is made anew, or ends. The outcome says so.
+class PlayerAside {
+ public:
+  PlayerAside(Session& session, Effect effect);
+  ~PlayerAside();  // without an outcome, it is kept, and shows its step when it is told to
+  void bring_back(Outcome& outcome);
+
+ private:
+  void show_beneath(Outcome& outcome);
+  void make_anew(Outcome& outcome);
+
+  Session& session_;
+  std::shared_ptr<Player> player_;
+  Camera camera_;
+  std::uint64_t document_serial_;
+  bool was_shown_, is_back_ = false;
+  Effect effect_;
+};
+
+// Whether the view shows a step or a level of detail in place of the mesh that is open.
+bool shows_another_mesh(const Session& session);
+// The refusal of what points into the view, or would edit the mesh beneath, while that is so.
+Outcome not_on_a_step(const Session& session);
+
+}  // namespace ryosen

@@ -1,0 +1,49 @@
+#include "ryosen/algo/algorithms.h"
+
+#include <cassert>
+
+#include "ryosen/algo/copying/copying.h"
+#include "ryosen/algo/hull/hull.h"
+#include "ryosen/algo/hull/point_cloud.h"
+#include "ryosen/algo/primitives/primitives.h"
+#include "ryosen/algo/remesh/remeshings.h"
+#include "ryosen/algo/repair/repairs.h"
+#include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/algo/smooth/smoothings.h"
+#include "ryosen/algo/subdivide/subdivisions.h"
+#include "ryosen/algo/transform/transforms.h"
+
+namespace ryosen {
+
+namespace {
+
+std::deque<AlgorithmRow>& algorithm_rows() {
+  static std::deque<AlgorithmRow> rows = [] {
+    std::deque<AlgorithmRow> all;
+    for (const std::vector<AlgorithmRow>& folder :
+         {repair_rows(), primitive_rows(), point_cloud_rows(), transform_rows(), copying_rows(), simplify_rows(),
+          subdivision_rows(), smoothing_rows(), remeshing_rows(), hull_rows()})
+      all.insert(all.end(), folder.begin(), folder.end());
+    return all;
+  }();
+  return rows;
+}
+
+}  // namespace
+
+const std::deque<AlgorithmRow>& algorithm_table() { return algorithm_rows(); }
+
+const AlgorithmRow* find_algorithm(std::string_view id) {
+  for (const AlgorithmRow& row : algorithm_rows())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+ScopedAlgorithm::ScopedAlgorithm(AlgorithmRow row) : row_(&algorithm_rows().emplace_back(std::move(row))) {}
+
+ScopedAlgorithm::~ScopedAlgorithm() {
+  assert(row_ == &algorithm_rows().back());
+  algorithm_rows().pop_back();
+}
+
+}  // namespace ryosen

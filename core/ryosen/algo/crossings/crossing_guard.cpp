@@ -1,0 +1,203 @@
+#include "ryosen/algo/crossings/crossing_guard.h"
+
+#include <algorithm>
+
+#include "ryosen/analysis/overlap_tree.h"
+#include "ryosen/geometry/box.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/geometry/surely_apart.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/triangle_corners.h"
+
+namespace ryosen {
+
+namespace {
+
+bool is_flat(const NumberedTriangle& t) { return are_collinear(t.places[0], t.places[1], t.places[2]); }
+
+}  // namespace
+
+CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
+    : mesh_(mesh), faces_(mesh), may_cross_(surface == Surface::perhaps_with_crossings) {}
+
+void CrossingGuard::Step::begin(std::uint32_t face_slots) {
+  changed.clear();
+  gone.clear();
+  if (++number == 0) last.clear();  // all numbers were there
+  number = std::max(number, 1u);
+  last.resize(std::max<std::size_t>(last.size(), face_slots), 0);
+}
+
+NumberedTriangle CrossingGuard::triangle(Halfedge h) const {
+  NumberedTriangle t{corners_of(mesh_, h), {}};
+  std::size_t i = 0;
+  for (const Vertex v : {mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h))}) t.numbers[i++] = point(mesh_, v).index;
+  return t;
+}
+
+void CrossingGuard::begin() const {
+  step_.begin(mesh_.face_slots());
+  loses_area_ = false;
+}
+
+void CrossingGuard::change(const NumberedTriangle& t, Face f) const {
+  if (!is_flat(t)) {
+    step_.changed.push_back({f, t});
+    step_.mark(f);
+  } else if (!is_flat(triangle(f))) {
+    loses_area_ = true;
+  }
+}
+
+bool CrossingGuard::would_meet(Halfedge h, const glm::dvec3& position) const {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  begin();
+  for (const Face f : {mesh_.face(h), mesh_.face(twin(h))})
+    if (f) {
+      step_.gone.push_back(f);
+      step_.mark(f);
+    }
+  for (Halfedge end : {h, twin(h)}) {
+    if (end != h && mesh_.position(kept) == position) continue;
+    for (const Face f : faces_around(mesh_, mesh_.from(end))) {
+      if (!f || f == mesh_.face(h) || f == mesh_.face(twin(h))) continue;
+      NumberedTriangle t = triangle(f);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (t.numbers[i] != point(mesh_, gone).index && t.numbers[i] != point(mesh_, kept).index) continue;
+        t.numbers[i] = point(mesh_, kept).index;
+        t.places[i] = position;
+      }
+      change(t, f);
+    }
+  }
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet(Vertex v, const glm::dvec3& position) const {
+  begin();
+  for (const Face f : faces_around(mesh_, v)) {
+    if (!f) continue;
+    NumberedTriangle t = triangle(f);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (t.numbers[i] == point(mesh_, v).index) t.places[i] = position;
+    change(t, f);
+  }
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet_swapped(Halfedge h) const {
+  begin();
+  const NumberedTriangle left = triangle(h), right = triangle(twin(h));  // a b c and b a d
+  const auto made = [](const NumberedTriangle& own, const NumberedTriangle& other) {
+    return NumberedTriangle{{own.places[2], own.places[0], other.places[2]},
+                            {own.numbers[2], own.numbers[0], other.numbers[2]}};
+  };
+  change(made(left, right), mesh_.face(h));
+  change(made(right, left), mesh_.face(twin(h)));
+  return would_meet();
+}
+
+bool CrossingGuard::would_meet_split(Halfedge h, const glm::dvec3& position) const {
+  begin();
+  const bool is_cut = is_cut_on_points(mesh_, h);
+  for (const Halfedge sheet : is_cut ? sheets_between(mesh_, mesh_.from(h), mesh_.to(h)) : std::vector{h})
+    for (const Halfedge side : {sheet, twin(sheet)}) {
+      if (mesh_.is_outside(side)) continue;
+      for (const std::size_t replaced : {0u, 1u}) {
+        NumberedTriangle t = triangle(side);
+        t.places[replaced] = position;
+        t.numbers[replaced] = mesh_.vertex_slots();
+        change(t, mesh_.face(side));
+      }
+    }
+  return would_meet();
+}
+
+// A face without area before meets none; so it is not among those that `before` counts.
+bool CrossingGuard::would_meet() const {
+  if (loses_area_) return true;
+  const std::size_t most = may_cross_ ? 1000 : 1, after = meetings(step_.changed, most);
+  if (after == 0 || !may_cross_) return after > 0;
+  std::vector<Changed> before;
+  for (const Changed& one : step_.changed) before.push_back({one.face, triangle(one.face)});
+  for (const Face f : step_.gone) before.push_back({f, triangle(f)});
+  std::erase_if(before, [](const Changed& one) { return is_flat(one.triangle); });
+  return after > meetings(before, most);
+}
+
+std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size_t most) const {
+  constexpr std::size_t many_pairs = 1 << 14;
+  find_near(faces);
+  if (faces.size() * (faces.size() / 2 + near_.size()) > many_pairs && faces.size() > 64)
+    return meetings_by_tree(faces, most);
+  std::size_t found = 0;
+  const auto boxed = [](const Changed& one) { return box_of(one.triangle.places); };
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t k = i + 1; k < faces.size(); ++k)
+      if (meet_elsewhere(faces[i].triangle, faces[k].triangle) && ++found == most) return found;
+    const Box box = boxed(faces[i]);
+    for (const Changed& other : near_)
+      if (box.overlaps(boxed(other)) && !are_surely_apart(faces[i].triangle.places, other.triangle.places) &&
+          meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
+        return found;
+  }
+  return found;
+}
+
+std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const {
+  // Where one is enough it is mostly found between neighbours around the vertex.
+  for (std::size_t i = 1; most == 1 && i < faces.size(); ++i)
+    if (meet_elsewhere(faces[i - 1].triangle, faces[i].triangle)) return 1;
+  std::vector<std::pair<std::uint32_t, glm::dvec3>> corners;
+  const auto for_all = [&](const auto& visit) {
+    for (const Changed& one : faces) visit(one.triangle);
+    for (const Changed& one : near_) visit(one.triangle);
+  };
+  for_all([&](const NumberedTriangle& t) {
+    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back(t.numbers[k], t.places[k]);
+  });
+  const auto by_number = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(corners.begin(), corners.end(), by_number);
+  corners.erase(
+      std::unique(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+      corners.end());
+  std::vector<glm::dvec3> places;
+  for (const auto& corner : corners) places.push_back(corner.second);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for_all([&](const NumberedTriangle& t) {
+    std::array<std::uint32_t, 3>& own = triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      own[k] = static_cast<std::uint32_t>(
+          std::lower_bound(corners.begin(), corners.end(), std::pair(t.numbers[k], glm::dvec3(0)), by_number) -
+          corners.begin());
+  });
+  const NumberedSurface surface(std::move(places), std::move(triangles));
+  const OverlapTree tree(surface, 1);
+  std::size_t found = 0;
+  const auto is_of_step = [&](std::uint32_t a, std::uint32_t b) { return a < faces.size() || b < faces.size(); };
+  const auto counts = [&](std::uint32_t a, std::uint32_t b) {
+    found += meet_elsewhere(surface.triangle(a), surface.triangle(b)) ? 1 : 0;
+    return found < most;
+  };
+  for (std::uint32_t node = 0; node < tree.node_count(); ++node)
+    if (!tree.visit_pairs(node, is_of_step, counts)) break;
+  return found;
+}
+
+// The faces near these that the step leaves as they are.
+void CrossingGuard::find_near(const std::vector<Changed>& faces) const {
+  near_.clear();
+  asked_.clear();
+  found_.clear();
+  for (const Changed& one : faces) asked_.push_back(one.triangle);
+  faces_.find(asked_, found_);
+  looks_ += found_.size();
+  for (const Face f : found_) {
+    if (step_.concerns(f)) continue;
+    const NumberedTriangle other = triangle(f);
+    if (!is_flat(other)) near_.push_back({f, other});
+  }
+}
+
+}  // namespace ryosen

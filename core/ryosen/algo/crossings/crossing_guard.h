@@ -1,0 +1,84 @@
+// Keeps a surface of triangles free of self-intersections while its edges collapse and swap and its vertices move: exactly,
+// in the sense of find_self_intersections.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/algo/crossings/near_faces.h"
+#include "ryosen/geometry/triangles_meet.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+class CrossingGuard {
+ public:
+  enum class Surface { without_crossings, perhaps_with_crossings };
+
+  // Of a mesh of triangles. On one that has crossings a step may make as many as it takes away. O(n log n).
+  explicit CrossingGuard(const Mesh& mesh, Surface surface = Surface::without_crossings);
+
+  // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
+  // area counts too. Cost: n log n of the faces around both ends and those near them.
+  bool would_meet(Halfedge h, const glm::dvec3& position) const;
+  // The same if v moved there.
+  bool would_meet(Vertex v, const glm::dvec3& position) const;
+  // The same if the edge of h, between two triangles, were swapped.
+  bool would_meet_swapped(Halfedge h) const;
+  // The same if it were split there, in all its sheets.
+  bool would_meet_split(Halfedge h, const glm::dvec3& position) const;
+
+  // The vertex stands for another one too, and has come to its place, or has new faces: those around it are up to date.
+  void follow(Vertex kept) { faces_.follow(kept); }
+  // It has moved, and that is all.
+  void follow_move(Vertex moved) { faces_.follow_move(moved); }
+  // A face that has other corners.
+  void follow(Face f) { faces_.follow(f); }
+  // A face that is gone.
+  void forget(Face f) { faces_.forget(f); }
+
+  // How many faces it has found near those that a step would change.
+  std::uint64_t looks() const { return looks_; }
+
+ private:
+  struct Changed {
+    Face face;
+    NumberedTriangle triangle;
+  };
+  // What a step does: faces that change, and those that go.
+  struct Step {
+    std::vector<Changed> changed;
+    std::vector<Face> gone;
+    // By face: the number of the step that it was last of.
+    std::vector<std::uint32_t> last;
+    std::uint32_t number = 0;
+
+    void begin(std::uint32_t face_slots);
+    void mark(Face f) { last[f.index] = number; }
+    bool concerns(Face f) const { return last[f.index] == number; }
+  };
+
+  NumberedTriangle triangle(Face f) const { return triangle(mesh_.halfedge(f)); }
+  // The triangle at a halfedge, from its start on.
+  NumberedTriangle triangle(Halfedge h) const;
+  void begin() const;
+  void change(const NumberedTriangle& t, Face f) const;
+  bool would_meet() const;
+  // How many pairs of faces one of which is among these meet elsewhere, at most so many.
+  std::size_t meetings(const std::vector<Changed>& faces, std::size_t most) const;
+  // The same of very many, by a tree.
+  std::size_t meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const;
+  void find_near(const std::vector<Changed>& faces) const;
+
+  const Mesh& mesh_;
+  mutable NearFaces faces_;
+  bool may_cross_;
+  // Of the step that is judged.
+  mutable Step step_;
+  mutable bool loses_area_ = false;
+  mutable std::vector<Changed> near_;
+  mutable std::vector<NumberedTriangle> asked_;
+  mutable std::vector<Face> found_;
+  mutable std::uint64_t looks_ = 0;
+};
+
+}  // namespace ryosen

@@ -1,0 +1,12 @@
+// The row of the random points: a primitive of points alone.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/algo/algorithms.h"
+
+namespace ryosen {
+
+std::vector<AlgorithmRow> point_cloud_rows();
+
+}  // namespace ryosen

@@ -1,0 +1,114 @@
+#include <deque>
+
+#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/remesh/features.h"
+#include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/unit_scale.h"
+#include "ryosen/mesh/edit.h"
+#include "ryosen/ops/swap_edge.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+// The four points of an edge and its triangles: (a b c) and (b a d).
+struct Kite {
+  glm::dvec3 a, b, c, d;
+};
+
+double cotangents(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& r) {
+  return cotangent_at(p, q, r) + cotangent_at(q, r, p) + cotangent_at(r, p, q);
+}
+
+bool is_delaunay(const Kite& k) {
+  const double sum = cotangent_at(k.c, k.a, k.b) + cotangent_at(k.d, k.b, k.a);
+  return sum >= -1e-9;
+}
+
+bool becomes_less(const Kite& k) {
+  const double before = cotangents(k.a, k.b, k.c) + cotangents(k.b, k.a, k.d);
+  const double after = cotangents(k.c, k.d, k.b) + cotangents(k.d, k.c, k.a);
+  return after < before - 1e-9 * std::abs(before);
+}
+
+class DelaunaySwapper {
+ public:
+  DelaunaySwapper(Edit& edit, double scale, double most_turn_rad)
+      : edit_(edit), mesh_(edit.mesh()), scale_(scale), features_(find_features(mesh_, most_turn_rad)) {}
+
+  // False: cancelled.
+  bool run(Progress& progress, Swapped& result) {
+    std::deque<Edge> waiting;
+    std::vector<std::uint8_t> waits(mesh_.edge_slots(), 0);
+    const auto add = [&](Edge e) {
+      if (waits[e.index] || !mesh_.is_alive(e) || features_.edges[e.index]) return;
+      waits[e.index] = 1;
+      waiting.push_back(e);
+    };
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) add(Edge(i));
+    for (std::size_t step = 0; !waiting.empty(); ++step) {
+      if (step % 1024 == 0 && !progress.go_on()) return false;
+      const Edge e = waiting.front();
+      waiting.pop_front();
+      waits[e.index] = 0;
+      const Halfedge h = halfedge(e);
+      if (!wants_swap(h)) continue;
+      const SwapEdge swap{h};
+      if (!swap.is_legal(mesh_)) continue;
+      swap.apply(edit_);
+      ++result.swaps;
+      if (e.index < result.descent.edges.size()) result.descent.edges[e.index] = Edge();
+      for (const Halfedge side : {h, twin(h)})
+        for (const Halfedge around : {mesh_.next(side), mesh_.prev(side)}) add(edge(around));
+    }
+    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
+      if (mesh_.is_alive(Edge(i)) && !features_.edges[i] && !is_delaunay(kite(halfedge(Edge(i))))) ++result.refused;
+    return true;
+  }
+
+ private:
+  glm::dvec3 place(Vertex v) const { return scale_ * mesh_.position(v); }
+  Kite kite(Halfedge h) const {
+    return {place(mesh_.from(h)), place(mesh_.to(h)), place(mesh_.from(mesh_.prev(h))),
+            place(mesh_.from(mesh_.prev(twin(h))))};
+  }
+  bool wants_swap(Halfedge h) const {
+    const Kite k = kite(h);
+    if (is_delaunay(k) || !becomes_less(k)) return false;
+    const glm::dvec3 left = area_normal({k.a, k.b, k.c}), right = area_normal({k.b, k.a, k.d});
+    for (const glm::dvec3& after : {area_normal({k.c, k.d, k.b}), area_normal({k.d, k.c, k.a})})
+      if (!keeps_facing(left, after, 0.5) || !keeps_facing(right, after, 0.5)) return false;
+    return true;
+  }
+
+  Edit& edit_;
+  const Mesh& mesh_;
+  double scale_;
+  Features features_;
+};
+
+}  // namespace
+
+Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress) {
+  Swapped result;
+  result.is_cancelled = !progress.go_on(0, 1);
+  if (result.is_cancelled) return result;
+  Mesh work = with_origins(mesh);
+  {
+    Edit edit(work, nullptr);
+    const std::vector<Face> polygons = polygons_of_mesh(work);
+    result.cut_faces = polygons.size();
+    if ((result.fault = cut_faces(edit, polygons))) return result;
+    edit.commit();
+  }
+  MeshColumns columns = work.columns();
+  result.descent = {take_origins(columns), own_edges(mesh.edge_slots())};
+  work = Mesh(std::move(columns));
+  Edit edit(work, nullptr);
+  result.is_cancelled = !DelaunaySwapper(edit, unit_scale(mesh.positions()), most_turn_rad).run(progress, result);
+  edit.commit();
+  if (!result.is_cancelled) result.columns = work.columns();
+  return result;
+}
+
+}  // namespace ryosen::remesh

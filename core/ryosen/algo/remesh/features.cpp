@@ -1,0 +1,60 @@
+#include "ryosen/algo/remesh/features.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ryosen/algo/remesh/triangle_shape.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+bool face_values_differ(const Mesh& mesh, Face a, Face b) {
+  for (const AttributeColumn& column : mesh.attributes()) {
+    if (column.element != ElementKind::face) continue;
+    const std::uint32_t* const words = column.data.data();
+    for (std::uint32_t k = 0; k < column.words; ++k)
+      if (words[std::size_t{a.index} * column.words + k] != words[std::size_t{b.index} * column.words + k]) return true;
+  }
+  return false;
+}
+
+bool is_finite_face(const Mesh& mesh, Halfedge h) {
+  const Corners corners = corners_of(mesh, h);
+  return is_finite(corners[0]) && is_finite(corners[1]) && is_finite(corners[2]);
+}
+
+bool is_feature(const Mesh& mesh, Edge e, double least_cosine) {
+  const Halfedge h = halfedge(e), t = twin(h);
+  if (mesh.is_outside(h) || mesh.is_outside(t) || is_cut_on_points(mesh, h)) return true;
+  if (!is_finite_face(mesh, h) || !is_finite_face(mesh, t)) return true;
+  if (face_values_differ(mesh, mesh.face(h), mesh.face(t)) || corner_values_differ(mesh, h, t, false)) return true;
+  const glm::dvec3 a = unit_normal(mesh, h), b = unit_normal(mesh, t);
+  return glm::dot(a, a) > 0.5 && glm::dot(b, b) > 0.5 && glm::dot(a, b) <= least_cosine;
+}
+
+}  // namespace
+
+Features find_features(const Mesh& mesh, double angle_rad) {
+  Features found;
+  found.edges.assign(mesh.edge_slots(), 0);
+  found.vertices.assign(mesh.vertex_slots(), 0);
+  const double least_cosine = std::cos(angle_rad);
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e) || !is_feature(mesh, e, least_cosine)) continue;
+    found.edges[i] = 1;
+    const auto [a, b] = ends(mesh, e);
+    found.vertices[a.index] = found.vertices[b.index] = 1;
+  }
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (mesh.is_alive(v) && (mesh.is_isolated(v) || has_copies(mesh, v) || mesh.is_boundary(v))) found.vertices[i] = 1;
+  }
+  return found;
+}
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,222 @@
+#include "ryosen/algo/remesh/planar_regions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/face_polygon.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+// The first loop is the outer one.
+struct Border {
+  std::vector<std::vector<Halfedge>> loops;
+  bool is_simple = true;  // no point is on it twice, each loop has three corners, and the region has no handle
+};
+
+class RegionUniter {
+ public:
+  RegionUniter(Edit& edit, const PlanarOptions& options)
+      : edit_(edit), mesh_(edit.mesh()), options_(options), region_(mesh_.face_slots(), no_index) {
+    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+      if (!mesh_.is_alive(Face(i))) {
+        normals_.emplace_back(0);
+        areas_.push_back(0);
+        continue;
+      }
+      const FacePolygon polygon(mesh_, Face(i));
+      const bool is_finite = polygon.is_finite();
+      const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
+      normals_.push_back(is_finite ? polygon_normal(walk) : glm::dvec3(0));
+      areas_.push_back(is_finite ? polygon_area(walk) : 0);
+    }
+  }
+
+  United run(Progress& progress) {
+    std::vector<std::uint32_t> order(mesh_.face_slots());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return areas_[a] > areas_[b]; });
+    United result;
+    std::size_t done = 0;
+    for (const std::uint32_t i : order) {
+      if (done++ % 256 == 0 && !progress.go_on(done, order.size())) {
+        result.is_cancelled = true;
+        return result;
+      }
+      if (!mesh_.is_alive(Face(i)) || region_[i] != no_index || !has_normal(Face(i))) continue;
+      const std::vector<Face> faces = grow(Face(i));
+      if (faces.size() < 2) continue;
+      const Border border = border_of(faces, i);
+      if (border.loops.empty() || !border.is_simple) {
+        result.left.push_back(Face(i));
+        continue;
+      }
+      unite(faces, border, i);
+      ++result.regions;
+      result.faces += faces.size();
+    }
+    return result;
+  }
+
+ private:
+  bool has_normal(Face f) const { return glm::dot(normals_[f.index], normals_[f.index]) > 0.5; }
+
+  bool face_values_agree(Face a, Face b) const {
+    for (const AttributeColumn& column : mesh_.attributes()) {
+      if (column.element != ElementKind::face) continue;
+      const auto words = [&](Face f) { return column.data.data() + std::size_t{f.index} * column.words; };
+      if (!std::equal(words(a), words(a) + column.words, words(b))) return false;
+    }
+    return true;
+  }
+
+  bool fits(Face f, const glm::dvec3& normal, const glm::dvec3& origin) const {
+    if (!has_normal(f) || glm::dot(normals_[f.index], normal) < std::cos(options_.angle_rad)) return false;
+    for (const Vertex v : vertices_around(mesh_, f))
+      if (!(std::abs(glm::dot(normal, mesh_.position(v) - origin)) <= options_.distance)) return false;
+    return true;
+  }
+
+  std::vector<Face> grow(Face seed) {
+    const glm::dvec3 normal = normals_[seed.index], origin = mesh_.position(mesh_.from(mesh_.halfedge(seed)));
+    std::vector<Face> faces{seed};
+    region_[seed.index] = seed.index;
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      for (const Halfedge h : halfedges_around(mesh_, faces[k])) {
+        const Face other = mesh_.face(twin(h));
+        if (!other || region_[other.index] != no_index || is_cut_on_points(mesh_, h)) continue;
+        if (!face_values_agree(seed, other) || corner_values_differ(mesh_, h, twin(h), false)) continue;
+        if (!fits(other, normal, origin)) continue;
+        region_[other.index] = seed.index;
+        faces.push_back(other);
+      }
+    return faces;
+  }
+
+  bool is_inside(Halfedge h, std::uint32_t region) const {
+    const Face a = mesh_.face(h), b = mesh_.face(twin(h));
+    return a && b && region_[a.index] == region && region_[b.index] == region && !is_cut_on_points(mesh_, h);
+  }
+
+  // The next halfedge of the border, around the end of one.
+  Halfedge next_on_border(Halfedge h, std::uint32_t region) const {
+    Halfedge next = mesh_.next(h);
+    while (is_inside(next, region)) next = mesh_.next(twin(next));
+    return next;
+  }
+
+  Border border_of(const std::vector<Face>& faces, std::uint32_t region) const {
+    Border border;
+    std::vector<Halfedge> starts;
+    for (const Face f : faces)
+      for (const Halfedge h : halfedges_around(mesh_, f))
+        if (!is_inside(h, region)) starts.push_back(h);
+    std::sort(starts.begin(), starts.end());
+    std::vector<bool> seen(starts.size(), false);
+    std::vector<Vertex> points;
+    for (const Halfedge start : starts) {
+      const auto place = [&](Halfedge h) {
+        return static_cast<std::size_t>(std::lower_bound(starts.begin(), starts.end(), h) - starts.begin());
+      };
+      if (seen[place(start)]) continue;
+      std::vector<Halfedge>& loop = border.loops.emplace_back();
+      for (Halfedge h = start; !seen[place(h)]; h = next_on_border(h, region)) {
+        seen[place(h)] = true;
+        loop.push_back(h);
+        points.push_back(point(mesh_, mesh_.from(h)));
+      }
+      border.is_simple = border.is_simple && loop.size() >= 3;
+    }
+    std::sort(points.begin(), points.end());
+    border.is_simple = border.is_simple && std::adjacent_find(points.begin(), points.end()) == points.end();
+    border.is_simple = border.is_simple && is_flat_region(faces, starts.size(), border.loops.size());
+    put_outer_first(border, normals_[region]);
+    return border;
+  }
+
+  // By Euler's formula: a disk with holes.
+  bool is_flat_region(const std::vector<Face>& faces, std::size_t border_edges, std::size_t loops) const {
+    std::vector<Vertex> corners;
+    std::size_t halves = 0, rings = 0;
+    for (const Face f : faces) {
+      for (std::uint32_t r = mesh_.first_ring(f); r != no_index; r = mesh_.ring(r).next) ++rings;
+      for (const Halfedge h : halfedges_around(mesh_, f)) {
+        corners.push_back(mesh_.from(h));
+        ++halves;
+      }
+    }
+    sort_unique(corners);
+    const std::size_t edges = border_edges + (halves - border_edges) / 2;
+    return corners.size() + faces.size() + loops == 2 + edges + rings;
+  }
+
+  void put_outer_first(Border& border, const glm::dvec3& normal) const {
+    const auto area = [&](const std::vector<Halfedge>& loop) {
+      std::vector<glm::dvec3> places;
+      for (const Halfedge h : loop) places.push_back(mesh_.position(mesh_.from(h)));
+      return glm::dot(vector_area(places), normal);
+    };
+    std::size_t largest = 0;
+    for (std::size_t i = 1; i < border.loops.size(); ++i)
+      if (area(border.loops[i]) > area(border.loops[largest])) largest = i;
+    if (!border.loops.empty()) std::swap(border.loops[0], border.loops[largest]);
+  }
+
+  void unite(const std::vector<Face>& faces, const Border& border, std::uint32_t region) {
+    std::vector<Edge> inside;
+    std::vector<Vertex> corners;
+    for (const Face f : faces)
+      for (const Halfedge h : halfedges_around(mesh_, f)) {
+        corners.push_back(mesh_.from(h));
+        if (is_inside(h, region) && h < twin(h)) inside.push_back(edge(h));
+      }
+    const Face kept = *std::min_element(faces.begin(), faces.end());
+    for (const Face f : faces)
+      while (mesh_.has_rings(f)) edit_.remove_ring(f, mesh_.first_ring(f));
+    std::vector<Vertex> on_border;
+    for (const std::vector<Halfedge>& loop : border.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        edit_.connect(loop[i], loop[(i + 1) % loop.size()]);
+        edit_.set_face(loop[i], kept);
+        // One with a gap already holds a halfedge outside.
+        const Vertex v = mesh_.from(loop[i]);
+        if (!mesh_.is_boundary(v)) edit_.set_halfedge(v, loop[i]);
+        on_border.push_back(v);
+      }
+    edit_.set_halfedge(kept, border.loops[0][0]);
+    for (std::size_t i = 1; i < border.loops.size(); ++i) edit_.add_ring(kept, border.loops[i][0]);
+    std::sort(on_border.begin(), on_border.end());
+    sort_unique(corners);
+    for (const Edge e : inside) edit_.remove(e);
+    for (const Face f : faces)
+      if (f != kept) edit_.remove(f);
+    for (const Vertex v : corners)
+      if (!std::binary_search(on_border.begin(), on_border.end(), v)) {
+        leave_copies(edit_, v);
+        edit_.remove(v);
+      }
+    region_[kept.index] = region;
+  }
+
+  Edit& edit_;
+  const Mesh& mesh_;
+  PlanarOptions options_;
+  std::vector<std::uint32_t> region_;  // per face: the first face of its region
+  std::vector<glm::dvec3> normals_;
+  std::vector<double> areas_;
+};
+
+}  // namespace
+
+United unite_planar(Edit& edit, const PlanarOptions& options, Progress& progress) {
+  return RegionUniter(edit, options).run(progress);
+}
+
+}  // namespace ryosen::remesh

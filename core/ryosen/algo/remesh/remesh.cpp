@@ -1,0 +1,286 @@
+#include "ryosen/algo/remesh/remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/remesh/remesher.h"
+#include "ryosen/algo/shared_values.h"
+#include "ryosen/algo/unit_scale.h"
+#include "ryosen/analysis/box_tree.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/base/resource_limits.h"
+#include "ryosen/geometry/common_part.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+// About how many triangles come of a length of 1, and how many edges of the longest feature; of another length its square
+// and itself less.
+struct ExpectedSize {
+  double triangles = 0, edges = 0;
+
+  double of_length(double length) const { return triangles / (length * length) + edges / length; }
+};
+ExpectedSize expected_size(const Mesh& mesh, const Sizing& sizing) {
+  ExpectedSize size;
+  constexpr double of_even = 0.433;  // the area of a triangle whose sides are 1
+  const auto share = [&](Vertex v) { return sizing.length_at(v) / sizing.longest(); };
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    const Halfedge h = mesh.halfedge(Face(i));
+    const double area = glm::length(area_normal(corners_of(mesh, h))) / 2;
+    if (!std::isfinite(area)) continue;
+    for (const Halfedge corner : loop(mesh, h)) {
+      const double part = share(mesh.from(corner));
+      size.triangles += area / (3 * of_even * part * part);
+    }
+  }
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    const double edge = glm::distance(mesh.position(a), mesh.position(b));
+    if (std::isfinite(edge)) size.edges = std::max(size.edges, edge / std::min(share(a), share(b)));
+  }
+  return size;
+}
+
+// What there is room for. Elements of a mesh are numbered with 32 bits.
+bool fits(double triangles) {
+  constexpr double most = 3e8, bytes_per_triangle = 500;
+  return triangles < most && may_fit_in_memory(bytes_per_triangle * triangles);
+}
+
+// Rounded up to three digits.
+std::string length_text(double length) {
+  const double step = std::pow(10.0, std::floor(std::log10(length)) - 2);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", std::ceil(length / step) * step);
+  return text;
+}
+
+std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, double scale) {
+  const ExpectedSize size = expected_size(mesh, sizing);
+  const auto is_enough = [&](double length) { return fits(size.of_length(length)); };
+  if (is_enough(sizing.longest())) return std::nullopt;
+  double low = sizing.longest(), high = 2 * low;
+  while (!is_enough(high)) low = high, high *= 2;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = 0.5 * low + 0.5 * high;
+    (is_enough(middle) ? high : low) = middle;
+  }
+  const std::string least = length_text(high / scale);
+  return Text{
+      "so short a length would make more triangles than there is room for; the shortest that fits here is about " +
+          least,
+      "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
+}
+
+// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ
+// there are few, since no step has made any.
+bool close_up(Remesher& remesher, Progress& progress) {
+  constexpr int most_turns = 2;
+  for (int turn = 0; turn < most_turns; ++turn)
+    if (!(remesher.collapse_short(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
+          remesher.relax(progress)))
+      return false;
+  return remesher.remove_shortest(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
+         remesher.relax(progress);
+}
+
+bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) {
+  const std::size_t rounds = options.rounds;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const auto at = [&](std::size_t pass) { return progress.go_on(4 * round + pass, 4 * rounds); };
+    if (!(at(0) && remesher.split_long(progress) && at(1) && remesher.collapse_short(progress) && at(2) &&
+          remesher.swap_for_valence(progress) && at(3) && remesher.relax(progress)))
+      return false;
+  }
+  remesher.begin_closing();
+  return (options.adaptive ? remesher.remove_shortest(progress) : close_up(remesher, progress)) &&
+         remesher.swap_slivers(progress);
+}
+
+Mesh scaled(const Mesh& mesh, double scale) {
+  MeshColumns columns = mesh.columns();
+  for (glm::dvec3& p : columns.positions) p *= scale;
+  return Mesh(std::move(columns));
+}
+
+// With the places in the old size, those that did not move to the bit.
+MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
+  MeshColumns columns = mesh.columns();
+  for (std::size_t i = 0; i < columns.positions.size(); ++i) {
+    const bool is_old = i < before.vertex_slots();
+    const glm::dvec3 old = is_old ? before.position(Vertex(i)) : glm::dvec3(0);
+    columns.positions[i] = is_old && columns.positions[i] == old * scale ? old : columns.positions[i] / scale;
+  }
+  return columns;
+}
+
+// The pairs of faces that meet; none if there are more, or cancelled.
+std::optional<std::vector<FacePair>> crossings_of(const Mesh& mesh, std::size_t most, Progress& progress) {
+  auto found = find_few_self_intersections(mesh, most, progress);
+  if (!found || !found->is_all()) return std::nullopt;
+  return std::move(found->pairs);
+}
+
+// Of two faces that meet: the box of both, and of the part that they have in common.
+struct Crossing {
+  Box faces, common;
+};
+
+Crossing crossing_of(const Mesh& mesh, const FacePair& pair) {
+  const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
+                        b = corners_of(mesh, mesh.halfedge(pair.second));
+  Crossing crossing{box_of(a), box_of_common_part(a, b)};
+  crossing.faces.add(box_of(b));
+  if (crossing.common.is_empty()) crossing.common = crossing.faces;
+  return crossing;
+}
+
+// Boxes of the part that two faces have in common. Of a line, along it: one box of all would hold what lies far from it.
+std::vector<Box> pieces_of_common_part(const Mesh& mesh, const FacePair& pair, double length) {
+  constexpr double most = 256;
+  const Box all = crossing_of(mesh, pair).common;
+  const glm::dvec3 way = all.highest - all.lowest,
+                   along = glm::cross(unit_normal(mesh, mesh.halfedge(pair.first)),
+                                      unit_normal(mesh, mesh.halfedge(pair.second)));
+  const double pieces = std::clamp(std::ceil(glm::length(way) / length), 1.0, most);
+  if (!(glm::dot(along, along) > 0) || !(pieces > 1)) return {all};
+  const auto at = [&](double share) {
+    glm::dvec3 place;
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] = all.lowest[axis] + (along[axis] < 0 ? 1 - share : share) * way[axis];
+    return place;
+  };
+  std::vector<Box> boxes;
+  for (double i = 0; i < pieces; ++i) {
+    Box piece{at(i / pieces), at(i / pieces)};
+    piece.add(at((i + 1) / pieces));
+    boxes.push_back(piece);
+  }
+  return boxes;
+}
+
+// The places at which faces meet, and those that lie within a reach of them.
+BoxTree places_of(const Mesh& mesh, std::span<const FacePair> pairs, double reach) {
+  std::vector<Box> boxes;
+  for (const FacePair& pair : pairs)
+    for (const Box& common : pieces_of_common_part(mesh, pair, reach))
+      boxes.push_back({common.lowest - reach, common.highest + reach});
+  return BoxTree(std::move(boxes));
+}
+
+bool holds(const BoxTree& places, const glm::dvec3& place) {
+  const Box point{place, place};
+  return !places.visit([&](const Box& box) { return box.encloses(point); }, [](std::uint32_t) { return false; });
+}
+
+// What is known of a surface before it changes.
+class Start {
+ public:
+  Start(const Mesh& triangles, const Sizing& sizing, const Options& options) {
+    do_beside([&] { target_.emplace(triangles, sizing); },
+              [&] {
+                features_ = find_features(triangles, options.feature_angle_rad);
+                for (const Vertex v : options.on_lines) features_.vertices[v.index] = 1;
+                points_.emplace(triangles, features_, sizing.shortest());
+              });
+  }
+  const Target& target() const { return *target_; }
+  const Features& features() const { return features_; }
+  const CoveredPoints& points() const { return *points_; }
+
+ private:
+  std::optional<Target> target_;
+  Features features_;
+  std::optional<CoveredPoints> points_;
+};
+
+// Remeshing in attempts, each of which watches more closely than the one before.
+class Attempts {
+ public:
+  Attempts(const Mesh& triangles, const Options& options, const Start& known)
+      : start_(triangles), options_(options), known_(known), watched_(options.length) {}
+
+  // Until no faces meet that did not.
+  void run(Remeshed& result, Progress& progress) {
+    constexpr int most = 4;
+    for (int attempt = 0; attempt < most; ++attempt) {
+      Mesh work = start_;
+      Edit edit(work, nullptr);
+      SurfaceKeeper keeper(work, known_.points(), watched_, surface_);
+      Remesher remesher(edit, known_.features(), known_.target(), keeper);
+      result.is_cancelled = !run_rounds(remesher, options_, progress);
+      if (!result.is_cancelled) remesher.take_values(start_);
+      edit.commit();
+      result.refused = keeper.refused();
+      if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
+        result.is_cancelled |= progress.is_cancelled();
+        result.columns = work.columns();
+        return;
+      }
+    }
+  }
+
+ private:
+  bool watches_more(const Mesh& made, bool all, Progress& progress) {
+    constexpr std::size_t most_before = 100000, most_after = 20 * most_before;  // the same crossing on smaller faces
+    if (watched_.is_all()) return false;
+    // First how many did before: too many are made out sooner there.
+    if (!before_) before_ = crossings_of(start_, most_before, progress);
+    if (!before_) return false;
+    const auto pairs = crossings_of(made, most_after, progress);
+    if (!pairs || pairs->empty()) return false;
+    if (watched_.is_empty()) met_ = places_of(start_, *before_, options_.length);
+    if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
+    bool is_new = false;
+    for (const FacePair& pair : *pairs) {
+      const Crossing crossing = crossing_of(made, pair);
+      if (holds(met_, crossing.common.middle())) continue;
+      watched_.add(crossing.faces);
+      is_new = true;
+    }
+    if (is_new && all) watched_.add_all();
+    return is_new && !progress.is_cancelled();
+  }
+
+  const Mesh& start_;
+  const Options& options_;
+  const Start& known_;
+  WatchedPlaces watched_;
+  std::optional<std::vector<FacePair>> before_ = {};  // that met before
+  BoxTree met_;                                       // where they did
+  CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
+};
+
+}  // namespace
+
+Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) {
+  Remeshed result;
+  result.is_cancelled = !progress.go_on(0, options.rounds);
+  if (result.is_cancelled) return result;
+  const double scale = unit_scale(mesh.positions());
+  Options own = options;
+  own.length *= scale;
+  own.tolerance *= scale;
+  Mesh triangles = scaled(mesh, scale);
+  Edit edit(triangles, nullptr);
+  const std::vector<Face> polygons = polygons_of_mesh(triangles);
+  result.cut_faces = polygons.size();
+  if ((result.fault = cut_faces(edit, polygons))) return result;
+  share_equal_values(edit);
+  edit.commit();
+  const Sizing sizing(triangles, {own.length, own.adaptive, own.tolerance});
+  if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;
+  const Start start(triangles, sizing, own);
+  Attempts(triangles, own, start).run(result, progress);
+  if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
+  return result;
+}
+
+}  // namespace ryosen::remesh

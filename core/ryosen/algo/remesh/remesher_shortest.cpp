@@ -1,0 +1,90 @@
+// The last pass: what is left shorter than any edge that is wanted.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ryosen/algo/remesh/remesher.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen::remesh {
+
+namespace {
+
+constexpr double clearly = 1 + 1e-6;
+
+}  // namespace
+
+// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps.
+bool Remesher::remove_shortest(Progress& progress) {
+  constexpr int most_turns = 8;  // of each guard
+  const auto is_short = [&](Edge e, double length) {
+    const auto [a, b] = ends(mesh_, e);
+    return length < least_ && !is_feature(e) && !stay(a, b);
+  };
+  for (const Guard& guard : {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
+                             Guard{cosine_of_turn, 2 * most_, 0}, Guard{0.1, 2 * most_, 0}}) {
+    guard_ = guard;
+    std::size_t mended = 1;
+    for (int turn = 0; turn < most_turns && mended > 0; ++turn) {
+      mended = 0;
+      std::size_t asked = 0;
+      for (const Edge e : edges_by_length(false, is_short)) {
+        if (asked++ % between_reports == 0 && !progress.go_on()) return false;
+        if (mesh_.is_alive(e) && is_short(e, length_of(e)) && mend_short(e)) ++mended;
+      }
+    }
+  }
+  guard_ = {};
+  return true;
+}
+
+bool Remesher::mend_short(Edge e) {
+  const Halfedge h = halfedge(e);
+  const std::array<Halfedge, 2> sides{h, twin(h)};
+  if (!(is_fixed(mesh_.from(h)) && is_fixed(mesh_.to(h))) && try_collapse(e)) return true;
+  if (swap_longer(h)) return true;
+  for (const Halfedge side : sides)
+    if (move_apart(side)) return true;
+  for (const Halfedge side : sides)
+    if (remove_vertex(mesh_.from(side))) return true;
+  return false;
+}
+
+// Where the other diagonal is long enough, or one between points that stay.
+bool Remesher::swap_longer(Halfedge h) {
+  const Vertex c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(twin(h)));
+  const bool is_fine = stay(c, d) || glm::distance(mesh_.position(c), mesh_.position(d)) >= least_;
+  return is_fine && is_guarded_swap(h) && swap_if_kept(h);
+}
+
+// The first end farther from the other, along the surface.
+bool Remesher::move_apart(Halfedge h) {
+  const Vertex v = mesh_.from(h);
+  if (is_fixed(v)) return false;
+  const glm::dvec3 here = mesh_.position(v), other = mesh_.position(mesh_.to(h)), normal = unit_or_zero(normal_of(v));
+  const glm::dvec3 away = here - other, along = unit_or_zero(away - glm::dot(away, normal) * normal),
+                   across = glm::cross(normal, along);
+  for (const double turn_rad : {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2})
+    for (const double length : {1.0, 1.1}) {
+      const glm::dvec3 way = std::cos(turn_rad) * along + std::sin(turn_rad) * across;
+      const auto nearest = target_.nearest(other + length * least_ * clearly * way, normal, nearby_[v.index]);
+      if (!nearest || !(glm::distance(nearest->place, other) >= least_) || !try_move(v, nearest->place, judge_)) continue;
+      wanted_[v.index] = nearest->length;
+      nearby_[v.index] = nearest->triangle;
+      return true;
+    }
+  return false;
+}
+
+// Into one of the vertices around it; one that was put on a feature along that.
+bool Remesher::remove_vertex(Vertex v) {
+  if (stays(v) || (is_fixed(v) && has_copies(mesh_, v))) return false;
+  std::vector<std::pair<double, Halfedge>> ways;
+  for (const Halfedge h : outgoing(mesh_, v))
+    if (!is_fixed(v) || is_feature(edge(h))) ways.emplace_back(length_of(edge(h)), h);
+  std::sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return std::any_of(ways.begin(), ways.end(),
+                     [&](const auto& way) { return try_collapse(way.second, mesh_.position(mesh_.to(way.second))); });
+}
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,218 @@
+#include "ryosen/algo/remesh/remeshings.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "ryosen/algo/proposals.h"
+#include "ryosen/algo/remesh/planar_regions.h"
+#include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/remesh/straight_corners.h"
+#include "ryosen/base/count_text.h"
+
+namespace ryosen {
+
+namespace {
+
+Text cut_text(std::size_t cut_faces) {
+  if (cut_faces == 0) return {};
+  return count_text(cut_faces, "; one face was cut into triangles first", "; # faces were cut into triangles first",
+                    "（先に面 # 個を三角形に分割）");
+}
+
+Text refused_text(std::size_t refused) {
+  if (refused == 0) return {};
+  return count_text(refused, "; one step was left out since faces would have met",
+                    "; # steps were left out since faces would have met", "（面どうしが交わる操作 # 回は行わず）");
+}
+
+AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const Mesh& mesh = edit.mesh();
+  const ParameterValues& values = input.values;
+  AlgorithmResult result;
+  if (mesh.live().faces == 0) {
+    result.refused = Text{"there are no faces", "面がありません"};
+    return result;
+  }
+  remesh::Options options{.length = values.length("length"),
+                          .adaptive = values.flag("adaptive"),
+                          .tolerance = values.has("tolerance") ? values.length("tolerance") : 0,
+                          .rounds = values.count("rounds"),
+                          .feature_angle_rad = values.angle_rad("feature_angle"),
+                          .on_lines = input.on_lines};
+  if (!values.has("tolerance")) options.tolerance = options.length / 20;
+  const std::size_t before = mesh.live().faces;
+  remesh::Remeshed made = remesh::remeshed(mesh, options, progress);
+  if (made.is_cancelled) return result;
+  if ((result.fault = std::move(made.fault))) return result;
+  result.account.emplace();
+  result.changed = made.columns.live.faces;
+  const std::string after = std::to_string(made.columns.live.faces);
+  result.text = count_text(before, "One face became " + after, "# faces became " + after,
+                           "面 # 個が " + after + " 個になりました") +
+                cut_text(made.cut_faces) + refused_text(made.refused) + Text{".", "。"};
+  if (values.has("tolerance") && !options.adaptive)
+    result.text = result.text + Text{" The tolerance counts only where lengths are adaptive.",
+                                     "許容誤差は、曲率に適応させるときだけ効きます。"};
+  edit.replace(std::move(made.columns));
+  return result;
+}
+
+AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  AlgorithmResult result;
+  remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), input.values.angle_rad("most_turn"), progress);
+  if (input.wants.descent) result.descent = std::move(made.descent);
+  if (made.is_cancelled) return result;
+  if ((result.fault = std::move(made.fault))) return result;
+  result.changed = made.swaps + made.cut_faces;
+  result.left = made.refused;
+  result.text = count_text(made.swaps, "One edge was swapped", "# edges were swapped", "稜線 # 本を交換しました") +
+                cut_text(made.cut_faces);
+  if (made.refused > 0)
+    result.text = result.text + count_text(made.refused, "; one is not Delaunay and stays",
+                                           "; # are not Delaunay and stay", "（交換できない稜線 # 本が残る）");
+  result.text = result.text + Text{".", "。"};
+  if (result.changed > 0) edit.replace(std::move(made.columns));
+  return result;
+}
+
+AlgorithmResult unite_planar_regions(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const double angle_rad = input.values.angle_rad("angle"), distance = input.values.length("distance");
+  AlgorithmResult result;
+  const remesh::United united = remesh::unite_planar(edit, {angle_rad, distance}, progress);
+  if (united.is_cancelled) return result;
+  const bool drops = input.values.choice("straight") == "drop";
+  const std::size_t dropped = drops ? remesh::drop_straight_corners(edit, {angle_rad, distance}, progress) : 0;
+  if (progress.is_cancelled()) return result;
+  result.changed = united.regions + dropped;
+  result.left = united.left.size();
+  const std::string faces = std::to_string(united.faces);
+  result.text = Text{"No region of several faces is planar.", "多角形にまとめられる平らな領域はありません。"};
+  if (united.regions > 0)
+    result.text = count_text(united.regions, "One region of " + faces + " faces became a polygon.",
+                             "# regions with " + faces + " faces in all became polygons.",
+                             "合わせて面 " + faces + " 個の領域 # 個を多角形にまとめました。");
+  if (dropped > 0)
+    result.text = result.text + count_text(dropped, " One corner on a straight edge was taken out.",
+                                           " # corners on straight edges were taken out.",
+                                           "まっすぐな稜線上の角を # 個取り除きました。");
+  std::vector<Element> left(united.left.begin(), united.left.end());
+  add_left(result.left_for, {"the polygon would touch itself at a vertex", "まとめると多角形が頂点で自身に接します"},
+           std::move(left));
+  return result;
+}
+
+AlgorithmRow unite_planar_row() {
+  return {.id = "unite_planar",
+          .name_en = "Unite planar regions",
+          .name_ja = "平面領域の統合",
+          .help_en = "makes one polygon, with rings, of neighbouring faces that lie in one plane",
+          .help_ja = "同じ平面上の隣り合う面を、リングを持つ一つの多角形にまとめる",
+          .parameters = {{.id = "angle",
+                          .kind = ParameterKind::angle,
+                          .name_en = "Angle",
+                          .name_ja = "角度",
+                          .help_en = "by which normals may differ from that of the first face",
+                          .help_ja = "最初の面の法線との差の上限",
+                          .initial = "1"},
+                         {.id = "distance",
+                          .kind = ParameterKind::length,
+                          .name_en = "Distance",
+                          .name_ja = "距離",
+                          .help_en = "by which points may leave its plane",
+                          .help_ja = "その平面からの距離の上限",
+                          .initial = "0.01%"},
+                         {.id = "straight",
+                          .kind = ParameterKind::choice,
+                          .name_en = "Corners on straight edges",
+                          .name_ja = "まっすぐな稜線上の角",
+                          .help_en = "whether vertices with two edges stay where these are straight",
+                          .help_ja = "二本の稜線がまっすぐに続く頂点を残すか",
+                          .initial = "keep",
+                          .choices = {{"keep", "keep", "残す"}, {"drop", "drop", "取り除く"}}}},
+          .keeps_geometry = false,
+          .solves = {},
+          .run = unite_planar_regions};
+}
+
+AlgorithmRow remesh_row() {
+  return {
+      .id = "remesh",
+      .name_en = "Remesh",
+      .name_ja = "リメッシュ",
+      .help_en =
+          "makes triangles of even edge lengths on the same surface; boundary and feature edges are only "
+          "divided, their points stay",
+      .help_ja = "同じ曲面上に稜線の長さのそろった三角形を作り直す（境界と特徴稜線は分割だけ、その頂点は固定）",
+      .parameters = {{.id = "length",
+                      .kind = ParameterKind::length,
+                      .name_en = "Length",
+                      .name_ja = "長さ",
+                      .help_en = "of the edges",
+                      .help_ja = "稜線の長さ",
+                      .is_required = true,
+                      .smallest = 0,
+                      .excludes_smallest = true,
+                      .proposed = mean_edge_length_text},
+                     {.id = "adaptive",
+                      .kind = ParameterKind::flag,
+                      .name_en = "Adaptive",
+                      .name_ja = "曲率に適応",
+                      .help_en = "shorter edges where the surface bends, down to an eighth",
+                      .help_ja = "曲がった所ほど短くする（最小で八分の一）",
+                      .initial = "off"},
+                     {.id = "tolerance",
+                      .kind = ParameterKind::length,
+                      .name_en = "Tolerance",
+                      .name_ja = "許容誤差",
+                      .help_en = "of adaptive lengths: about how far triangles leave the surface, no bound; else a "
+                                 "twentieth of the length",
+                      .help_ja = "適応時に三角形が曲面から離れる距離の目安（上限ではない。省くと長さの二十分の一）",
+                      .smallest = 0,
+                      .excludes_smallest = true},
+                     {.id = "rounds",
+                      .kind = ParameterKind::count,
+                      .name_en = "Rounds",
+                      .name_ja = "回数",
+                      .help_en = "how often edges are split, collapsed and swapped and points moved",
+                      .help_ja = "分割・削除・交換・移動を繰り返す回数",
+                      .initial = "5",
+                      .smallest = 1,
+                      .largest = 1000},
+                     {.id = "feature_angle",
+                      .kind = ParameterKind::angle,
+                      .name_en = "Feature angle",
+                      .name_ja = "特徴角",
+                      .help_en = "edges whose faces bend by at least this are features",
+                      .help_ja = "両側の面がこの角度以上に曲がる稜線を特徴として保つ",
+                      .initial = "45"}},
+      .keeps_geometry = false,
+      .solves = {},
+      .run = remesh_mesh,
+      .lineage = Lineage::lost,
+      .accounts = true};
+}
+
+}  // namespace
+
+std::vector<AlgorithmRow> remeshing_rows() {
+  return {remesh_row(),
+          {.id = "delaunay",
+           .name_en = "Delaunay swaps",
+           .name_ja = "ドロネー交換",
+           .help_en = "swaps edges until the angles across from each are together at most 180 degrees; points stay",
+           .help_ja = "各稜線の向かいの角の和が 180 度以下になるまで交換する（頂点は動かない）",
+           .parameters = {{.id = "most_turn",
+                           .kind = ParameterKind::angle,
+                           .name_en = "Largest bend",
+                           .name_ja = "最大の曲がり",
+                           .help_en = "edges whose faces bend by at least this stay",
+                           .help_ja = "両側の面がこの角度以上に曲がる稜線は交換しない",
+                           .initial = "10"}},
+           .keeps_geometry = false,
+           .solves = {},
+           .run = swap_to_delaunay,
+           .lineage = Lineage::told},
+          unite_planar_row()};
+}
+
+}  // namespace ryosen

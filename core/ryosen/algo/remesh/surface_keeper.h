@@ -1,0 +1,67 @@
+// Judges the steps of remeshing by what becomes of the surface.
+#pragma once
+
+#include <optional>
+
+#include "ryosen/algo/crossings/crossing_guard.h"
+#include "ryosen/algo/remesh/covered_step.h"
+#include "ryosen/algo/remesh/watched_places.h"
+
+namespace ryosen::remesh {
+
+// A step is asked about, and if it is allowed and done, told. None may leave a point of the surface as it was farther away
+// than a reach (covered_points.h); and in the places that are watched none may make faces meet (crossing_guard.h).
+class SurfaceKeeper {
+ public:
+  // Of a mesh of triangles, with its points. Nothing is watched where `watched` is empty.
+  SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched, CrossingGuard::Surface surface);
+  SurfaceKeeper(const SurfaceKeeper&) = delete;
+  SurfaceKeeper& operator=(const SurfaceKeeper&) = delete;
+
+  bool allows_collapse(Halfedge h, const glm::dvec3& place, double reach);
+  void collapsed();
+  bool allows_swap(Halfedge h, double reach);
+  void swapped(Halfedge h);
+  // Into halves that meet at `place`, which is on the edge but for rounding.
+  bool allows_split(Halfedge h, const glm::dvec3& place);
+  // The middle, and the copies of it behind it; the first of the faces that are new.
+  void split(Vertex first_copy, Face first_new);
+
+  // Moves of vertices. Where may_move_beside() is true, several threads may have a judge each, as long as none moves a
+  // vertex that has a face in common with one that another moves.
+  class MoveJudge {
+   public:
+    explicit MoveJudge(SurfaceKeeper& keeper) : keeper_(keeper), step_(keeper.points_) {}
+    bool allows(Vertex v, const glm::dvec3& place, double reach);
+    void moved(Vertex v);
+
+   private:
+    bool keeps_points(Vertex v, const glm::dvec3& place, double reach);
+
+    SurfaceKeeper& keeper_;
+    CoveredStep step_;
+    std::vector<CoveredStep::Change> changes_;
+  };
+  bool may_move_beside();
+
+  // How many steps were refused since faces would have met.
+  std::size_t refused() const { return refused_; }
+
+ private:
+  using Changes = std::vector<CoveredStep::Change>;
+  // Those around a vertex but for two, as they become when it comes to a place; false where they are too many.
+  bool add_around(Changes& changes, Vertex v, const glm::dvec3& place, Face left = {}, Face right = {}) const;
+  bool is_watched(const glm::dvec3& place) const { return guard_ && watched_.contains(place); }
+  bool refuses(bool would_meet);
+
+  const Mesh& mesh_;
+  const WatchedPlaces& watched_;
+  CoveredPoints points_;
+  std::optional<CrossingGuard> guard_;
+  std::size_t refused_ = 0;
+  // Of the step asked about, if it is no move.
+  CoveredStep step_;
+  Changes changes_;
+};
+
+}  // namespace ryosen::remesh

@@ -1,0 +1,165 @@
+#include "ryosen/algo/repair/find_holes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "ryosen/algo/repair/detach_nonmanifold.h"
+#include "ryosen/algo/repair/orient_faces.h"
+#include "ryosen/algo/repair/weld_points.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/place_order.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/face_lists.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr std::array<WhyOpenRow, 10> why_open_rows{{
+    {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
+    {WhyOpen::visits_twice,
+     "the loop visits a point twice (# parts them)",
+     "同じ点を二度通るため（# で分けられます）",
+     {detach_nonmanifold}},
+    {WhyOpen::has_wire, "an edge without a face hangs there", "面のない稜線が付いているため"},
+    {WhyOpen::cut_edge,
+     "the loop runs along an edge that has several faces already (# or # first)",
+     "すでに面が二つ以上ある稜線を通るため（先に # か #）",
+     {detach_nonmanifold, orient_faces}},
+    {WhyOpen::coincides,
+     "its border lies on another one (# joins them)",
+     "境界が別の境界と重なっているため（# でつながります）",
+     {weld_equal_points}},
+    {WhyOpen::face_exists, "a face on the same three points is there already", "同じ三点の面がすでにあるため"},
+    {WhyOpen::flat_sheet, "it is the outer border of a flat sheet, which a patch would only double",
+     "平らなシートの外周で、ふさいでもシートに重なるだけのため"},
+    {WhyOpen::without_area, "every patch has a face without area", "どのふさぎ方でも面積ゼロの面ができるため"},
+    {WhyOpen::edge_exists, "every patch needs an edge that is there already",
+     "どのふさぎ方でもすでにある稜線が必要になるため"},
+    {WhyOpen::crosses, "every patch that was tried crosses the surface or itself",
+     "試したどのふさぎ方でも曲面または自分自身と交わるため"},
+}};
+
+// As it stands on its button, and as it is called.
+Text name_of_remedy(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
+  for (const AlgorithmRow& row : algorithm_table()) {
+    if (row.run != run) continue;
+    const std::string id = " [" + std::string(row.id) + "]";
+    return {"'" + std::string(row.name_en) + "'" + id, "「" + std::string(row.name_ja) + "」" + id};
+  }
+  return {};
+}
+
+WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std::uint32_t>& point_of) {
+  std::vector<std::uint32_t> points;
+  for (Halfedge h : loop(m, start)) {
+    if (!is_finite(m.position(m.from(h)))) return WhyOpen::not_finite;
+    const std::uint32_t faces = point_edge(m, h).faces();
+    if (faces != 1) return faces == 0 ? WhyOpen::has_wire : WhyOpen::cut_edge;
+    points.push_back(point_of[m.from(h).index]);
+  }
+  const std::size_t n = points.size();
+  sort_unique(points);
+  if (n < 3 || points.size() < n) return WhyOpen::visits_twice;
+  return n == 3 && face_on(m, points) ? WhyOpen::face_exists : WhyOpen::untried;
+}
+
+}  // namespace
+
+Text WhyOpenRow::text() const {
+  Text text{std::string(en), std::string(ja)};
+  const auto fill_in = [](std::string& clause, const std::string& name) {
+    if (const std::size_t at = clause.find('#'); at != std::string::npos) clause.replace(at, 1, name);
+  };
+  for (const auto remedy : remedies) {
+    if (!remedy) continue;
+    const Text name = name_of_remedy(remedy);
+    fill_in(text.en, name.en);
+    fill_in(text.ja, name.ja);
+  }
+  return text;
+}
+
+std::span<const WhyOpenRow> reasons_to_stay_open() { return why_open_rows; }
+
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
+                             const std::vector<std::uint32_t>& points, Progress& progress) {
+  std::vector<Hole> holes;
+  std::vector<bool> seen(mesh.halfedge_slots(), false);
+  const auto number = [&](Halfedge h) { return points[mesh.from(h).index]; };
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots() && progress.go_on(); ++i) {
+    Halfedge start(i);
+    if (seen[i] || !mesh.is_alive(start) || !mesh.is_outside(start)) continue;
+    std::size_t edges = 0;
+    bool has_face = false;
+    for (Halfedge h : loop(mesh, Halfedge(i))) {
+      seen[h.index] = true;
+      ++edges;
+      has_face = has_face || !mesh.is_outside(twin(h));
+      if (number(h) < number(start)) start = h;
+    }
+    if (has_face && !(most_edges && static_cast<double>(edges) > *most_edges)) holes.push_back({start});
+  }
+  const auto order = [&](const Hole& hole) { return std::pair(number(hole.start), number(mesh.next(hole.start))); };
+  std::sort(holes.begin(), holes.end(), [&](const Hole& a, const Hole& b) { return order(a) < order(b); });
+  for (Hole& hole : holes)
+    if (progress.go_on()) hole.cause = cause_before_trying(mesh, hole.start, points);
+  return holes;
+}
+
+void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes) {
+  using Side = std::pair<glm::dvec3, glm::dvec3>;  // places, in order
+  const auto side_of = [&](Halfedge h) {
+    const glm::dvec3 &p = mesh.position(mesh.from(h)), &q = mesh.position(mesh.to(h));
+    return is_before(q, p) ? Side(q, p) : Side(p, q);
+  };
+  const auto is_less = [](const Side& a, const Side& b) {
+    return a.first != b.first ? is_before(a.first, b.first) : is_before(a.second, b.second);
+  };
+  const auto is_in_vain = [](const Hole& hole) {
+    return hole.cause >= WhyOpen::face_exists && hole.cause < WhyOpen::filled;
+  };
+  if (std::none_of(holes.begin(), holes.end(), is_in_vain)) return;
+  std::vector<Side> sides;
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h) || !mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
+    if (is_finite(mesh.position(mesh.from(h))) && is_finite(mesh.position(mesh.to(h)))) sides.push_back(side_of(h));
+  }
+  std::sort(sides.begin(), sides.end(), is_less);
+  for (Hole& hole : holes) {
+    if (!is_in_vain(hole)) continue;
+    const auto around = loop(mesh, hole.start);
+    const bool coincides = std::all_of(around.begin(), around.end(), [&](Halfedge h) {
+      const auto [first, last] = std::equal_range(sides.begin(), sides.end(), side_of(h), is_less);
+      return last - first > 1;
+    });
+    if (coincides) hole.cause = WhyOpen::coincides;
+  }
+}
+
+std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {
+  std::vector<std::uint32_t> points(mesh.vertex_slots());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    points[i] = mesh.is_alive(Vertex(i)) ? point(mesh, Vertex(i)).index : i;
+  return points;
+}
+
+JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
+                             const std::vector<std::uint32_t>& points) {
+  std::vector<bool> is_corner(mesh.vertex_slots(), false);
+  for (std::uint32_t i : chosen)
+    for (Halfedge h : loop(mesh, holes[i].start)) is_corner[points[mesh.from(h).index]] = true;
+  JoinedCorners joined;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Halfedge h = halfedge(Edge(i), 0);
+    if (!mesh.is_alive(h)) continue;
+    const std::uint32_t a = points[mesh.from(h).index], b = points[mesh.to(h).index];
+    if (is_corner[a] && is_corner[b]) joined.add(a, b);
+  }
+  joined.sort();
+  return joined;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,64 @@
+// The holes of a mesh, and why one stays open.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/repair/hole_loop.h"
+#include "ryosen/base/message.h"
+#include "ryosen/base/progress.h"
+
+namespace ryosen {
+
+// Of several causes the last one counts: it got furthest.
+enum class WhyOpen : std::uint8_t {
+  untried,
+  not_finite,
+  visits_twice,
+  has_wire,
+  cut_edge,
+  face_exists,
+  flat_sheet,
+  without_area,
+  edge_exists,
+  crosses,
+  coincides,
+  filled,
+};
+
+struct WhyOpenRow {
+  WhyOpen cause;
+  std::string_view en, ja;  // clauses; `#` stands for the next remedy
+  std::array<AlgorithmResult (*)(Edit&, const AlgorithmInput&, Progress&), 2> remedies = {};
+
+  // With the names and ids of the remedies.
+  Text text() const;
+};
+// Of those that are told, in the order of reports.
+std::span<const WhyOpenRow> reasons_to_stay_open();
+
+struct Hole {
+  Halfedge start;  // halfedge without a face; the loop's lowest point is where it begins
+  WhyOpen cause = WhyOpen::untried;
+  Face crossed = {};  // the first face that a patch for it was found to cross, if any
+};
+
+// Every boundary loop of at most so many edges, ascending by lowest point. Neither wires nor what is longer is a hole.
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
+                             const std::vector<std::uint32_t>& points, Progress& progress);
+
+// Gives holes that were tried in vain, and each of whose sides lies on a further open side of a face, that cause: welding
+// is for them. A pass over the halfedges and a sort, if there is such a hole.
+void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes);
+
+// By vertex the number of its point. O(vertices).
+std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh);
+// The edges of the mesh that join corners of these holes. O(edges), and a sort of those.
+JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
+                             const std::vector<std::uint32_t>& points);
+
+}  // namespace ryosen

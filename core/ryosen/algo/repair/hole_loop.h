@@ -1,0 +1,80 @@
+// The loop of a hole with what surrounds it, and the patch for it, as plain lists beside the mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/triangulate.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// Which points are joined by edges, as pairs of their numbers.
+class JoinedCorners {
+ public:
+  void add(std::uint32_t a, std::uint32_t b) { keys_.push_back(key(a, b)); }
+  // Call when all are added.
+  void sort() { sort_unique(keys_); }
+  bool contains(std::uint32_t a, std::uint32_t b) const {
+    return std::binary_search(keys_.begin(), keys_.end(), key(a, b));
+  }
+
+ private:
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32u | std::max(a, b);
+  }
+
+  std::vector<std::uint64_t> keys_;
+};
+
+// The faces at a hole's corners. Vertices are numbered: first the corners of the loop, then those in `places`.
+struct HoleSurroundings {
+  std::vector<double> spacing;            // by corner: the mean length of its edges, but no more than its two sides
+  std::vector<std::uint8_t> is_open;      // by corner: whether it has another gap, or faces that are not in `triangles`
+  std::vector<glm::dvec3> places;         // of vertices beside the loop
+  std::vector<CornerTriangle> triangles;  // of the faces; of one with many corners, those at the loop
+};
+
+struct HoleLoop {
+  std::vector<Halfedge> sides;        // halfedges without a face, each from its corner to the next
+  std::vector<std::uint32_t> points;  // by corner: its point
+  std::vector<glm::dvec3> places;     // by corner; finite
+  std::vector<glm::dvec3> normals;    // of the face across each side; unit, or zero if unknown
+  HoleSurroundings around;
+  const JoinedCorners* joined = nullptr;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
+  // Whether an edge may join two corners that are not neighbours.
+  bool may_join(std::uint32_t i, std::uint32_t k) const { return !joined->contains(points[i], points[k]); }
+};
+
+// Normals of faces by need, each computed once: a large face may lie beside many holes.
+class NormalsOfFaces {
+ public:
+  // Unit; zero where there is none.
+  const glm::dvec3& of(const Mesh& mesh, Face f);
+
+ private:
+  std::unordered_map<Face, glm::dvec3> known_;
+};
+
+// Reads the loop from the corner at `start`. `points` holds the point of each vertex.
+HoleLoop read_hole(const Mesh& mesh, Halfedge start, const std::vector<std::uint32_t>& points,
+                   const JoinedCorners& joined, NormalsOfFaces& normals);
+
+struct HolePatch {
+  std::uint32_t corners = 0;              // of the loop; they are the first vertices
+  std::vector<glm::dvec3> places;         // of all vertices
+  std::vector<CornerTriangle> triangles;  // oriented along the loop
+  // By new vertex: the three vertices in the middle of which it was made; none for one amid the whole loop.
+  std::vector<CornerTriangle> parents;
+  std::vector<double> spacing;  // by vertex: the wanted length of its edges; once it has been refined
+
+  std::uint32_t new_vertices() const { return static_cast<std::uint32_t>(places.size()) - corners; }
+};
+
+}  // namespace ryosen

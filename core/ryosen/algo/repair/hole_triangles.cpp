@@ -1,0 +1,155 @@
+#include "ryosen/algo/repair/hole_triangles.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "ryosen/geometry/predicates.h"
+
+namespace ryosen {
+
+namespace {
+
+// The cost of a triangulation: first its largest dihedral fold, then its area.
+struct Weight {
+  double fold = 0;  // 1 - cos of the angle between normals, 0 to 2
+  double area = 0;
+
+  Weight operator+(const Weight& w) const { return {std::max(fold, w.fold), area + w.area}; }
+  bool operator<(const Weight& w) const { return fold != w.fold ? fold < w.fold : area < w.area; }
+};
+
+constexpr Weight impossible{std::numeric_limits<double>::infinity(), 0};
+
+struct Normal {
+  glm::dvec3 unit{0.0};
+  double area = 0;
+};
+
+// Dynamic programming over the optimal triangulations of all sub-polygons from corner i to k, closed by the chord i-k.
+class HoleWeights {
+ public:
+  HoleWeights(const HoleLoop& loop, bool joins_all, Progress& progress)
+      : loop_(loop), joins_all_(joins_all), n_(loop.places.size()), parts_(n_ * n_) {
+    for (std::size_t length = 2; length < n_; ++length)
+      for (std::size_t i = 0; i + length < n_ && progress.go_on(); ++i) weigh(i, i + length);
+    if (progress.is_cancelled()) parts_[n_ - 1].weight = impossible;
+  }
+
+  std::vector<CornerTriangle> best() const {
+    if (!(part(0, n_ - 1).weight < impossible)) return {};
+    std::vector<CornerTriangle> triangles;
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, n_ - 1}};
+    while (!open.empty()) {
+      const auto [i, k] = open.back();
+      open.pop_back();
+      if (k - i < 2) continue;
+      const std::size_t m = part(i, k).middle;
+      triangles.push_back(
+          {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(k)});
+      open.push_back({i, m});
+      open.push_back({m, k});
+    }
+    return triangles;
+  }
+
+ private:
+  struct Part {
+    Weight weight;
+    glm::dvec3 normal{0.0};  // of the triangle adjacent to the chord
+    std::size_t middle = 0;
+  };
+
+  const Part& part(std::size_t i, std::size_t k) const { return parts_[i * n_ + k]; }
+
+  bool is_flat(std::size_t i, std::size_t m, std::size_t k) const {
+    return are_collinear(loop_.places[i], loop_.places[m], loop_.places[k]);
+  }
+
+  Normal normal_of(std::size_t i, std::size_t m, std::size_t k) const {
+    const glm::dvec3& a = loop_.places[i];
+    const glm::dvec3 n = glm::cross(loop_.places[m] - a, loop_.places[k] - a);
+    const double length = glm::length(n);
+    return {length > 0 ? n / length : glm::dvec3(0.0), length / 2};
+  }
+
+  // The fold between a triangle and its neighbour across the side from i to k.
+  double fold(const glm::dvec3& normal, std::size_t i, std::size_t k) const {
+    const bool is_side = k == i + 1 || (i == 0 && k == n_ - 1);
+    const glm::dvec3& beyond = k == i + 1 ? loop_.normals[i] : is_side ? loop_.normals[n_ - 1] : part(i, k).normal;
+    // The face beyond the loop may be unknown.
+    if (is_side && beyond == glm::dvec3(0.0)) return 0;
+    return 1 - glm::dot(normal, beyond);
+  }
+
+  void weigh(std::size_t i, std::size_t k) {
+    Part& result = parts_[i * n_ + k];
+    result.weight = impossible;
+    const bool is_whole = i == 0 && k == n_ - 1;
+    if (!is_whole && !joins_all_ && !loop_.may_join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)))
+      return;
+    for (std::size_t m = i + 1; m < k; ++m) {
+      const Weight sides = part(i, m).weight + part(m, k).weight;
+      if (!(sides < result.weight) || is_flat(i, m, k)) continue;
+      const Normal n = normal_of(i, m, k);
+      Weight own{std::max(fold(n.unit, i, m), fold(n.unit, m, k)), n.area};
+      if (is_whole) own.fold = std::max(own.fold, fold(n.unit, i, k));
+      const Weight sum = sides + own;
+      if (sum < result.weight) result = {sum, n.unit, m};
+    }
+  }
+
+  const HoleLoop& loop_;
+  bool joins_all_;  // whatever edges there are
+  std::size_t n_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+namespace {
+
+// Cuts a convex polygon in halves, and these again: no corner gets many triangles.
+void halve_convex(std::uint32_t first, std::uint32_t last, std::vector<CornerTriangle>& out) {
+  if (last - first < 2) return;
+  const std::uint32_t middle = first + (last - first) / 2;
+  out.push_back({first, middle, last});
+  halve_convex(first, middle, out);
+  halve_convex(middle, last, out);
+}
+
+// What triangulate() makes of a convex polygon.
+bool is_fan(std::span<const CornerTriangle> triangles) {
+  return std::all_of(triangles.begin(), triangles.end(), [](const CornerTriangle& t) { return t[0] == 0; });
+}
+
+}  // namespace
+
+HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress) {
+  HoleTriangles found{HoleWeights(loop, false, progress).best()};
+  if (found.triangles.empty())
+    found.cause =
+        HoleWeights(loop, true, progress).best().empty() ? NoTriangles::without_area : NoTriangles::edge_exists;
+  return found;
+}
+
+HoleTriangles project_triangles(const HoleLoop& loop) {
+  const std::uint32_t n = loop.size();
+  HoleTriangles found;
+  triangulate(loop.places, found.triangles);
+  if (n > 4 && is_fan(found.triangles)) {
+    found.triangles.clear();
+    halve_convex(0, n - 1, found.triangles);
+  }
+  for (const CornerTriangle& t : found.triangles) {
+    if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return {{}, NoTriangles::without_area};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      const bool is_side = high == low + 1 || (low == 0 && high == n - 1);
+      if (!is_side && !loop.may_join(low, high)) return {{}, NoTriangles::edge_exists};
+    }
+  }
+  return found;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,27 @@
+// Triangulations of a hole's boundary loop in space.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/algo/repair/hole_loop.h"
+#include "ryosen/base/progress.h"
+
+namespace ryosen {
+
+enum class NoTriangles { none, without_area, edge_exists };
+
+struct HoleTriangles {
+  std::vector<CornerTriangle> triangles;
+  NoTriangles cause = NoTriangles::none;  // why there are none
+};
+
+// Larger loops are not weighed.
+inline constexpr std::size_t most_weighed_corners = 300;
+
+// The n - 2 non-degenerate triangles, oriented along the loop, that minimise the largest fold between neighbours (those
+// beyond the loop included), then the area [Liepa03]; O(n^3), at most most_weighed_corners corners.
+HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress);
+// Those of triangulate(); O(n log n).
+HoleTriangles project_triangles(const HoleLoop& loop);
+
+}  // namespace ryosen

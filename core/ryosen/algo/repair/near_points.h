@@ -1,0 +1,37 @@
+// Points at one place, or close to each other.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// What is near.
+struct Reach {
+  double distance;
+  std::span<const Vertex> used;  // elsewhere (AlgorithmInput): these stay in the file whatever becomes of them
+  const std::vector<bool>* only = nullptr;  // by slot: no other point is near any; null: all may be
+};
+
+struct NearPoints {
+  std::vector<Vertex> point_of;  // points_by_slot()
+  // By slot of a point the first point in file order that is no farther away than the distance and is itself a first
+  // one; the point itself where it is that, where its position is not finite, or where a wire ends at it. None for
+  // vertices that are no points. Isolated points that are used elsewhere are no first ones.
+  std::vector<Vertex> first;
+
+  // Whether there is a point that is not the first one at its place.
+  bool are_any() const;
+};
+// O(vertices).
+NearPoints find_near_points(const Mesh& mesh, const Reach& reach);
+
+// Whether no copy of the point has an edge.
+bool is_isolated_point(const Mesh& mesh, Vertex point);
+
+// Whether an edge without a face ends at a copy of the point.
+bool ends_a_wire(const Mesh& mesh, Vertex point);
+
+}  // namespace ryosen

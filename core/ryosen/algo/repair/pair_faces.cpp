@@ -1,0 +1,268 @@
+#include "ryosen/algo/repair/pair_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+#include "ryosen/algo/repair/fan_groups.h"
+#include "ryosen/algo/repair/pair_at_edge.h"
+#include "ryosen/algo/repair/point_merger.h"
+#include "ryosen/analysis/disjoint_sets.h"
+#include "ryosen/analysis/measures.h"
+#include "ryosen/mesh/circulate.h"
+
+namespace ryosen {
+
+namespace {
+
+struct PairedSide {
+  Vertex low, high;  // places
+  Halfedge halfedge;
+  bool is_forward;  // from low to high
+
+  friend auto operator<=>(const PairedSide&, const PairedSide&) = default;
+  bool is_beside(const PairedSide& other) const { return low == other.low && high == other.high; }
+};
+
+// An edge of three or more faces, and by direction how many of its faces are not free, its ranks and the first of these
+// that may be free.
+struct ManyFaced {
+  std::vector<Halfedge> sides;
+  std::array<std::size_t, 2> count{};
+  std::array<std::vector<std::uint32_t>, 2> ranks;
+  std::array<std::size_t, 2> cursor{};
+};
+
+class Pairing {
+ public:
+  // `place` has the place of each vertex by its slot; `keeps_joined`: faces that are joined may stay so.
+  Pairing(const Mesh& mesh, const std::vector<Vertex>& place, bool keeps_joined)
+      : m_(mesh), place_(place), keeps_joined_(keeps_joined), patches_(mesh.face_slots()) {
+    out_.across.resize(mesh.halfedge_slots());
+    out_.is_free.resize(mesh.face_slots(), false);
+    has_boundary_.resize(mesh.face_slots(), false);
+  }
+
+  FacePairing run() {
+    find_shared_places();
+    pair_at_plain_edges();
+    pair_at_shared_places();
+    out_.has_nonmanifold_edges = !edges_.empty();
+    out_.open_sides = at_boundary_.size();
+    if (!edges_.empty()) {
+      set_patches_free();
+      pair_by_angle();
+      if (keeps_joined_) keep_edges_single();
+    }
+    find_parts();
+    return std::move(out_);
+  }
+
+ private:
+  void pair(Halfedge h, Halfedge other) {
+    out_.across[h.index] = other;
+    out_.across[other.index] = h;
+    patches_.join(m_.face(h).index, m_.face(other).index);
+  }
+
+  void find_shared_places() {
+    is_shared_.resize(m_.vertex_slots(), false);
+    std::vector<Vertex> first(m_.vertex_slots());  // by place
+    for (std::uint32_t i = 0; i < m_.vertex_slots(); ++i) {
+      if (!m_.is_alive(Vertex(i))) continue;
+      Vertex& known = first[place_[i].index];
+      if (!known)
+        known = Vertex(i);
+      else
+        is_shared_[known.index] = is_shared_[i] = true;
+    }
+  }
+
+  // Where no end shares its place an edge has the faces that its links say.
+  void pair_at_plain_edges() {
+    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
+      const Halfedge h(i);
+      if (!m_.is_alive(h) || m_.is_outside(h)) continue;
+      const Vertex from = m_.from(h), to = m_.to(h);
+      const bool is_joined = !m_.is_outside(twin(h));
+      if ((is_shared_[from.index] || is_shared_[to.index]) && !(keeps_joined_ && is_joined)) {
+        const Vertex a = place_[from.index], b = place_[to.index];
+        if (a != b) sides_.push_back({std::min(a, b), std::max(a, b), h, a < b});
+      } else if (!is_joined) {
+        at_boundary_.push_back(m_.face(h));
+      } else {
+        pair(h, twin(h));
+      }
+    }
+  }
+
+  void pair_at_shared_places() {
+    std::sort(sides_.begin(), sides_.end());
+    for (std::size_t first = 0, last = 0; first < sides_.size(); first = last) {
+      for (last = first; last < sides_.size() && sides_[last].is_beside(sides_[first]);) ++last;
+      if (last - first == 1) at_boundary_.push_back(m_.face(sides_[first].halfedge));
+      if (last - first == 2 && sides_[first].is_forward != sides_[first + 1].is_forward)
+        pair(sides_[first].halfedge, sides_[first + 1].halfedge);
+      if (last - first > 2) add_many_faced(first, last);
+    }
+    for (const Face f : at_boundary_) has_boundary_[patches_.root(f.index)] = true;
+  }
+
+  void add_many_faced(std::size_t first, std::size_t last) {
+    ManyFaced edge;
+    for (std::size_t i = first; i < last; ++i) {
+      edge.sides.push_back(sides_[i].halfedge);
+      ++edge.count[sides_[i].is_forward];
+    }
+    edges_.push_back(std::move(edge));
+  }
+
+  std::uint32_t patch(Halfedge side) { return patches_.root(m_.face(side).index); }
+  bool is_forward(Halfedge side) const { return place_[m_.from(side).index] < place_[m_.to(side).index]; }
+
+  // The rank of each patch in the order in which patches are set free.
+  std::vector<std::uint32_t> rank_patches() {
+    std::vector<double> areas(m_.face_slots(), 0);
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {
+      if (!m_.is_alive(Face(f))) continue;
+      const std::uint32_t patch = patches_.root(f);
+      areas[patch] += face_area(m_, Face(f));
+      if (patch == f) order.push_back(patch);
+    }
+    for (double& area : areas)
+      if (std::isnan(area)) area = std::numeric_limits<double>::infinity();
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::tuple(!has_boundary_[a], areas[a], a) < std::tuple(!has_boundary_[b], areas[b], b);
+    });
+    std::vector<std::uint32_t> ranks(m_.face_slots(), no_index);
+    for (std::uint32_t i = 0; i < order.size(); ++i) ranks[order[i]] = i;
+    return ranks;
+  }
+
+  // The rank of the patch that goes first from an edge, or none while its directions are even.
+  std::uint32_t first_to_go(ManyFaced& edge) {
+    if (edge.count[0] == edge.count[1]) return no_index;
+    const std::size_t direction = edge.count[1] > edge.count[0];
+    std::size_t& at = edge.cursor[direction];
+    while (is_free_[edge.ranks[direction][at]]) ++at;
+    return edge.ranks[direction][at];
+  }
+
+  void set_patches_free() {
+    using Wanted = std::pair<std::uint32_t, std::uint32_t>;  // rank, edge
+    const std::vector<std::uint32_t> rank = rank_patches();
+    is_free_.assign(m_.face_slots(), false);
+    std::vector<std::pair<std::uint32_t, std::pair<std::uint32_t, bool>>> sides;  // rank, edge and direction
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+      for (const Halfedge h : edges_[e].sides) {
+        const std::uint32_t r = rank[patch(h)];
+        edges_[e].ranks[is_forward(h)].push_back(r);
+        sides.push_back({r, {e, is_forward(h)}});
+      }
+      for (auto& ranks : edges_[e].ranks) std::sort(ranks.begin(), ranks.end());
+    }
+    std::sort(sides.begin(), sides.end());
+    std::priority_queue<Wanted, std::vector<Wanted>, std::greater<>> queue;
+    const auto ask = [&](std::uint32_t e) {
+      if (const std::uint32_t r = first_to_go(edges_[e]); r != no_index) queue.push({r, e});
+    };
+    for (std::uint32_t e = 0; e < edges_.size(); ++e) ask(e);
+    while (!queue.empty()) {
+      const auto [r, e] = queue.top();
+      queue.pop();
+      if (const std::uint32_t now = first_to_go(edges_[e]); now != r) {
+        if (now != no_index) queue.push({now, e});
+        continue;
+      }
+      is_free_[r] = true;
+      const auto first = std::lower_bound(sides.begin(), sides.end(), std::pair(r, std::pair(0u, false)));
+      for (auto side = first; side != sides.end() && side->first == r; ++side)
+        --edges_[side->second.first].count[side->second.second];
+      for (auto side = first; side != sides.end() && side->first == r; ++side) ask(side->second.first);
+    }
+    for (std::uint32_t f = 0; f < m_.face_slots(); ++f)
+      if (m_.is_alive(Face(f))) out_.is_free[f] = is_free_[rank[patches_.root(f)]];
+  }
+
+  void pair_by_angle() {
+    EdgePairer pairer(m_, place_, out_.across);
+    for (const ManyFaced& edge : edges_) {
+      std::vector<Halfedge> sides = edge.sides;
+      out_.open_sides += std::erase_if(sides, [&](Halfedge h) { return out_.is_free[m_.face(h).index]; });
+      if (!sides.empty()) pairer.pair(sides);
+    }
+  }
+
+  // Exchanges pairs where two vertices would have two edges.
+  void keep_edges_single() {
+    std::vector<bool> is_end(m_.vertex_slots(), false);  // by place
+    std::vector<std::vector<Halfedge>> edges;
+    for (ManyFaced& edge : edges_) {
+      for (const Vertex v : {m_.from(edge.sides[0]), m_.to(edge.sides[0])}) is_end[place_[v.index].index] = true;
+      edges.push_back(std::move(edge.sides));
+    }
+    FanGroups fans(m_, &place_);
+    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
+      const Halfedge corner(i);
+      if (!m_.is_alive(corner) || m_.is_outside(corner) || !is_end[place_[m_.from(corner).index].index]) continue;
+      fans.add_corner(corner);
+      for (const Halfedge side : {corner, m_.prev(corner)}) fans.add_side(side, out_.across[side.index]);
+    }
+    fans.find_fans(edges);
+    for (const std::vector<Halfedge>& sides : edges)
+      for (const Halfedge side : sides) out_.across[side.index] = fans.across(side);
+  }
+
+  void find_parts() {
+    DisjointSets parts(m_.face_slots());
+    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i)
+      if (const Halfedge other = out_.across[i]) parts.join(m_.face(Halfedge(i)).index, m_.face(other).index);
+    std::vector<bool> is_open(m_.face_slots(), false);
+    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i)
+      if (m_.is_alive(Halfedge(i)) && !m_.is_outside(Halfedge(i)) && !out_.across[i])
+        is_open[parts.root(m_.face(Halfedge(i)).index)] = true;
+    out_.part.resize(m_.face_slots());
+    out_.is_closed.resize(m_.face_slots());
+    for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {
+      out_.part[f] = parts.root(f);
+      out_.is_closed[f] = m_.is_alive(Face(f)) && !is_open[out_.part[f]];
+    }
+  }
+
+  const Mesh& m_;
+  const std::vector<Vertex>& place_;
+  const bool keeps_joined_;
+  std::vector<bool> is_shared_;  // whether another vertex is at the vertex's place
+  FacePairing out_;
+  DisjointSets patches_;
+  std::vector<bool> has_boundary_;  // by patch
+  std::vector<Face> at_boundary_;
+  std::vector<PairedSide> sides_;  // at places of several vertices
+  std::vector<ManyFaced> edges_;
+  std::vector<bool> is_free_;  // by rank
+};
+
+}  // namespace
+
+FacePairing pair_faces(const Mesh& mesh) { return Pairing(mesh, points_by_slot(mesh), false).run(); }
+
+FacePairing pair_at_places(const Mesh& mesh, const std::vector<Vertex>& place) {
+  return Pairing(mesh, place, true).run();
+}
+
+bool is_torn(const Mesh& before, const Mesh& after) {
+  const FacePairing had = pair_faces(before);
+  if (!had.has_nonmanifold_edges) return false;
+  const FacePairing has = pair_faces(after);
+  if (has.open_sides > had.open_sides) return true;
+  for (std::size_t f = 0; f < had.is_closed.size(); ++f)
+    if (had.is_closed[f] && !has.is_closed[f]) return true;
+  return false;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,188 @@
+#include "ryosen/algo/repair/patch_crossings.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "ryosen/algo/repair/folded_patch.h"
+#include "ryosen/analysis/box_tree.h"
+#include "ryosen/geometry/place_order.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/geometry/surely_apart.h"
+#include "ryosen/geometry/triangles_meet.h"
+#include "ryosen/mesh/face_polygon.h"
+
+namespace ryosen {
+
+namespace {
+
+// Finds the triangles that meet those of the patches. Corners are numbered: those of faces by place, new vertices have
+// numbers of their own.
+class CrossingSearch {
+ public:
+  CrossingSearch(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress)
+      : mesh_(mesh), patches_(patches), progress_(progress), in_(patches.size()) {
+    found_.crosses.assign(patches.size(), false);
+    found_.crossed.assign(patches.size(), Face());
+  }
+
+  PatchCrossings run() {
+    number_places();
+    for (std::uint32_t k = 0; k < patches_.size(); ++k) add_patch(k);
+    std::vector<Box> boxes;
+    for (const Triangles& patch : parts_) boxes.push_back(patch.box);
+    tree_ = BoxTree(std::move(boxes));
+    for (std::uint32_t i = 0; i < mesh_.face_slots() && goes_on(); ++i)
+      if (mesh_.is_alive(Face(i))) compare_face(Face(i));
+    for (std::uint32_t p = 0; p < parts_.size() && goes_on(); ++p)
+      if (!is_out(p) && crosses_itself(patches_[p].patch)) note(p, p);
+    for (std::uint32_t p = 0; p < parts_.size(); ++p)
+      for (std::uint32_t k = parts_[p].first; k < parts_[p].last && goes_on(); ++k) compare(triangles_[k], p);
+    std::erase_if(found_.pairs, [&](const auto& p) { return found_.crosses[p.first] || found_.crosses[p.second]; });
+    sort_unique(found_.pairs);
+    return std::move(found_);
+  }
+
+ private:
+  // The triangles of a patch, numbered from `first`.
+  struct Triangles {
+    Box box;
+    std::uint32_t first, last;
+    BoxTree tree;
+  };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(triangles_.size()); }
+
+  // Not only when cancelled: also when there is nothing left to be found.
+  bool goes_on() { return in_ > 0 && progress_.go_on(); }
+
+  // The places of the loops' corners have the numbers from 0; other corners of faces are no patch's.
+  void number_places() {
+    for (const PlannedPatch& planned : patches_)
+      for (const glm::dvec3& p : planned.hole.places) places_.push_back(p);
+    std::sort(places_.begin(), places_.end(), is_before);
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+    next_number_ = static_cast<std::uint32_t>(places_.size());
+  }
+  // no_index where no loop has a corner.
+  std::uint32_t number_of(const glm::dvec3& place) const {
+    const auto at = std::lower_bound(places_.begin(), places_.end(), place, is_before);
+    return at != places_.end() && *at == place ? static_cast<std::uint32_t>(at - places_.begin()) : no_index;
+  }
+
+  void add_patch(std::uint32_t k) {
+    const HolePatch& patch = patches_[k].patch;
+    std::vector<std::uint32_t> number;
+    for (std::uint32_t v = 0; v < patch.places.size(); ++v)
+      number.push_back(v < patch.corners ? number_of(patch.places[v]) : next_number_++);
+    Triangles part{{}, size(), size(), {}};
+    std::vector<Box> boxes;
+    for (const CornerTriangle& t : patch.triangles) {
+      triangles_.push_back(
+          {{patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]}, {number[t[0]], number[t[1]], number[t[2]]}});
+      boxes.push_back(box_of(triangles_.back().places));
+      part.box.add(boxes.back());
+    }
+    part.last = size();
+    part.tree = BoxTree(std::move(boxes));
+    parts_.push_back(std::move(part));
+  }
+
+  void compare_face(Face f) {
+    polygon_.read(mesh_, f);
+    if (!polygon_.is_finite()) return;
+    const Box box = box_of(polygon_.places());
+    const auto overlaps = [&](const Box& other) { return box.overlaps(other); };
+    const bool is_far = tree_.visit(
+        overlaps, [&](std::uint32_t p) { return parts_[p].tree.visit(overlaps, [](std::uint32_t) { return false; }); });
+    if (is_far) return;
+    polygon_.triangulate(corners_);
+    for (const CornerTriangle& t : corners_) {
+      NumberedTriangle triangle{};
+      unsigned sides = 0;
+      for (unsigned k = 0; k < 3; ++k) {
+        triangle.places[k] = polygon_.places()[t[k]];
+        triangle.numbers[k] = number_of(triangle.places[k]);
+        if (triangle.numbers[k] == no_index) triangle.numbers[k] = no_index - k;
+        sides |= unsigned{polygon_.is_side(t[k], t[(k + 1) % 3])} << k;
+      }
+      triangle.sides = static_cast<std::uint8_t>(sides);
+      if (!are_collinear(triangle.places[0], triangle.places[1], triangle.places[2])) compare(triangle, no_index, f);
+    }
+  }
+
+  // Compares a triangle of the mesh (p is no_index) with all patches; one of a patch with later patches.
+  void compare(const NumberedTriangle& triangle, std::uint32_t p, Face f = {}) {
+    const auto may = [&](const Box& box) { return !are_surely_apart(triangle.places, box); };
+    tree_.visit(may, [&](std::uint32_t q) {
+      if (is_out(p)) return false;
+      if ((p != no_index && q <= p) || is_out(q)) return true;
+      const bool is_clear =
+          parts_[q].tree.visit(may, [&](std::uint32_t i) { return !meet(triangle, triangles_[parts_[q].first + i]); });
+      if (is_clear) return true;
+      if (f) found_.crossed[q] = f;
+      note(p, q);
+      return true;
+    });
+  }
+
+  static bool meet(const NumberedTriangle& a, const NumberedTriangle& b) {
+    return !are_surely_apart(a.places, b.places) && meet_elsewhere(a, b);
+  }
+
+  bool is_out(std::uint32_t patch) const { return patch != no_index && found_.crosses[patch]; }
+
+  void note(std::uint32_t p, std::uint32_t q) {
+    if (p == no_index || p == q) {
+      found_.crosses[q] = true;
+      --in_;
+    } else {
+      found_.pairs.emplace_back(std::min(p, q), std::max(p, q));
+    }
+  }
+
+  const Mesh& mesh_;
+  std::span<const PlannedPatch> patches_;
+  Progress& progress_;
+  std::size_t in_;  // patches that are not known to cross
+  PatchCrossings found_;
+  std::vector<glm::dvec3> places_;  // of the loops' corners, ascending
+  std::uint32_t next_number_ = 0;
+  std::vector<NumberedTriangle> triangles_;  // of the patches
+  std::vector<Triangles> parts_;             // by patch
+  BoxTree tree_;                             // of the patches
+  FacePolygon polygon_;
+  std::vector<CornerTriangle> corners_;
+};
+
+}  // namespace
+
+std::optional<std::uint32_t> side_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
+  const std::uint32_t n = patch.corners;
+  const auto beside_place = [&](std::uint32_t v) { return v < n ? hole.places[v] : hole.around.places[v - n]; };
+  // Numbers beside the loop go from no_index down, those of the patch up.
+  const auto beside_number = [&](std::uint32_t v) { return v < n ? v : no_index - (v - n); };
+  std::vector<std::uint32_t> beside(n, no_index);  // by side of the loop
+  for (std::uint32_t t = 0; t < hole.around.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t end = hole.around.triangles[t][k], start = hole.around.triangles[t][(k + 1) % 3];
+      if (start < n && end == (start + 1) % n) beside[start] = t;
+    }
+  for (const CornerTriangle& t : patch.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t start = t[k];
+      if (start >= n || t[(k + 1) % 3] != (start + 1) % n || beside[start] == no_index) continue;
+      const CornerTriangle& b = hole.around.triangles[beside[start]];
+      const NumberedTriangle of_patch{{patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]}, t};
+      const NumberedTriangle of_mesh{{beside_place(b[0]), beside_place(b[1]), beside_place(b[2])},
+                                     {beside_number(b[0]), beside_number(b[1]), beside_number(b[2])}};
+      const bool is_flat = are_collinear(of_mesh.places[0], of_mesh.places[1], of_mesh.places[2]);
+      if (!is_flat && meet_elsewhere(of_patch, of_mesh)) return start;
+    }
+  return std::nullopt;
+}
+
+PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress) {
+  return CrossingSearch(mesh, patches, progress).run();
+}
+
+}  // namespace ryosen

@@ -1,0 +1,69 @@
+// Judges which points may become one, by what the list of polygons on points would be: no mesh is changed.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen {
+
+// The representative of every vertex by slot, none for dead ones. O(vertices).
+std::vector<Vertex> points_by_slot(const Mesh& mesh);
+
+// Classes of points that are to be one. A merge is refused where a face would visit a point twice, an edge would get a
+// third face or a second in the same direction, or two faces would be on the same set of points. All this stays so
+// whatever is merged afterwards, so that a refused merge need not be tried again. Whether the faces at a class form one
+// fan is the caller's affair. The mesh must outlive it and not change.
+//
+// Cost: O(k log n) for k merges with n sides of faces at the points, however many meet at one of them: the smaller of two
+// classes is renamed.
+class PointMerger {
+ public:
+  // `points`: those that may be merged; manifold or isolated ones. `point_of` is points_by_slot().
+  PointMerger(const Mesh& mesh, const std::vector<Vertex>& point_of, std::span<const Vertex> points);
+
+  // The point that stands for the class of one.
+  Vertex root(Vertex point) const;
+  // Makes the classes of two different roots one. False: refused, nothing has changed.
+  bool merge(Vertex a, Vertex b);
+  // Undoes the last merge.
+  void undo();
+  bool may_merge(Vertex point) const { return classes_.contains(point); }
+  // The faces at the edge between two roots, at least one of which may be merged.
+  PointEdge edge(Vertex a, Vertex b) const;
+
+ private:
+  using Key = std::uint64_t;
+
+  // Faces and neighbours (points; several may be of one class) of a class.
+  struct Class {
+    std::vector<Face> faces;
+    std::vector<Vertex> neighbours;
+  };
+  struct Undo {
+    Vertex goes, stays;
+    std::size_t faces, neighbours;  // that the one that stays had
+    std::vector<std::pair<Key, PointEdge>> edges;
+  };
+
+  static Key key(std::uint32_t a, std::uint32_t b) { return Key{a} << 32u | b; }
+  static Key key_of_pair(Vertex a, Vertex b) { return key(std::min(a, b).index, std::max(a, b).index); }
+  void add_face(Face f, std::vector<Vertex>& corners, const std::vector<Vertex>& point_of);
+  bool may_join(Vertex goes, Vertex stays) const;
+  void rename_face(Face f, Vertex from, Vertex to);
+
+  const Mesh& mesh_;
+  std::unordered_map<Vertex, Vertex> parent_;  // only of points that are no roots
+  std::unordered_map<Vertex, Class> classes_;
+  std::unordered_map<Key, PointEdge> edges_;       // by roots; forward: from the lower number to the higher
+  std::unordered_map<Face, Key> shape_of_;         // a sum over the face's points
+  std::unordered_map<Key, std::uint32_t> shapes_;  // how many faces have it
+  std::unordered_set<Key> visits_;                 // a face and the root of a class at it
+  std::vector<Undo> undo_;
+};
+
+}  // namespace ryosen

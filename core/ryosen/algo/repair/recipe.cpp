@@ -1,0 +1,160 @@
+#include "ryosen/algo/repair/recipe.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ryosen/algo/repair/guard.h"
+#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/recipe_goal.h"
+#include "ryosen/analysis/problems.h"
+#include "ryosen/indexed/lost_vertices.h"
+
+namespace ryosen {
+
+namespace {
+
+struct State {
+  Mesh mesh;
+  bool has_quarantine;
+  FindingCounts counts;
+};
+
+// Vertices that are gone from the mesh and that writing brings back without a face.
+std::size_t kept_by_the_file(const Mesh& mesh, const RecipeInput& input, bool has_quarantine) {
+  const std::span<const Vertex> used = has_quarantine ? input.used_elsewhere : input.used_but_by_quarantine;
+  const std::vector<Vertex> kept = find_lost(mesh, {}, used).kept;
+  return static_cast<std::size_t>(std::count_if(kept.begin(), kept.end(), [&](Vertex v) {
+    return !std::binary_search(input.on_lines.begin(), input.on_lines.end(), v);
+  }));
+}
+
+class RecipeRun {
+ public:
+  RecipeRun(std::span<const RecipeStep> steps, const RecipeInput& input, const RecipeEvents& events)
+      : steps_(steps), input_(input), events_(events), goal_(steps), results_(steps.size()) {}
+
+  // None: cancelled.
+  std::optional<RecipeResult> run(const Mesh& mesh) {
+    State state{mesh, !input_.quarantine.empty(), count_findings(mesh, input_.on_lines)};
+    RecipeResult result;
+    result.steps.resize(steps_.size());
+    result.boundary_edges_before = boundary_edges(state);
+    for (std::size_t round = 1;; ++round) {
+      State next = state;
+      if (!run_round(next, round)) return std::nullopt;
+      const bool has_changed =
+          std::any_of(results_.begin(), results_.end(), [](const AlgorithmResult& r) { return r.changed > 0; });
+      const bool is_kept = has_changed && goal_.is_nearer(found_in(next), found_in(state));
+      if (round == 1 || is_kept || !has_changed) add_round(result, has_changed && !is_kept);
+      if (!is_kept) {
+        if (has_changed && events_.round_undone) events_.round_undone(round);
+        break;
+      }
+      ++result.rounds;
+      state = std::move(next);
+    }
+    result.is_changed = result.rounds > 0;
+    result.boundary_edges_after = boundary_edges(state);
+    result.drops_quarantined = !input_.quarantine.empty() && !state.has_quarantine;
+    count_kinds(mesh, input_, true, &KindCount::before, result.findings);
+    count_kinds(state.mesh, input_, state.has_quarantine, &KindCount::after, result.findings);
+    if (result.is_changed) tell_loose(mesh, state.mesh, result.steps);
+    result.mesh = std::move(state.mesh);
+    return result;
+  }
+
+ private:
+  // Adds the loose pieces of all rounds to what the last changing step left.
+  static void tell_loose(const Mesh& before, const Mesh& after, std::vector<AlgorithmResult>& steps) {
+    for (AlgorithmResult& step : steps) std::erase_if(step.left_for, tells_of_loose_pieces);
+    const auto last =
+        std::find_if(steps.rbegin(), steps.rend(), [](const AlgorithmResult& step) { return step.changed > 0; });
+    if (last != steps.rend()) add_loose_pieces(components_of(before), after, *last);
+  }
+
+  static std::size_t boundary_edges(const State& state) {
+    return state.counts[static_cast<std::size_t>(ProblemKind::boundary_loop)];
+  }
+
+  bool run_round(State& state, std::size_t round) {
+    std::vector<ReadValues> values;
+    for (const RecipeStep& step : steps_) values.push_back(step.values.on(state.mesh));
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const RecipeStep& step = steps_[i];
+      results_[i] = {};
+      if (!values[i].values) continue;  // of a share that has become none
+      Progress progress([&](double share) { return !events_.progress || events_.progress(step, round, share); });
+      Journal journal;
+      Edit edit(state.mesh, &journal);
+      const bool has_quarantine = state.has_quarantine;
+      const AlgorithmInput input{*values[i].values,
+                                 has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
+                                 has_quarantine ? input_.quarantine.size() : 0,
+                                 input_.on_lines,
+                                 {},
+                                 input_.holds_floats};
+      results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
+      if (!progress.go_on() || progress.is_cancelled()) return false;
+      if (results_[i].changed > 0) edit.commit();
+      state.has_quarantine = has_quarantine && !results_[i].drops_quarantined;
+      if (events_.step_done) events_.step_done(step, round, results_[i]);
+    }
+    return true;
+  }
+
+  FoundInMesh found_in(const State& state) const {
+    return {&state.mesh, state.counts, state.has_quarantine ? input_.quarantine.size() : 0};
+  }
+
+  void add_round(RecipeResult& result, bool is_undone) const {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      AlgorithmResult& sum = result.steps[i];
+      const AlgorithmResult& now = results_[i];
+      sum.left = now.left;
+      if (!is_undone) sum.left_for = now.left_for;
+      if (is_undone) sum.left += now.changed;
+      if (is_undone || now.changed == 0) {
+        if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone_text() : now.text;
+        continue;
+      }
+      sum.text = sum.changed == 0 ? now.text : sum.text + Text{" ", ""} + now.text;
+      sum.changed += now.changed;
+      if (now.crossings) sum.crossings = sum.crossings.value_or(0) + *now.crossings;
+      sum.drops_quarantined |= now.drops_quarantined;
+    }
+  }
+
+  static Text undone_text() {
+    return {"Undone, since the repairs together take away nothing that they are for.",
+            "修復全体で対象の問題が減らないため、元に戻しました。"};
+  }
+
+  std::span<const RecipeStep> steps_;
+  const RecipeInput& input_;
+  const RecipeEvents& events_;
+  RecipeGoal goal_;
+  std::vector<AlgorithmResult> results_;  // of the last round
+};
+
+}  // namespace
+
+void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine, std::size_t KindCount::*at,
+                 std::vector<KindCount>& findings) {
+  const ProblemSets sets(mesh, 0, input.on_lines);
+  const FileFaces file{has_quarantine ? input.quarantine : std::span<const QuarantinedFace>(), {}, nullptr};
+  if (findings.empty())
+    for (const ProblemRow& row : problem_table())
+      if (!row.is_on_request()) findings.push_back({row.kind});
+  for (const Problem& problem : find_problems(mesh, sets, file))
+    for (KindCount& entry : findings)
+      if (entry.kind == problem.kind) entry.*at = problem.count();
+  for (KindCount& entry : findings)
+    if (entry.kind == ProblemKind::isolated_vertex) entry.*at += kept_by_the_file(mesh, input, has_quarantine);
+}
+
+std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
+                                       const RecipeEvents& events) {
+  return RecipeRun(steps, input, events).run(mesh);
+}
+
+}  // namespace ryosen

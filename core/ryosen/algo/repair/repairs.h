@@ -1,0 +1,13 @@
+// The rows of the repairs: algorithms that take whole kinds of problems away at once. Each has a pair of files of its own.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "ryosen/algo/algorithms.h"
+
+namespace ryosen {
+
+std::vector<AlgorithmRow> repair_rows();
+
+}  // namespace ryosen

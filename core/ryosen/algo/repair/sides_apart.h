@@ -1,0 +1,31 @@
+// Sides of faces that lie on each other without being joined.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// Halfedges with a face and none beyond, between the same two places; first < second.
+struct SidePair {
+  Halfedge first, second;
+  bool runs_alike;  // both run in the same direction
+};
+
+// The pairs that are the only sides of faces between two places, in the order of the places. `point_of` is
+// points_by_slot(), `place` names the place of each point. Only pairs that are not between the same two points already.
+// O(n log n).
+std::vector<SidePair> sides_at_one_place(const Mesh& mesh, const std::vector<Vertex>& point_of,
+                                         const std::vector<Vertex>& place);
+
+// Halfedges with a face and none beyond that are the only sides of faces between two places, both finite; ascending.
+// O(n log n).
+std::vector<Halfedge> lone_sides(const Mesh& mesh, const std::vector<Vertex>& point_of,
+                                 const std::vector<Vertex>& place);
+
+// The faces to turn, as few as possible, so that as many pairs as can run in opposite directions while neighbours stay
+// turned alike; empty where none is to be turned. O(n log n).
+std::vector<bool> turns_of(const Mesh& mesh, const std::vector<SidePair>& pairs);
+
+}  // namespace ryosen

@@ -1,0 +1,77 @@
+#include "ryosen/algo/simplify/flat_normals.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/face_polygon.h"
+
+namespace ryosen {
+
+namespace {
+
+// The unit normal of a face; none where it has no area.
+std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
+  FacePolygon polygon;
+  polygon.read(mesh, f);
+  if (!polygon.is_finite()) return std::nullopt;
+  const glm::dvec3 normal = polygon_normal(polygon.keyhole_walk());
+  const double length = glm::length(normal);
+  return length > 0 ? std::optional(normal / length) : std::nullopt;
+}
+
+bool is_normal_column(const AttributeColumn& column) {
+  return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
+}
+
+// Whether all corners of a face have one normal, which files write with few digits.
+bool is_flat(const Mesh& mesh, Face f, const AttributeColumn& index, const AttributeColumn& pool) {
+  constexpr double least_cosine = 0.9;
+  const std::uint32_t first = index.data[mesh.halfedge(f).index];
+  if (first == no_index) return false;
+  for (const Halfedge h : halfedges_around(mesh, f))
+    if (index.data[h.index] != first) return false;
+  const auto own = unit_normal(mesh, f);
+  const auto given = attribute_value<glm::dvec3>(pool, first);
+  return !own || glm::dot(*own, given) >= least_cosine * glm::length(given);
+}
+
+}  // namespace
+
+bool take_flat_normals(Mesh& mesh) {
+  const AttributeColumn *index = nullptr, *pool = nullptr;
+  for (const AttributeColumn& column : mesh.attributes()) {
+    if (column.name == attribute_names::normal) index = &column;
+    if (column.name == attribute_names::normal_pool) pool = &column;
+  }
+  if (!index || !pool) return false;
+  for (Face f(0); f.index < mesh.face_slots(); ++f.index)
+    if (mesh.is_alive(f) && !is_flat(mesh, f, *index, *pool)) return false;
+  MeshColumns columns = mesh.columns();
+  std::erase_if(columns.attributes, is_normal_column);
+  mesh = Mesh(std::move(columns));
+  return true;
+}
+
+void put_flat_normals(Mesh& mesh) {
+  MeshColumns columns = mesh.columns();
+  AttributeColumn index{std::string(attribute_names::normal), ElementKind::corner, 1, {}, {no_index}};
+  AttributeColumn pool{std::string(attribute_names::normal_pool), ElementKind::pool, 6, {}, {0, 0, 0, 0, 0, 0}};
+  index.data.assign(columns.halfedges.size(), no_index);
+  std::uint32_t values = 0;
+  for (Face f(0); f.index < mesh.face_slots(); ++f.index) {
+    const auto normal = mesh.is_alive(f) ? unit_normal(mesh, f) : std::nullopt;
+    if (!normal) continue;
+    const auto words = attribute_words(*normal);
+    pool.data.insert(pool.data.end(), words.begin(), words.end());
+    for (const Halfedge h : halfedges_around(mesh, f)) index.data[h.index] = values;
+    ++values;
+  }
+  columns.attributes.push_back(std::move(index));
+  columns.attributes.push_back(std::move(pool));
+  mesh = Mesh(std::move(columns));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,312 @@
+#include "ryosen/algo/simplify/simplifier.h"
+
+#include <algorithm>
+
+#include "ryosen/algo/simplify/nearer_swaps.h"
+#include "ryosen/algo/simplify/plain_collapse.h"
+#include "ryosen/algo/simplify/ring_values.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/plain_check.h"
+
+namespace ryosen {
+
+namespace {
+
+// Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
+constexpr std::array<unsigned, 3> level_bits{0, 1, 6};
+
+// Without copies, wires and rings.
+bool has_only_triangles(const Mesh& mesh) {
+  if (mesh.has_copies() || mesh.has_rings()) return false;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); mesh.is_alive(f) && !is_triangle(mesh, mesh.halfedge(f))) return false;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
+    if (const Edge e(i); mesh.is_alive(e) && mesh.is_wire(e)) return false;
+  return true;
+}
+
+bool has_values(const Mesh& mesh, ElementKind kind) {
+  return std::any_of(mesh.attributes().begin(), mesh.attributes().end(),
+                     [&](const AttributeColumn& column) { return column.element == kind; });
+}
+
+}  // namespace
+
+Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps,
+                       const Mesh* input)
+    : writable_(mesh),
+      mesh_(mesh),
+      steps_(steps),
+      goal_(goal),
+      surface_(mesh_, limits),
+      queue_(level_bits[goal.effort]),
+      input_(input),
+      is_blocked_(mesh_.edge_slots()),
+      has_blocked_(mesh_.vertex_slots()),
+      has_corner_values_(!corner_attributes(mesh_).empty()),
+      has_vertex_values_(has_values(mesh_, ElementKind::vertex)),
+      has_triangles_alone_(has_only_triangles(mesh_)) {
+  if (goal.no_self_intersections) guard_.emplace(mesh_);
+  if (!steps) edit_.emplace(mesh, nullptr);
+  if (input_ && !steps && !guard_ && has_triangles_alone_ && !has_corner_values_ && goal.effort > 0)
+    merged_into_.resize(mesh_.vertex_slots());
+}
+
+void Simplifier::fill_queue() {
+  const std::uint32_t slots = mesh_.edge_slots();
+  std::vector<LevelQueue::Level> levels(slots);
+  for_each_part(slots, threads_for(slots), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i)
+      if (const Edge e(i); mesh_.is_alive(e) && !mesh_.is_wire(e))
+        levels[i] = queue_.level_of(surface_.lowest_cost(halfedge(e)));
+  });
+  for (std::uint32_t i = 0; i < slots; ++i)
+    if (const Edge e(i); mesh_.is_alive(e) && !mesh_.is_wire(e)) queue_.add(i, levels[i]);
+}
+
+bool Simplifier::run(Progress& progress) {
+  if (is_at_goal()) return progress.go_on();
+  fill_queue();
+  const bool swaps = goal_.effort == 2 && !steps_ && !guard_;
+  const SurfaceBefore before = swaps ? surface_before(surface_) : SurfaceBefore();
+  if (!collapse_all(progress)) return false;
+  if (swaps && (swaps_ = swap_nearer(*edit_, surface_, before, progress)) > 0 && !is_at_goal() &&
+      find_further(progress) && !collapse_all(progress))
+    return false;
+  if (!merged_into_.empty() && is_at_goal() && !mend_turned(progress)) return false;
+  if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
+  return progress.go_on();
+}
+
+bool Simplifier::collapse_all(Progress& progress) {
+  const std::size_t first_faces = mesh_.live().faces;
+  std::size_t before = 0;
+  do {
+    before = collapses_;
+    while (!is_at_goal() && take_batch()) {
+      warm_rings();
+      for (std::size_t i = 0; i < batch_.size() && !is_at_goal(); ++i)
+        if (try_again(batch_[i]) == Answer::refused) block(batch_[i].edge);
+      if (goal_.removes_small_parts) remove_noted_parts();
+      if (!progress.go_on(first_faces - mesh_.live().faces, first_faces - goal_.faces)) return false;
+    }
+  } while (!is_at_goal() && minds_less(collapses_ > before) && find_further(progress));
+  return !progress.is_cancelled();
+}
+
+// Whether there is more to try where nothing collapses any more; as long as lines are minded, once more while something did.
+bool Simplifier::minds_less(bool has_collapsed) {
+  using Minds = CollapseSurface::Minds;
+  if (minds_ == Minds::nothing) return has_collapsed;
+  minds_ = minds_ == Minds::input || has_collapsed ? Minds::lines : Minds::nothing;
+  return true;
+}
+
+bool Simplifier::find_further(Progress& progress) {
+  bool found = false;
+  const CollapseSurface::Standstill still(surface_);
+  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    if (i % 256 == 0 && !progress.go_on()) return false;
+    const Edge e(i);
+    if (!mesh_.is_alive(e) || mesh_.is_wire(e) || !surface_.freedom(halfedge(e)).is_possible ||
+        rule_of(e) != EdgeRule::free)
+      continue;
+    is_blocked_[i] = 0;
+    queue_.add(i, 0);
+    found = true;
+  }
+  return found;
+}
+
+Simplifier::Legality Simplifier::legality(Halfedge h) const {
+  const QuickAnswer quick = quick_collapse(mesh_, h);
+  if (quick != QuickAnswer::unknown) return quick == QuickAnswer::legal ? Legality::plain : Legality::none;
+  const bool is_at_hub = is_plain_at_hub(h);
+  if (is_at_hub) {
+    const QuickAnswer at_hub = collapse_at_hub(h);
+    if (at_hub != QuickAnswer::unknown) return at_hub == QuickAnswer::legal ? Legality::at_hub : Legality::none;
+  }
+  if (!kernel_allows(h) && !kernel_allows(twin(h))) return Legality::none;
+  return is_at_hub ? Legality::at_hub : Legality::by_kernel;
+}
+
+bool Simplifier::kernel_allows(Halfedge h) const { return CollapseEdge{h}.judge(mesh_, known_).legal(); }
+
+// One of a batch, after others of it have collapsed.
+Simplifier::Answer Simplifier::try_again(const Candidate& candidate) {
+  const Edge e = candidate.edge;
+  if (!mesh_.is_alive(e) || mesh_.is_wire(e)) return Answer::later;
+  if (surface_.history(candidate.freedom.halfedge) == candidate.history)
+    return try_edge(candidate.freedom, candidate.lowest);
+  const Freedom freedom = surface_.freedom(halfedge(e));
+  if (!freedom.is_possible) return Answer::refused;
+  const Placing lowest = surface_.lowest(freedom);
+  if (const auto level = queue_.level_of(lowest.cost); level > queue_.current()) {
+    queue_.add(e.index, level);
+    return Answer::later;
+  }
+  return try_edge(freedom, lowest);
+}
+
+Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& lowest) {
+  const Halfedge h = freedom.halfedge;
+  const auto is_near = [&](const Placing& placing) { return surface_.is_within_error(h, placing); };
+  std::optional<std::array<Placing, 3>> others;
+  if (!is_near(lowest)) {
+    if (freedom.is_anchored) return Answer::refused;
+    others = surface_.others(freedom);  // an end may be exact where the lowest place is so within rounding
+    if (std::none_of(others->begin(), others->end(), is_near)) return Answer::refused;
+  }
+  const Legality legality = this->legality(freedom.halfedge);
+  if (legality == Legality::none) {
+    if (goal_.removes_small_parts) note_small_part(h);
+    return Answer::refused;
+  }
+  // To see whether faces meet all that move are compared with each other: first without moving those of a hub.
+  if (guard_ && !freedom.is_anchored)
+    for (Halfedge end : {h, twin(h)})
+      if (const Vertex hub = mesh_.from(end); is_hub(hub)) {
+        const Placing there = surface_.at_place(freedom, surface_.place(hub), hub);
+        if (const Answer answer = try_place(freedom, there, legality); answer != Answer::refused) return answer;
+      }
+  if (const Answer answer = try_place(freedom, lowest, legality); answer != Answer::refused || freedom.is_anchored)
+    return answer;
+  if (!others) others = surface_.others(freedom);
+  for (const Placing& other : *others)
+    if (const Answer answer = try_place(freedom, other, legality); answer != Answer::refused) return answer;
+  return Answer::refused;
+}
+
+Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing, Legality legality) {
+  const Halfedge h = freedom.halfedge;
+  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
+      surface_.narrows_face(h, placing.place))
+    return Answer::refused;
+  if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {
+    queue_.add(edge(h).index, level);
+    return Answer::later;
+  }
+  if (makes_faces_meet(freedom, placing)) return Answer::refused;
+  const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
+  collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);
+  return Answer::done;
+}
+
+bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
+  return guard_ && guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
+}
+
+// From the vertex that goes to the one that stays.
+Halfedge Simplifier::directed(const Freedom& freedom, Legality legality) {
+  Halfedge h = freedom.halfedge;
+  // What goes is walked around.
+  if (legality == Legality::at_hub && !freedom.is_anchored && is_hub(mesh_.from(h))) return twin(h);
+  if (legality != Legality::by_kernel) return h;
+  if (!kernel_allows(h)) h = twin(h);
+  return known_.has_several_fans(mesh_, mesh_.from(h)) ? twin(h) : h;
+}
+
+void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legality legality) {
+  const Halfedge h = directed(freedom, legality);
+  error_max_ = std::max(error_max_, surface_.error_of(h, placing));
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  const std::array<Face, 2> sides{mesh_.face(h), mesh_.face(twin(h))};
+  const std::array<Vertex, 2> apexes{mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(twin(h)))};
+  if (legality == Legality::by_kernel)
+    for (Face f : sides)
+      if (f && !known_.is_one_simple_loop(mesh_, f)) known_.forget(f);
+  surface_.follow_large_faces(h, placing);
+  if (steps_) edit_.emplace(writable_, steps_);
+  write_collapse(h, placing, legality != Legality::by_kernel);
+  if (steps_) {
+    edit_->commit();
+    edit_.reset();
+  }
+  surface_.merge(gone, kept, mesh_.position(kept));
+  if (guard_) {
+    for (Face f : sides)
+      if (f) guard_->forget(f);
+    guard_->follow(kept);
+  }
+  ++collapses_;
+  unblock_around(kept, apexes);
+}
+
+void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  const glm::dvec3 position = surface_.position_of(placing);
+  carry_values(h, placing);
+  if (!merged_into_.empty()) merged_into_[gone.index] = kept;
+  if (!is_plain) return collapse_by_kernel(h, placing, position);
+  plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
+  edit_->set_position(kept, position);
+}
+
+// Before the collapse; corners at an end the collapse itself gives what they need.
+void Simplifier::carry_values(Halfedge h, const Placing& placing) {
+  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
+  if (placing.at == kept || !(has_vertex_values_ || has_corner_values_)) return;
+  if (placing.at) return blend_vertex_values(*edit_, gone, gone, 0, kept);
+  const RingValues values(surface_, h, placing.place);
+  values.write_corners(*edit_, h);
+  values.write_vertex(*edit_, kept);
+}
+
+void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {
+  for (Halfedge side : {h, twin(h)}) {
+    const Face f = mesh_.face(side);
+    if (!f || !is_triangle(mesh_, side) || mesh_.has_rings(f)) continue;
+    side == h ? surface_.take_over(edge(mesh_.next(side)), edge(mesh_.prev(side)))
+              : surface_.take_over(edge(mesh_.prev(side)), edge(mesh_.next(side)));
+  }
+  CollapseEdge op{h};
+  if (placing.at != mesh_.to(h)) {
+    op.place = CollapseEdge::Place::point;
+    op.target = position;
+  }
+  op.apply(*edit_);
+}
+
+void Simplifier::block(Edge e) {
+  is_blocked_[e.index] = 1;
+  for (unsigned side : {0u, 1u}) has_blocked_[mesh_.from(halfedge(e, side)).index] = 1;
+}
+
+// The first rule that refuses it; `none` is said where none before that does.
+EdgeRule Simplifier::refusal(const Freedom& freedom, const Placing& placing, EdgeRule none) const {
+  const Halfedge h = freedom.halfedge;
+  if (none <= EdgeRule::normal || surface_.turns_face(h, placing)) return std::min(none, EdgeRule::normal);
+  if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
+  if (!surface_.is_within_error(h, placing)) return EdgeRule::error;
+  return none > EdgeRule::self_intersection && makes_faces_meet(freedom, placing) ? EdgeRule::self_intersection : none;
+}
+
+EdgeRule Simplifier::rule_of(Edge e) const {
+  const Freedom freedom = surface_.freedom(halfedge(e));
+  if (legality(halfedge(e)) == Legality::none) return EdgeRule::structure;
+  EdgeRule last = EdgeRule::structure;
+  const auto add = [&](const Placing& placing) {
+    const bool is_at_anchor = freedom.is_possible && placing.at == mesh_.to(freedom.halfedge);
+    const bool is_held = freedom.is_anchored && !is_at_anchor;
+    EdgeRule rule = is_held ? freedom.held_by : EdgeRule::free;
+    // It costs the valence to see whether faces turn: that is not asked where it would tell nothing.
+    if (!surface_.is_within_error(freedom.halfedge, placing)) rule = std::min(rule, EdgeRule::error);
+    if (rule <= last) return;
+    last = std::max(last, refusal(freedom, placing, rule));
+  };
+  const Freedom unheld{freedom.halfedge};
+  const std::array<Placing, 3> others = surface_.others(unheld);
+  // First those that move no hub.
+  for (const Placing& other : others)
+    if (other.at && is_hub(other.at)) add(other);
+  add(surface_.lowest(unheld));
+  for (const Placing& other : others) add(other);
+  return last;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,177 @@
+// Simplification by collapses of edges, the one of least error first [Garland97].
+//
+// An edge waits on a level of its cost, which nearly is a lower bound: what its ends stand for only grows. It is asked anew
+// when its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
+// changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at once
+// (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ryosen/algo/crossings/crossing_guard.h"
+#include "ryosen/algo/simplify/collapse_surface.h"
+#include "ryosen/algo/simplify/input_sides.h"
+#include "ryosen/algo/simplify/level_queue.h"
+#include "ryosen/algo/simplify/small_parts.h"
+#include "ryosen/base/progress.h"
+#include "ryosen/mesh/edit.h"
+#include "ryosen/ops/rules/local_facts.h"
+#include "ryosen/ops/rules/plain_check.h"
+
+namespace ryosen {
+
+struct SimplifyGoal {
+  std::size_t faces = 0;  // live ones: not more than these
+  // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end where
+  // this brings the surface nearer to the input.
+  unsigned effort = 1;
+  // No faces may come to meet: of a mesh of triangles, none of which do.
+  bool no_self_intersections = false;
+  // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without one,
+  // than the largest error that was made until then; and where nothing else can collapse, all that are so small.
+  bool removes_small_parts = false;
+};
+
+class Simplifier {
+ public:
+  // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is final,
+  // so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look against it
+  // are mended when the goal is reached, where there are but triangles without values at their corners, neither a journal
+  // nor anything to keep apart, and the effort is more than 0. All must outlive it.
+  Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
+             const Mesh* input = nullptr);
+
+  // Until the goal is reached or no edge can collapse; false where it was cancelled.
+  bool run(Progress& progress);
+
+  std::size_t collapses() const { return collapses_; }
+  std::size_t removed_parts() const { return removed_parts_; }
+  std::size_t swaps() const { return swaps_; }
+  // So many faces had come to look against the input, and so many still do.
+  std::size_t turned() const { return turned_; }
+  std::size_t still_turned() const { return still_turned_; }
+  std::size_t asked() const { return asked_; }
+  std::uint64_t looked_at() const {
+    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0);
+  }
+  // The largest error of all collapses, in units of the mesh.
+  double error_max() const { return surface_.scale().restored_length(error_max_); }
+  bool is_at_goal() const { return mesh_.live().faces <= goal_.faces; }
+
+  // As long as one lives nothing may change, and rule_of() is asked of many edges.
+  CollapseSurface::Standstill standstill() const { return CollapseSurface::Standstill(surface_); }
+  // The first rule under which an edge is held: every place in either direction is refused by it or by one before it.
+  // Free where there is one that is not.
+  EdgeRule rule_of(Edge e) const;
+  // Where the quadrics of both ends are lowest, so that an edge would collapse to it first.
+  glm::dvec3 lowest_place(Edge e) const { return surface_.position_of(surface_.lowest(Freedom{halfedge(e)})); }
+
+ private:
+  enum class Answer { done, later, refused };
+  enum class Legality { none, plain, at_hub, by_kernel };  // plain, also at a hub: as plain_collapse.h does it
+
+  // An edge that is on the level of its cost.
+  struct Candidate {
+    Edge edge;
+    Freedom freedom;
+    Placing lowest;
+    CollapseSurface::History history;
+  };
+
+  void fill_queue();
+  // Until the goal is reached or no edge can collapse; false where it was cancelled.
+  bool collapse_all(Progress& progress);
+  // Adds the edges that can collapse after all; false where there are none.
+  bool minds_less(bool has_collapsed);
+  bool find_further(Progress& progress);
+  // What may be removed where it is smaller than the error.
+  double small_size() const { return surface_.limits_error() ? surface_.error_limit() : error_max_; }
+  // The part of an edge that cannot collapse, to be removed when the error has become as large as it.
+  void note_small_part(Halfedge h);
+  void remove_noted_parts();
+  // Removes them, the smallest first, until the goal is reached.
+  void remove_small_parts();
+  void remove(const SmallPart& part);
+  // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
+  // (simplifier_turned.cpp). False where it was cancelled.
+  bool mend_turned(Progress& progress);
+  std::vector<Face> find_turned();
+  bool is_turned(const std::array<glm::dvec3, 3>& triangle) const { return sides_->is_turned(triangle); }
+  bool is_turned(Face f) const;
+  // How much is looked at for that.
+  bool may_look_further() const;
+  bool mend(Face f, std::vector<Face>& changed);
+  bool swap_mends(Halfedge h);
+  std::vector<glm::dvec3> ways_of(Vertex v, Face f) const;
+  bool move_mends(Vertex v, Face f, bool may_pass_on);
+  Vertex collapse_mends(Halfedge side);
+  // How many faces around a vertex look against the input when it is at a position; counted up to what is enough to know.
+  std::size_t turned_around(Vertex v, const glm::dvec3& position,
+                            std::size_t enough = std::numeric_limits<std::size_t>::max()) const;
+  bool turns_fewer(Halfedge h, const Placing& placing) const;
+  bool take_batch();
+  void ask(Edge e);
+  void warm_rings();
+  Answer try_again(const Candidate& candidate);
+  Answer try_edge(const Freedom& freedom, const Placing& lowest);
+  Answer try_place(const Freedom& freedom, const Placing& placing, Legality legality);
+  Legality legality(Halfedge h) const;
+  bool kernel_allows(Halfedge h) const;
+  // Whether an edge at a hub differs from any other between triangles by the valence alone.
+  bool is_plain_at_hub(Halfedge h) const;
+  // As quick_collapse(), without walking around the hub.
+  QuickAnswer collapse_at_hub(Halfedge h) const;
+  bool shares_neighbours_with_hub(Halfedge h) const;
+  bool are_joined(Vertex v, Vertex hub) const;
+  bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
+  void collapse(const Freedom& freedom, const Placing& placing, Legality legality);
+  Halfedge directed(const Freedom& freedom, Legality legality);
+  void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
+  void carry_values(Halfedge h, const Placing& placing);
+  void collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position);
+  void block(Edge e);
+  bool is_hub(Vertex v) const;
+  void unblock_around(Vertex v, const std::array<Vertex, 2>& apexes);
+  EdgeRule refusal(const Freedom& freedom, const Placing& placing, EdgeRule none) const;
+
+  Mesh& writable_;
+  const Mesh& mesh_;
+  Journal* steps_;
+  std::optional<Edit> edit_;  // without a journal one for all
+  SimplifyGoal goal_;
+  CollapseSurface surface_;
+  LevelQueue queue_;
+  std::vector<Candidate> batch_;  // whose turn it is
+  std::optional<CrossingGuard> guard_;
+  const Mesh* input_;
+  std::vector<Vertex> merged_into_;  // by vertex that went, where faces that look against the input are to be mended
+  std::optional<InputSides> sides_;
+  // Parts that can collapse no further by their sizes, each by one of its vertices; a heap, the smallest on top.
+  std::vector<std::pair<double, Vertex>> noted_parts_;
+  std::vector<std::uint8_t> is_blocked_;   // by edge
+  std::vector<std::uint8_t> has_blocked_;  // by vertex: perhaps one of its edges is
+  bool has_corner_values_, has_vertex_values_;
+  bool has_triangles_alone_;  // and no copies
+  // What a legal collapse leaves as it is: a vertex that stays has one fan or several as before, and a face that is one
+  // simple loop stays one. So no hub and no large face is walked around again for each of its edges.
+  mutable LocalFacts known_;
+  // Two hubs: an edge between them, or none as long as neither has taken in anything.
+  struct HubPair {
+    Edge edge;
+    CollapseSurface::History history;
+  };
+  mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
+  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, turned_ = 0, still_turned_ = 0,
+              passed_on_ = 0;
+  std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
+  double error_max_ = 0;
+  CollapseSurface::Minds minds_ = CollapseSurface::Minds::input;  // less where nothing else can collapse
+};
+
+}  // namespace ryosen

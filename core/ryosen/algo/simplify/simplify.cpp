@@ -1,0 +1,197 @@
+#include "ryosen/algo/simplify/simplify.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ryosen/algo/shared_values.h"
+#include "ryosen/algo/simplify/flat_normals.h"
+#include "ryosen/algo/simplify/remaining_edges.h"
+#include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/algo/transform/moved_points.h"
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/triangulate.h"
+
+namespace ryosen {
+
+namespace {
+
+// Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are wanted
+// and the error decides.
+std::size_t faces_wanted(const ParameterValues& values, std::size_t faces) {
+  constexpr double rounding = 1e-6;  // 0.29 of 100 is 29
+  std::size_t wanted = values.has("faces") || values.has("ratio") ? faces : 0;
+  if (values.has("faces")) wanted = std::min(wanted, values.count("faces"));
+  if (values.has("ratio"))
+    wanted = std::min(wanted, static_cast<std::size_t>(values.ratio("ratio") * static_cast<double>(faces) + rounding));
+  return wanted;
+}
+
+double diagonal(const Mesh& mesh) {
+  const ScaledPlaces scale(mesh.positions());
+  Box box;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (const Vertex v(i); mesh.is_alive(v) && is_finite(mesh.position(v))) box.add(scale.scaled(mesh.position(v)));
+  return box.is_empty() ? 0 : scale.restored_length(glm::length(box.highest - box.lowest));
+}
+
+double error_of(const Mesh& mesh, const ParameterValues& values) {
+  if (!values.has("error")) return std::numeric_limits<double>::infinity();
+  const bool is_share = values.flag("relative") && !values.was_share("error");
+  return values.length("error") * (is_share ? diagonal(mesh) : 1);
+}
+
+// By vertex: not 0 where it is locked, or where others are selected.
+std::vector<std::uint8_t> fixed_vertices(const Mesh& mesh, const ParameterValues& values) {
+  std::vector<std::uint8_t> fixed;
+  const auto mark = [&](std::string_view id, std::uint8_t value) {
+    for (Vertex point : points_of(mesh, values.elements(id)))
+      for_each_copy(mesh, point, [&](Vertex copy) { fixed[copy.index] = value; });
+  };
+  if (values.has("select")) {
+    fixed.assign(mesh.vertex_slots(), 1);
+    mark("select", 0);
+  }
+  if (values.has("lock")) {
+    fixed.resize(mesh.vertex_slots());
+    mark("lock", 1);
+  }
+  return fixed;
+}
+
+CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
+  const ParameterValues& values = input.values;
+  CollapseLimits limits;
+  const std::string_view boundary = values.choice("boundary");
+  limits.boundary = boundary == "free"     ? BoundaryMode::free
+                    : boundary == "locked" ? BoundaryMode::locked
+                                           : BoundaryMode::weighted;
+  limits.error = error_of(mesh, values);
+  limits.turn_rad = values.angle_rad("max_turn");
+  limits.smallest_angle_rad = values.angle_rad("min_angle");
+  limits.fixed = fixed_vertices(mesh, values);
+  limits.on_lines = input.on_lines;
+  return limits;
+}
+
+std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& progress) {
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
+      return Text{name_of(mesh, f) +
+                      " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
+                  name_of(mesh, f) +
+                      " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
+  constexpr std::size_t most = 1000;
+  const auto found = find_few_self_intersections(mesh, most, progress);
+  const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
+  if (pairs == 0) return std::nullopt;
+  const std::string n = std::to_string(std::min(pairs, most));
+  if (pairs > most)
+    return Text{"more than " + n + " pairs of faces meet already, so that it cannot be kept free of them",
+                "すでに " + n + " 組を超える面が交わっているため、交差のない状態を保てません"};
+  return Text{n + " pairs of faces meet already, so that it cannot be kept free of them",
+              "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
+}
+
+Text text_of(std::size_t before, std::size_t after, const Account& account) {
+  const std::string a = std::to_string(before);
+  Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
+  if (account.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
+  if (account.stopped == Stop::blocked)
+    return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも稜線削除できません）。"};
+  return text + Text{".", "。"};
+}
+
+// What is simplified, or why it cannot be.
+struct Prepared {
+  Mesh work;  // a copy, so that what is cancelled leaves no trace
+  bool is_triangulated = false;
+  std::optional<Text> refused = {};
+  Descent descent = {};
+};
+
+Mesh triangulated(Mesh mesh) {
+  Edit batch(mesh, nullptr);
+  Triangulate{}.apply(batch);
+  batch.commit();
+  return mesh;
+}
+
+Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
+  if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
+  Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
+  prepared.descent.edges = own_edges(mesh.edge_slots());
+  if (prepared.is_triangulated) {
+    MeshColumns columns = triangulated(with_origins(mesh)).columns();
+    prepared.descent.faces = take_origins(columns);
+    prepared.work = Mesh(std::move(columns));
+  } else {
+    for (Face f(0); f.index < mesh.face_slots(); ++f.index) prepared.descent.faces.push_back(f);
+  }
+  Edit batch(prepared.work, nullptr);
+  share_equal_values(batch);
+  batch.commit();
+  if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
+  return prepared;
+}
+
+SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
+  return {faces, static_cast<unsigned>(values.count("effort")), values.flag("no_self_intersections"),
+          values.flag("remove_small")};
+}
+
+}  // namespace
+
+AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const ParameterValues& values = input.values;
+  AlgorithmResult result;
+  Prepared prepared = prepare(edit.mesh(), values, progress);
+  if ((result.refused = prepared.refused)) return result;
+  Mesh& work = prepared.work;
+  const bool is_flat = values.choice("seams") != "keep" && take_flat_normals(work);
+  const std::size_t before = edit.mesh().live().faces + input.quarantined;
+  const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
+  const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
+  const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
+  Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh());
+  Account& account = result.account.emplace();
+  if (!simplifier.run(progress)) {
+    account = {Stop::cancelled, false};
+    return result;
+  }
+  const std::size_t after = work.live().faces + input.quarantined;
+  const bool has_number = values.has("faces") || values.has("ratio");
+  if (input.wants.account || !has_number || after > wanted) {
+    account.rules = find_remaining(work, simplifier, progress);
+    if (progress.is_cancelled()) {
+      account = {Stop::cancelled, false};
+      return result;
+    }
+    account.remaining = count_remaining(work, account.rules);
+  }
+  if (!has_number || after > wanted)
+    account.stopped = account.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? Stop::error : Stop::blocked;
+  account.is_reached = has_number ? after <= wanted : account.stopped == Stop::error;
+  account.error_max = simplifier.error_max();
+  result.text = text_of(before, after, account);
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
+  if (result.changed > 0 && is_flat) put_flat_normals(work);
+  if (result.changed > 0) edit.replace(work.columns());
+  if (input.wants.descent) result.descent = std::move(prepared.descent);
+  return result;
+}
+
+BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress& progress) {
+  const ParameterValues& values = input.values;
+  Prepared prepared = prepare(mesh, values, progress);
+  if (prepared.refused) return {nullptr, prepared.refused};
+  const CollapseLimits limits = limits_of(prepared.work, input);
+  auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
+  if (!levels->build(limits, goal_of(values, faces_wanted(values, mesh.live().faces)), progress)) levels.reset();
+  return {std::move(levels)};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,189 @@
+#include "ryosen/algo/smooth/smoothings.h"
+
+#include "ryosen/algo/smooth/smooth.h"
+#include "ryosen/algo/transform/moved_points.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+constexpr smooth::Method methods[] = {smooth::Method::laplace, smooth::Method::implicit, smooth::Method::taubin};
+constexpr Choice method_choices[] = {
+    {"laplace", "Laplace", "ラプラシアン"}, {"implicit", "Implicit", "陰解法"}, {"taubin", "Taubin", "Taubin"}};
+constexpr smooth::WeightKind weight_kinds[] = {smooth::WeightKind::cotangent, smooth::WeightKind::uniform};
+constexpr Choice weight_choices[] = {{"cotangent", "Cotangent", "余接"}, {"uniform", "Uniform", "均一"}};
+constexpr smooth::BoundaryRule boundary_rules[] = {smooth::BoundaryRule::locked, smooth::BoundaryRule::sliding,
+                                                   smooth::BoundaryRule::free};
+constexpr Choice boundary_choices[] = {
+    {"locked", "Locked", "固定"}, {"sliding", "Sliding", "境界に沿う"}, {"free", "Free", "自由"}};
+
+template <class Value, std::size_t n>
+Value chosen(const ParameterValues& values, std::string_view id, const Value (&of)[n], const Choice (&choices)[n]) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (choices[i].id == values.choice(id)) return of[i];
+  return of[0];
+}
+
+smooth::Options options_of_smoothing(const ParameterValues& values) {
+  return {.method = chosen(values, "method", methods, method_choices),
+          .weights = chosen(values, "weights", weight_kinds, weight_choices),
+          .boundary = chosen(values, "boundary", boundary_rules, boundary_choices),
+          .steps = values.count("steps"),
+          .strength = values.number("strength"),
+          .pass_band = values.number("pass_band"),
+          .keeps_volume = values.flag("keep_volume")};
+}
+
+std::vector<double> shares_of(const Mesh& mesh, const ParameterValues& values) {
+  if (!values.has("select")) return std::vector<double>(mesh.vertex_slots(), 1.0);
+  std::vector<double> shares(mesh.vertex_slots(), 0.0);
+  const double radius = values.has("falloff") ? values.length("falloff") : 0;
+  for (const MovedPoint& each : moved_points(mesh, points_of(mesh, values.elements("select")), radius))
+    shares[each.point.index] = each.share;
+  return shares;
+}
+
+std::optional<Text> fault_of_smoothing(const smooth::Options& options) {
+  if (options.method != smooth::Method::implicit && options.strength > 1)
+    return Text{"a strength above 1 needs the implicit method; the others would not settle",
+                "1 を超える強さは陰解法（implicit）でのみ使えます"};
+  if (options.method == smooth::Method::taubin && options.pass_band * options.strength >= 1)
+    return Text{"the pass band must be less than 1 divided by the strength",
+                "通過帯域は 1 / 強さ より小さくしてください"};
+  return std::nullopt;
+}
+
+Text volume_text(const smooth::Smoothed& made) {
+  Text text = count_text(made.kept_parts, "; one part kept its volume", "; # parts kept their volume",
+                         "（部分 # 個の体積を保持）");
+  if (made.open_parts > 0)
+    text = text + count_text(made.open_parts, "; one part has no volume, since it is not closed",
+                             "; # parts have no volume, since they are not closed",
+                             "（閉じていない部分 # 個には体積がない）");
+  if (made.failed_parts > 0)
+    text = text + count_text(made.failed_parts, "; one part could not get its volume back",
+                             "; # parts could not get their volume back", "（部分 # 個の体積は元に戻せない）");
+  return text;
+}
+
+AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const Mesh& mesh = edit.mesh();
+  const smooth::Options options = options_of_smoothing(input.values);
+  AlgorithmResult result;
+  if (mesh.live().faces == 0) {
+    result.refused = Text{"there are no faces", "面がありません"};
+    return result;
+  }
+  if ((result.fault = fault_of_smoothing(options))) return result;
+  const smooth::Smoothed made = smooth::smoothed(mesh, options, shares_of(mesh, input.values), progress);
+  if (made.is_cancelled) return result;
+  result.account.emplace();
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const Vertex v(i);
+    if (!mesh.is_alive(v) || point(mesh, v) != v || made.places[i] == mesh.position(v) || !is_finite(made.places[i]))
+      continue;
+    move_point(edit, v, made.places[i]);
+    ++result.changed;
+  }
+  result.text = count_text(result.changed, "One vertex was moved", "# vertices were moved", "頂点 # 個を動かしました");
+  if (options.keeps_volume) result.text = result.text + volume_text(made);
+  result.text = result.text + Text{".", "。"};
+  return result;
+}
+
+template <std::size_t n>
+ParameterRow choice_row(std::string_view id, std::string_view name_en, std::string_view name_ja,
+                        std::string_view help_en, std::string_view help_ja, const Choice (&choices)[n]) {
+  return {.id = id,
+          .kind = ParameterKind::choice,
+          .name_en = name_en,
+          .name_ja = name_ja,
+          .help_en = help_en,
+          .help_ja = help_ja,
+          .initial = choices[0].id,
+          .choices = std::vector<Choice>(std::begin(choices), std::end(choices))};
+}
+
+std::vector<ParameterRow> smoothing_parameters() {
+  return {
+      choice_row(
+          "method", "Method", "方法",
+          "laplace moves towards the neighbours, implicit takes large steps at once, taubin hardly shrinks or grows",
+          "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin はほとんど縮まない", method_choices),
+      {.id = "steps",
+       .kind = ParameterKind::count,
+       .name_en = "Steps",
+       .name_ja = "回数",
+       .help_en = "how often",
+       .help_ja = "繰り返す回数",
+       .initial = "10",
+       .smallest = 1,
+       .largest = 1000000},
+      {.id = "strength",
+       .kind = ParameterKind::number,
+       .name_en = "Strength",
+       .name_ja = "強さ",
+       .help_en = "the share of the way to the neighbours, at most 1; of implicit steps any number",
+       .help_ja = "近傍へ動く割合（1 以下。陰解法では任意の正の数）",
+       .initial = "0.5",
+       .smallest = 0,
+       .largest = 1e12,
+       .excludes_smallest = true},
+      choice_row("weights", "Weights", "重み",
+                 "how much each neighbour counts: by the angles across from it (not below 0), or all alike",
+                 "近傍の重み：向かいの角の余接（負は 0）、またはすべて等しく", weight_choices),
+      choice_row("boundary", "Boundary", "境界",
+                 "boundary vertices stay, move along the boundary (its corners stay), or move as all others",
+                 "境界の頂点を固定するか、境界に沿って動かす（角は固定）か、他と同じに動かす", boundary_choices),
+      {.id = "keep_volume",
+       .kind = ParameterKind::flag,
+       .name_en = "Keep the volume",
+       .name_ja = "体積を保つ",
+       .help_en = "gives each closed part its volume back, along the normals",
+       .help_ja = "閉じた部分ごとに、法線方向へ動かして元の体積に戻す",
+       .initial = "off"},
+      {.id = "pass_band",
+       .kind = ParameterKind::number,
+       .name_en = "Pass band",
+       .name_ja = "通過帯域",
+       .help_en = "of taubin: what varies more slowly stays",
+       .help_ja = "taubin で、これより緩やかな変化を残す",
+       .initial = "0.1",
+       .smallest = 0,
+       .largest = 2,
+       .excludes_smallest = true},
+      {.id = "falloff",
+       .kind = ParameterKind::length,
+       .name_en = "Falloff",
+       .name_ja = "減衰半径",
+       .help_en = "vertices nearer than this to the selection are smoothed too, less and less with the distance",
+       .help_ja = "対象からこの距離より近い頂点も、遠いほど弱く滑らかにする"},
+      {.id = "select",
+       .kind = ParameterKind::elements,
+       .name_en = "Select",
+       .name_ja = "対象",
+       .help_en = "the vertices, or those of these edges and faces; else all",
+       .help_ja = "滑らかにする頂点、または稜線や面（省くとすべて）",
+       .is_worked_on = true},
+  };
+}
+
+}  // namespace
+
+std::vector<AlgorithmRow> smoothing_rows() {
+  return {{.id = "smooth",
+           .name_en = "Smooth",
+           .name_ja = "平滑化",
+           .help_en = "moves vertices towards their neighbours, so that the surface becomes smooth",
+           .help_ja = "頂点を近傍へ動かし、曲面を滑らかにする",
+           .parameters = smoothing_parameters(),
+           .keeps_geometry = false,
+           .solves = {},
+           .run = smooth_mesh,
+           .accounts = true}};
+}
+
+}  // namespace ryosen

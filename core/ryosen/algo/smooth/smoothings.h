@@ -1,0 +1,12 @@
+// The row of smoothing in the table of algorithms.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/algo/algorithms.h"
+
+namespace ryosen {
+
+std::vector<AlgorithmRow> smoothing_rows();
+
+}  // namespace ryosen

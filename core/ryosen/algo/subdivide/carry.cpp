@@ -1,0 +1,244 @@
+#include "ryosen/algo/subdivide/carry.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <glm/vec4.hpp>
+
+#include "ryosen/algo/subdivide/charts.h"
+#include "ryosen/mesh/circulate.h"
+
+namespace ryosen::subdivide {
+
+namespace {
+
+// Each new face as the one it comes of.
+template <class Child>
+void carry_faces(const Mesh& mesh, AttributeColumn& column, std::size_t faces, const Child& child) {
+  column.data.resize(faces * column.words);
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (mesh.is_outside(h)) continue;
+    const Face from = mesh.face(h), to = child(h);
+    const std::uint32_t* const words = column.data.data() + std::size_t{from.index} * column.words;
+    if (from != to) std::copy(words, words + column.words, column.data.data() + std::size_t{to.index} * column.words);
+  }
+}
+
+void put_values(const Places& values, AttributeColumn& pool) {
+  pool.data.resize(values.size() * pool.words);
+  if (!values.empty()) std::memcpy(pool.data.data(), values.data(), values.size() * sizeof values.front());
+}
+
+// A step by masks: what all places are, vertices first, and between the values of which vertices they stay.
+struct Step {
+  std::function<Places(const Mesh&, const Creases&)> masks;
+  std::function<void(const Mesh&, const ValueBounds&, Places&)> keep_within;
+
+  Places operator()(const Mesh& mesh, const Creases& creases) const {
+    Places values = masks(mesh, creases);
+    keep_within(mesh, ValueBounds(mesh), values);
+    return values;
+  }
+};
+
+void keep_vertices_within(const Mesh& mesh, const ValueBounds& bounds, Places& values) {
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) bounds.keep_within(values[i], Vertex(i));
+}
+
+// By new vertex behind the old ones: which place of a step it has, and a vertex that it has come of.
+struct NewVertices {
+  std::vector<std::size_t> places;
+  std::vector<Vertex> sources;
+};
+
+// Of doubles by the step; other words are those of the vertex that the new one has come of.
+void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
+                    AttributeColumn& column) {
+  const AttributeColumn before = column;
+  const std::size_t old_count = mesh.vertex_slots(), count = old_count + added.places.size();
+  column.data.resize(count * column.words);
+  const auto put = [&](std::size_t i, const std::uint32_t* words) {
+    std::copy(words, words + column.words, column.data.data() + i * column.words);
+  };
+  if (column.words != sizeof(glm::dvec4) / sizeof(std::uint32_t)) {
+    for (std::size_t i = old_count; i < count; ++i)
+      put(i, before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words);
+    return;
+  }
+  const Places first = step(mesh_of_values(mesh, before, 0), creases),
+               last = step(mesh_of_values(mesh, before, 3), creases);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = i < old_count ? i : added.places[i - old_count];
+    put(i, attribute_words(glm::dvec4(first[place], last[place].x)).data());
+  }
+}
+
+Step step_of_split(Scheme scheme, Split split) {
+  return {[=](const Mesh& mesh, const Creases& creases) {
+            return split_places(mesh, creases, scheme, SplitNumbers(mesh, split));
+          },
+          [=](const Mesh& mesh, const ValueBounds& bounds, Places& values) {
+            const SplitNumbers n(mesh, split);
+            keep_vertices_within(mesh, bounds, values);
+            for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+              const auto [a, b] = ends(mesh, Edge(e));
+              bounds.keep_within(values[n.on_edge(halfedge(Edge(e))).index], a, b);
+            }
+            for (std::uint32_t f = 0; split == Split::into_quads && f < mesh.face_slots(); ++f)
+              if (mesh.is_alive(Face(f)))
+                bounds.keep_within(values[n.centre(Face(f)).index], mesh.from(mesh.halfedge(Face(f))));
+          }};
+}
+
+// Of the sqrt(3) scheme: behind the vertices the means of all faces, then two on each edge.
+std::size_t centre_place(const Mesh& mesh, Face f) { return std::size_t{mesh.vertex_slots()} + f.index; }
+std::size_t third_place(const Mesh& mesh, Halfedge h, unsigned i) {
+  return std::size_t{mesh.vertex_slots()} + mesh.face_slots() + 2 * edge(h).index + ((h.index & 1u) ^ i);
+}
+
+Places all_sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases) {
+  Places places(std::size_t{mesh.vertex_slots()} + mesh.face_slots() + 2 * std::size_t{mesh.edge_slots()});
+  sqrt3_places(mesh, creases, cuts_creases, places);
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    for (const Vertex v : vertices_around(mesh, Face(i))) places[centre_place(mesh, Face(i))] += mesh.position(v) / 3.0;
+  }
+  for (std::uint32_t i = 0; cuts_creases && i < mesh.halfedge_slots(); ++i)
+    places[third_place(mesh, Halfedge(i), 0)] =
+        third_of_crease(mesh, creases, mesh.from(Halfedge(i)), mesh.to(Halfedge(i)));
+  return places;
+}
+
+Step step_of_sqrt3(bool cuts_creases) {
+  return {[=](const Mesh& mesh, const Creases& creases) { return all_sqrt3_places(mesh, creases, cuts_creases); },
+          [](const Mesh& mesh, const ValueBounds& bounds, Places& values) {
+            keep_vertices_within(mesh, bounds, values);
+            for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+              if (const Face f(i); mesh.is_alive(f))
+                bounds.keep_within(values[centre_place(mesh, f)], mesh.from(mesh.halfedge(f)));
+            for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+              bounds.keep_within(values[third_place(mesh, h, 0)], mesh.from(h), mesh.to(h));
+          }};
+}
+
+void carry_split_corners(const Mesh& mesh, const SplitNumbers& n, const Charts& charts,
+                         std::vector<std::uint32_t>& to) {
+  const bool into_quads = n.split() == Split::into_quads;
+  const SplitNumbers own(charts.mesh(), n.split());
+  const auto middle = [&](Halfedge h) { return own.on_edge(charts.of(h)).index; };
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index) {
+    if (mesh.is_outside(h) || !charts.of(h)) continue;
+    to[first_half(h).index] = charts.mesh().from(charts.of(h)).index;
+    to[second_half(h).index] = middle(h);
+    to[n.inner(h).index] = into_quads ? middle(h) : middle(mesh.prev(h));
+    to[twin(n.inner(h)).index] = into_quads ? own.centre(mesh.face(h)).index : middle(h);
+  }
+}
+
+void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& charts,
+                         std::vector<std::uint32_t>& to) {
+  const auto at = [&](Halfedge h) { return charts.of(h) ? charts.mesh().from(charts.of(h)).index : no_index; };
+  const auto third = [&](Halfedge h, unsigned i) {
+    return charts.of(h) ? static_cast<std::uint32_t>(third_place(charts.mesh(), charts.of(h), i)) : no_index;
+  };
+  const auto at_apex = [&](Halfedge h) {
+    if (const Halfedge side = n.cut_side(h)) return third(side, h == mesh.next(side) ? 1 : 0);
+    return charts.of(h) ? static_cast<std::uint32_t>(centre_place(charts.mesh(), mesh.face(h))) : no_index;
+  };
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index) {
+    if (mesh.is_outside(h)) continue;
+    if (n.is_cut(h)) {
+      to[n.part(h, 0).index] = at(h);
+      to[n.part(h, 1).index] = third(h, 0);
+      to[n.part(h, 2).index] = third(h, 1);
+      to[twin(n.spoke(h)).index] = third(h, 1);
+      to[n.spoke(mesh.prev(h)).index] = at(mesh.prev(h));
+      continue;
+    }
+    to[n.before(h).index] = at_apex(h);
+    if (n.is_kept(h)) {
+      to[h.index] = at(h);
+      to[n.after(h).index] = at(mesh.next(h));
+    } else {
+      to[h.index] = at_apex(twin(h));
+      to[n.after(twin(h)).index] = at(h);
+    }
+  }
+}
+
+// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, and gives the columns
+// of vertices and faces to the others.
+template <class Corners, class Vertices, class Faces>
+void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, MeshColumns& out, const Corners& corners,
+                   const Vertices& vertices, const Faces& faces) {
+  out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
+  for (AttributeColumn& column : out.attributes) {
+    if (column.element == ElementKind::vertex) vertices(column);
+    if (column.element == ElementKind::face) faces(column);
+  }
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const Charts charts(mesh, creases, attribute);
+    std::vector<std::uint32_t>& index = out.attributes[attribute.index_column].data;
+    index.assign(out.halfedges.size(), no_index);
+    corners(charts, index);
+    put_values(charts.values(step), out.attributes[attribute.pool_column]);
+  }
+}
+
+}  // namespace
+
+void carry_split(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& n, MeshColumns& out) {
+  if (mesh.attributes().empty()) return;
+  const Step step = step_of_split(scheme, n.split());
+  NewVertices added;
+  for (std::size_t i = mesh.vertex_slots(); i < n.vertex_slots(); ++i) added.places.push_back(i);
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) added.sources.push_back(mesh.from(halfedge(Edge(e))));
+  for (std::uint32_t f = 0; n.split() == Split::into_quads && f < mesh.face_slots(); ++f)
+    if (mesh.is_alive(Face(f))) added.sources.push_back(mesh.from(mesh.halfedge(Face(f))));
+  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
+    carry_split_corners(mesh, n, charts, to);
+  };
+  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, added, column); };
+  const auto faces = [&](AttributeColumn& column) {
+    carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.at_corner(h); });
+  };
+  carry_columns(mesh, creases, step, out, corners, vertices, faces);
+}
+
+void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, const Sqrt3Numbers& n, MeshColumns& out) {
+  if (mesh.attributes().empty()) return;
+  const Step step = step_of_sqrt3(cuts_creases);
+  NewVertices added{std::vector<std::size_t>(n.vertex_slots() - mesh.vertex_slots()),
+                    std::vector<Vertex>(n.vertex_slots() - mesh.vertex_slots())};
+  const auto add = [&](Vertex v, std::size_t place, Vertex source) {
+    added.places[v.index - mesh.vertex_slots()] = place;
+    added.sources[v.index - mesh.vertex_slots()] = source;
+  };
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (const Face f(i); n.has_centre(f)) add(n.centre(f), centre_place(mesh, f), mesh.from(mesh.halfedge(f)));
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+    if (n.is_cut(h)) add(n.third(h, 0), third_place(mesh, h, 0), mesh.from(h));
+  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
+    carry_sqrt3_corners(mesh, n, charts, to);
+  };
+  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, added, column); };
+  const auto faces = [&](AttributeColumn& column) {
+    carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.triangle(h); });
+  };
+  carry_columns(mesh, creases, step, out, corners, vertices, faces);
+}
+
+void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, MeshColumns& out) {
+  if (mesh.attributes().empty()) return;
+  const Step step{[=](const Mesh& own, const Creases& sharp) { return limit_places(own, sharp, scheme); },
+                  keep_vertices_within};
+  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
+    for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+      if (!mesh.is_outside(h) && charts.of(h)) to[h.index] = charts.mesh().from(charts.of(h)).index;
+  };
+  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, {}, column); };
+  carry_columns(mesh, creases, step, out, corners, vertices, [](AttributeColumn&) {});
+}
+
+}  // namespace ryosen::subdivide

@@ -1,0 +1,241 @@
+#include "ryosen/algo/subdivide/prepare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+
+#include "ryosen/algo/cut_faces.h"
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/face_polygon.h"
+
+namespace ryosen::subdivide {
+
+namespace {
+
+bool takes_triangles(Scheme scheme) { return scheme == Scheme::loop || scheme == Scheme::sqrt3; }
+
+// A bridge within one loop shows as a halfedge whose twin has the same face.
+bool has_bridge(const Mesh& mesh, Face f) {
+  for (const Halfedge h : loop(mesh, mesh.halfedge(f)))
+    if (is_bridge(mesh, h)) return true;
+  return false;
+}
+
+std::vector<Face> faces_to_cut(const Mesh& mesh, Scheme scheme) {
+  std::vector<Face> found = polygons_of_mesh(mesh);
+  if (!takes_triangles(scheme))
+    std::erase_if(found, [&](Face f) { return !mesh.has_rings(f) && !has_bridge(mesh, f); });
+  return found;
+}
+
+std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces) {
+  Edit edit(mesh, nullptr);
+  std::optional<Text> fault = cut_faces(edit, faces);
+  edit.commit();
+  return fault;
+}
+
+glm::dvec3 normal_of(const Mesh& mesh, Face f) { return polygon_normal(FacePolygon(mesh, f).keyhole_walk()); }
+
+void mark_bent_edges(const Mesh& mesh, double angle_rad, float sharpness, std::vector<float>& column) {
+  std::vector<glm::dvec3> normals(mesh.face_slots(), glm::dvec3(0));
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (mesh.is_alive(Face(i))) normals[i] = normal_of(mesh, Face(i));
+  const double least = std::cos(angle_rad);
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i))) continue;
+    const auto [a, b] = faces(mesh, Edge(i));
+    if (!a || !b || a == b) continue;
+    const glm::dvec3 &n = normals[a.index], &m = normals[b.index];
+    const bool have_normals = glm::dot(n, n) > 0.5 && glm::dot(m, m) > 0.5;
+    if (have_normals && glm::dot(n, m) <= least) column[i] = sharpness;
+  }
+}
+
+bool is_fixed_by_links(const Mesh& mesh, Vertex v) {
+  if (has_copies(mesh, v)) return true;
+  if (!mesh.is_boundary(v)) return false;
+  std::uint32_t gaps = 0;
+  for (const Halfedge h : outgoing(mesh, v)) {
+    if (mesh.is_wire(edge(h))) return true;
+    gaps += mesh.is_outside(h) ? 1u : 0u;
+  }
+  return gaps > 1;
+}
+
+// What is sharp on the mesh as it is given.
+Creases creases_of(const Mesh& mesh, const Options& options) {
+  Creases creases;
+  std::vector<std::uint8_t> corners(mesh.vertex_slots(), 0);
+  const bool names_edges = std::any_of(options.sharp.begin(), options.sharp.end(), [](const Element& e) {
+    return e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge;
+  });
+  const float sharpness = options.sharp_steps ? static_cast<float>(*options.sharp_steps) : always_sharp;
+  if (names_edges || options.crease_angle_rad) creases.sharpness.assign(mesh.edge_slots(), 0);
+  if (options.crease_angle_rad) mark_bent_edges(mesh, *options.crease_angle_rad, sharpness, creases.sharpness);
+  for (const Element& e : options.sharp) {
+    if (e.kind == Element::Kind::vertex) corners[e.vertex().index] = 1;
+    if (e.kind == Element::Kind::edge) creases.sharpness[e.edge().index] = sharpness;
+    if (e.kind == Element::Kind::halfedge) creases.sharpness[edge(e.halfedge()).index] = sharpness;
+  }
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (mesh.is_alive(Vertex(i)) && !mesh.is_isolated(Vertex(i)) && is_fixed_by_links(mesh, Vertex(i))) corners[i] = 1;
+  if (std::any_of(corners.begin(), corners.end(), [](std::uint8_t c) { return c != 0; }))
+    creases.corners = std::move(corners);
+  return creases;
+}
+
+// A triangle of the sqrt(3) scheme lies across an edge, which a torn texture does not allow.
+std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
+  std::size_t found = 0;
+  if (corner_attributes(mesh).empty()) return found;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    const Halfedge h = halfedge(Edge(i));
+    if (!mesh.is_alive(h) || mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
+    if (!corner_values_differ(mesh, h, twin(h), false)) continue;
+    if (creases.sharpness.empty()) creases.sharpness.assign(mesh.edge_slots(), 0);
+    found += creases.sharpness[i] == always_sharp ? 0 : 1;
+    creases.sharpness[i] = always_sharp;
+  }
+  return found;
+}
+
+// The columns of a mesh with its dead edges left out, and the values per edge with them.
+void drop_dead_edges(MeshColumns& c, Creases& creases) {
+  std::vector<float>& sharpness = creases.sharpness;
+  std::vector<Edge>& origins = creases.origins;
+  std::vector<std::uint32_t> number(c.halfedges.size() / 2, no_index);
+  std::uint32_t kept = 0;
+  for (std::size_t e = 0; e < number.size(); ++e)
+    if (c.halfedges[2 * e].from != dead_from) number[e] = kept++;
+  const auto renamed = [&](Halfedge h) {
+    return h.is_none() || h == dead_halfedge ? h : halfedge(Edge(number[edge(h).index]), h.index & 1u);
+  };
+  for (std::size_t e = 0; e < number.size(); ++e) {
+    if (number[e] == no_index) continue;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const HalfedgeLinks& l = c.halfedges[2 * e + side];
+      c.halfedges[2 * std::size_t{number[e]} + side] = {l.from, renamed(l.next), renamed(l.prev), l.face};
+    }
+    if (!sharpness.empty()) sharpness[number[e]] = sharpness[e];
+    if (!origins.empty()) origins[number[e]] = origins[e];
+    for (AttributeColumn& a : c.attributes) {
+      if (a.element != ElementKind::corner || number[e] == e) continue;
+      const std::uint32_t* const from = a.data.data() + 2 * e * a.words;
+      std::copy(from, from + 2 * a.words, a.data.data() + 2 * std::size_t{number[e]} * a.words);
+    }
+  }
+  c.halfedges.resize(2 * std::size_t{kept});
+  if (!sharpness.empty()) sharpness.resize(kept);
+  if (!origins.empty()) origins.resize(kept);
+  for (AttributeColumn& a : c.attributes)
+    if (a.element == ElementKind::corner) a.data.resize(2 * std::size_t{kept} * a.words);
+  for (Halfedge& h : c.vertex_halfedge) h = renamed(h);
+  for (Halfedge& h : c.face_halfedge) h = renamed(h);
+}
+
+// The second face of the edge gets an edge of its own; the two have a gap of two halfedges between them.
+void open_edge(MeshColumns& c, Edge e) {
+  const Halfedge h = halfedge(e), t = twin(h), own(c.halfedges.size()), gap = twin(own);
+  const HalfedgeLinks moved = c.halfedges[t.index];
+  const Vertex a = c.halfedges[h.index].from, b = moved.from;
+  c.halfedges.push_back(moved);
+  c.halfedges.push_back({a, t, t, Face()});
+  c.halfedges[moved.prev.index].next = own;
+  c.halfedges[moved.next.index].prev = own;
+  c.halfedges[t.index] = {b, gap, gap, Face()};
+  c.vertex_halfedge[a.index] = gap;
+  c.vertex_halfedge[b.index] = t;
+  if (c.face_halfedge[moved.face.index] == t) c.face_halfedge[moved.face.index] = own;
+  for (AttributeColumn& column : c.attributes) {
+    if (column.element != ElementKind::corner) continue;
+    const std::size_t place = std::size_t{t.index} * column.words;
+    const std::vector<std::uint32_t> words(column.data.begin() + static_cast<std::ptrdiff_t>(place),
+                                           column.data.begin() + static_cast<std::ptrdiff_t>(place + column.words));
+    column.data.insert(column.data.end(), words.begin(), words.end());
+    column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
+    std::copy(column.fill.begin(), column.fill.end(), column.data.begin() + static_cast<std::ptrdiff_t>(place));
+  }
+  ++c.live.edges;
+}
+
+std::vector<Edge> edges_to_open(const Mesh& mesh) {
+  std::vector<Edge> found;
+  for (const Edge e : sheet_groups(mesh).edges)
+    if (const auto [a, b] = faces(mesh, e); a && b) found.push_back(e);
+  return found;
+}
+
+}  // namespace
+
+SheetGroups sheet_groups(const Mesh& mesh) {
+  SheetGroups groups;
+  if (!mesh.has_copies()) return groups;
+  using Sheet = std::tuple<Vertex, Vertex, Edge>;
+  std::vector<Sheet> sheets;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    if (!has_copies(mesh, a) || !has_copies(mesh, b)) continue;
+    const auto [low, high] = std::minmax({point(mesh, a), point(mesh, b)});
+    sheets.emplace_back(low, high, Edge(i));
+  }
+  std::sort(sheets.begin(), sheets.end());
+  for (std::size_t i = 0, k = 0; i < sheets.size(); i = k) {
+    const auto is_same = [&](const Sheet& s) {
+      return std::get<0>(s) == std::get<0>(sheets[i]) && std::get<1>(s) == std::get<1>(sheets[i]);
+    };
+    for (k = i; k < sheets.size() && is_same(sheets[k]);) ++k;
+    if (k - i < 2) continue;
+    for (std::size_t s = i; s < k; ++s) groups.edges.push_back(std::get<2>(sheets[s]));
+    groups.ends.push_back(static_cast<std::uint32_t>(groups.edges.size()));
+  }
+  return groups;
+}
+
+std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases) {
+  const std::vector<Edge> shut = edges_to_open(mesh);
+  if (shut.empty()) return std::nullopt;
+  MeshColumns columns = mesh.columns();
+  for (const Edge e : shut) open_edge(columns, e);
+  if (!creases.sharpness.empty()) creases.sharpness.resize(columns.halfedges.size() / 2, 0);
+  if (!creases.origins.empty())
+    for (const Edge e : shut) creases.origins.push_back(creases.origins[e.index]);
+  return Mesh(std::move(columns));
+}
+
+void mark_shut_sheets(const Mesh& mesh, Creases& creases) {
+  for (const Edge e : edges_to_open(mesh)) {
+    if (creases.sharpness.empty()) creases.sharpness.assign(mesh.edge_slots(), 0);
+    creases.sharpness[e.index] = always_sharp;
+  }
+}
+
+Prepared prepare(const Mesh& mesh, const Options& options) {
+  Prepared prepared;
+  const std::vector<Face> to_cut = faces_to_cut(mesh, options.scheme);
+  prepared.creases = creases_of(mesh, options);
+  Creases& creases = prepared.creases;
+  if (options.wants_descent) creases.origins = own_edges(mesh.edge_slots());
+  prepared.cut_faces = to_cut.size();
+  if (!to_cut.empty() || mesh.live().edges != mesh.edge_slots()) {
+    prepared.changed = mesh;
+    if ((prepared.fault = cut(*prepared.changed, to_cut))) return prepared;
+    if (!creases.sharpness.empty()) creases.sharpness.resize(prepared.changed->edge_slots(), 0);
+    if (!creases.corners.empty()) creases.corners.resize(prepared.changed->vertex_slots(), 0);
+    if (!creases.origins.empty()) creases.origins.resize(prepared.changed->edge_slots());
+    MeshColumns columns = prepared.changed->columns();
+    columns.first_ring.clear();
+    columns.rings.clear();
+    drop_dead_edges(columns, creases);
+    prepared.changed = Mesh(std::move(columns));
+  }
+  if (options.scheme == Scheme::sqrt3)
+    prepared.seams = mark_seams(prepared.changed ? *prepared.changed : mesh, creases);
+  return prepared;
+}
+
+}  // namespace ryosen::subdivide

@@ -1,0 +1,36 @@
+// What a mesh must be for a subdivision by index arithmetic, and what is sharp on it.
+#pragma once
+
+#include <optional>
+
+#include "ryosen/algo/subdivide/creases.h"
+#include "ryosen/algo/subdivide/subdivide.h"
+
+namespace ryosen::subdivide {
+
+// A mesh whose edges are all alive, without rings, bridges and, where asked for, without polygons.
+struct Prepared {
+  std::optional<Mesh> changed;  // none where the mesh is so already
+  Creases creases;
+  std::size_t cut_faces = 0;  // polygons, or faces with rings, that were cut into triangles
+  std::size_t seams = 0;      // edges that are creases because the texture is torn there
+  std::optional<Text> fault;  // a face that cannot be cut; then nothing else holds
+};
+
+Prepared prepare(const Mesh& mesh, const Options& options);
+
+// The edges that lie on one non-manifold or misoriented edge of points, group after group; `ends` holds one past the last
+// of each. Empty on a mesh without copies. O(edges at copies), sorted.
+struct SheetGroups {
+  std::vector<Edge> edges;
+  std::vector<std::uint32_t> ends;
+};
+SheetGroups sheet_groups(const Mesh& mesh);
+
+// Before an edge is cut in two: a non-manifold edge gets an edge of its own for each of its faces, as reading the points of
+// the result will give; sheets that were joined there are joined no more. None where there is no such edge.
+std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases);
+// Where edges are not cut: makes the joined sheets of a non-manifold edge creases.
+void mark_shut_sheets(const Mesh& mesh, Creases& creases);
+
+}  // namespace ryosen::subdivide

@@ -1,0 +1,259 @@
+#include "ryosen/algo/subdivide/subdivide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "ryosen/algo/subdivide/carry.h"
+#include "ryosen/algo/subdivide/limit_normals.h"
+#include "ryosen/algo/subdivide/masks.h"
+#include "ryosen/algo/subdivide/prepare.h"
+#include "ryosen/base/resource_limits.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen::subdivide {
+
+namespace {
+
+// How large a level is; doubles, since it is asked of levels that cannot be.
+struct LevelSize {
+  double vertices, edges, corners;
+
+  LevelSize refined(Scheme scheme) const {
+    const double faces = corners / 3;  // at least, of triangles
+    if (scheme == Scheme::sqrt3) return {vertices + faces, edges + corners, 3 * corners};
+    return {vertices + edges, 2 * edges + corners, 4 * corners};
+  }
+  double bytes() const { return 28 * vertices + 32 * edges + 1.4 * corners; }
+};
+
+constexpr double most_halfedges = 4294967000.0;  // handles have 32 bits
+
+Text too_large(std::size_t steps, std::size_t possible) {
+  const std::string all = std::to_string(steps), most = std::to_string(possible);
+  return {all + " steps would make more elements than a mesh can number; " +
+              (possible == 0 ? std::string("none is possible here") : "at most " + most + " are possible here"),
+          all + " 回では要素の数がメッシュの上限を超えます。" +
+              (possible == 0 ? std::string("このメッシュでは一回もできません")
+                             : "このメッシュでは " + most + " 回までです")};
+}
+
+// Throws where the last level and the one before it do not fit.
+std::optional<Text> fault_of_size(const Mesh& mesh, const Options& options) {
+  LevelSize size{double(mesh.vertex_slots()), double(mesh.edge_slots()), 2.0 * mesh.edge_slots()}, before = size;
+  for (std::size_t step = 0; step < options.steps; ++step) {
+    before = size;
+    size = size.refined(options.scheme);
+    if (2 * size.edges > most_halfedges) return too_large(options.steps, step);
+  }
+  if (!may_fit_in_memory(size.bytes() + 2 * before.bytes())) throw std::bad_alloc();
+  return std::nullopt;
+}
+
+// Whether an edge is sharp beside boundaries and wires.
+bool has_sharp_edges(const Creases& creases) {
+  return std::any_of(creases.sharpness.begin(), creases.sharpness.end(), [](float s) { return s > 0; });
+}
+
+bool has_outside(const Mesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i)
+    if (mesh.is_alive(Halfedge(i)) && mesh.is_outside(Halfedge(i))) return true;
+  return false;
+}
+
+std::optional<Text> fault_of_limit(const Mesh& mesh, const Creases& creases, const Options& options) {
+  if (!options.to_limit || options.scheme == Scheme::midpoint) return std::nullopt;
+  const bool is_sharp = has_sharp_edges(creases);
+  if (is_sharp && options.sharp_steps && *options.sharp_steps > static_cast<double>(options.steps))
+    return Text{
+        "the limit is known once no edge is sharp for a number of steps any more; take as many steps, or let the "
+        "edges stay sharp",
+        "極限位置は、段数を限った折り目がなくなってから求まります。段数をそれ以上にするか、常に鋭くしてください"};
+  if (options.scheme == Scheme::sqrt3 && options.steps % 2 != 0 && (is_sharp || has_outside(mesh)))
+    return Text{"at boundaries and creases the sqrt(3) scheme has a limit after an even number of steps; take one more",
+                "sqrt(3) の境界や折り目での極限位置は偶数回で求まります。もう一回増やしてください"};
+  return std::nullopt;
+}
+
+// Writes the cycle of one point; `copies` are ascending.
+void link_cycle(MeshColumns& c, const std::vector<Vertex>& copies) {
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    c.next_copy[copies[i].index] = copies[(i + 1) % copies.size()];
+    c.copy_point[copies[i].index] = copies[0];
+  }
+}
+
+// Old copies stay what they are; new vertices on the sheets of one edge become copies. `on_sheet(h, i)` is the i-th of
+// `count` new vertices on a halfedge, in its direction.
+template <class OnSheet>
+void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, MeshColumns& out) {
+  if (!mesh.has_copies()) return;
+  out.next_copy = mesh.columns().next_copy;
+  out.copy_point = mesh.columns().copy_point;
+  for (std::size_t i = out.next_copy.size(); i < out.vertex_halfedge.size(); ++i) {
+    out.next_copy.emplace_back(i);
+    out.copy_point.emplace_back(i);
+  }
+  const SheetGroups groups = sheet_groups(mesh);
+  std::size_t begin = 0;
+  for (const std::uint32_t end : groups.ends) {
+    for (unsigned i = 0; i < count; ++i) {
+      std::vector<Vertex> copies;
+      for (std::size_t k = begin; k < end; ++k) {
+        Halfedge h = halfedge(groups.edges[k]);
+        if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
+        copies.push_back(on_sheet(h, i));
+      }
+      std::sort(copies.begin(), copies.end());
+      link_cycle(out, copies);
+    }
+    begin = end;
+  }
+}
+
+// What is known of edges on the next level: `parts(e)` calls a function with each edge that is a part of an edge.
+template <class Parts>
+void pass_on(const Mesh& mesh, const MeshColumns& next, const Parts& parts, Creases& creases) {
+  if (!creases.sharpness.empty()) {
+    std::vector<float> sharpness(next.halfedges.size() / 2, 0);
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+      const float rest = std::max(0.0f, creases.sharpness[e] - 1);
+      if (rest > 0) parts(Edge(e), [&](Edge part) { sharpness[part.index] = rest; });
+    }
+    creases.sharpness = std::move(sharpness);
+  }
+  if (!creases.origins.empty()) {
+    std::vector<Edge> origins(next.halfedges.size() / 2);
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
+      parts(Edge(e), [&](Edge part) { origins[part.index] = creases.origins[e]; });
+    creases.origins = std::move(origins);
+  }
+  if (creases.corners.empty()) return;
+  creases.corners.resize(next.vertex_halfedge.size(), 0);
+  for (std::size_t i = mesh.vertex_slots(); i < next.next_copy.size(); ++i)
+    creases.corners[i] = next.next_copy[i] != Vertex(i);
+}
+
+MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split split) {
+  MeshColumns next;
+  const SplitNumbers numbers(mesh, split);
+  link_split(mesh, numbers, next);
+  next.positions = split_places(mesh, creases, scheme, numbers);
+  carry_split(mesh, creases, scheme, numbers, next);
+  link_copies(
+      mesh, 1, [&](Halfedge h, unsigned) { return numbers.on_edge(h); }, next);
+  const auto parts = [](Edge e, const auto& visit) {
+    visit(edge(first_half(halfedge(e))));
+    visit(edge(second_half(halfedge(e))));
+  };
+  pass_on(mesh, next, parts, creases);
+  return next;
+}
+
+MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
+  MeshColumns next;
+  const Sqrt3Numbers numbers(mesh, creases, cuts_creases);
+  link_sqrt3(mesh, numbers, next);
+  next.positions.resize(numbers.vertex_slots());
+  sqrt3_places(mesh, creases, cuts_creases, next.positions);
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    const Face f(i);
+    if (!numbers.has_centre(f)) continue;
+    glm::dvec3 sum(0);
+    for (const Vertex v : vertices_around(mesh, f)) sum += mesh.position(v) / 3.0;
+    next.positions[numbers.centre(f).index] = sum;
+  }
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    const Halfedge h = halfedge(Edge(e));
+    if (!numbers.is_cut(h)) continue;
+    for (const Halfedge side : {h, twin(h)})
+      next.positions[numbers.third(side, 0).index] = third_of_crease(mesh, creases, mesh.from(side), mesh.to(side));
+  }
+  carry_sqrt3(mesh, creases, cuts_creases, numbers, next);
+  link_copies(
+      mesh, cuts_creases ? 2 : 0, [&](Halfedge h, unsigned i) { return numbers.third(h, i); }, next);
+  const auto parts = [&](Edge e, const auto& visit) {
+    const Halfedge h = halfedge(e);
+    if (!numbers.is_kept(h)) return;
+    for (unsigned i = 0; i < (numbers.is_cut(h) ? 3u : 1u); ++i) visit(edge(numbers.part(h, i)));
+  };
+  pass_on(mesh, next, parts, creases);
+  return next;
+}
+
+bool has_polygons(const Mesh& mesh) {
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
+    if (mesh.is_alive(Face(i)) && !is_triangle(mesh, mesh.halfedge(Face(i)))) return true;
+  return false;
+}
+
+// Where sums of coordinates may overflow, which they do nowhere else.
+bool is_huge(std::span<const glm::dvec3> places) {
+  const auto is_so = [](const glm::dvec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 1e300;
+  };
+  return std::any_of(places.begin(), places.end(), is_so);
+}
+
+bool all_finite(std::span<const glm::dvec3> places) {
+  return std::all_of(places.begin(), places.end(), [](const glm::dvec3& p) { return is_finite(p); });
+}
+
+}  // namespace
+
+Subdivided subdivided(const Mesh& given, const Options& options, Progress& progress) {
+  Subdivided result;
+  const std::optional<Mesh> marked = options.wants_descent ? std::optional(with_origins(given)) : std::nullopt;
+  const Mesh& mesh = marked ? *marked : given;
+  const auto is_cancelled = [&](std::size_t done) {
+    return result.is_cancelled = !progress.go_on(done, options.steps + 1);
+  };
+  if ((result.fault = fault_of_size(mesh, options)) || is_cancelled(0)) return result;
+  Prepared prepared = prepare(mesh, options);
+  result.cut_faces = prepared.cut_faces;
+  result.seams = prepared.seams;
+  if ((result.fault = std::move(prepared.fault))) return result;
+  Creases& creases = prepared.creases;
+  const Mesh* at = prepared.changed ? &*prepared.changed : &mesh;
+  if ((result.fault = fault_of_limit(*at, creases, options))) return result;
+  const bool into_quads =
+      options.scheme == Scheme::catmull_clark || (options.scheme == Scheme::midpoint && has_polygons(*at));
+  Mesh level;
+  for (std::size_t step = 0; step < options.steps; ++step) {
+    if (is_cancelled(step)) return result;
+    std::optional<Mesh> opened;
+    if (options.scheme == Scheme::sqrt3)
+      mark_shut_sheets(*at, creases);
+    else if ((opened = with_open_sheets(*at, creases)))
+      at = &*opened;
+    MeshColumns next = options.scheme == Scheme::sqrt3 ? sqrt3_step(*at, creases, step % 2 != 0)
+                                                       : split_step(*at, creases, options.scheme,
+                                                                    into_quads ? Split::into_quads : Split::into_four);
+    if (step + 1 == options.steps && !options.to_limit) {
+      result.columns = std::move(next);
+      break;
+    }
+    level = Mesh(std::move(next));
+    at = &level;
+  }
+  if (is_cancelled(options.steps)) return result;
+  if (options.to_limit) {
+    result.columns = level.columns();
+    if (options.scheme != Scheme::midpoint) {
+      carry_to_limit(level, creases, options.scheme, result.columns);
+      result.columns.positions = limit_places(level, creases, options.scheme);
+      put_normals(result.columns, limit_normals(level, creases, options.scheme));
+    }
+  }
+  if (options.wants_descent) {
+    std::vector<Face> faces = take_origins(result.columns);
+    result.descent = Descent{std::move(faces), std::move(creases.origins)};
+  }
+  if (is_huge(mesh.positions()) && all_finite(mesh.positions()) && !all_finite(result.columns.positions))
+    result.fault = Text{"coordinates would become infinite; scale the mesh down",
+                        "座標が無限大になります。メッシュを縮小してください"};
+  return result;
+}
+
+}  // namespace ryosen::subdivide

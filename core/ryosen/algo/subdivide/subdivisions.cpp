@@ -1,0 +1,158 @@
+#include "ryosen/algo/subdivide/subdivisions.h"
+
+#include <array>
+
+#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/subdivide/subdivide.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/mesh/names.h"
+
+namespace ryosen {
+
+namespace {
+
+struct SchemeRow {
+  subdivide::Scheme scheme;
+  Choice choice;
+};
+constexpr std::array schemes{
+    SchemeRow{subdivide::Scheme::loop, {"loop", "Loop (triangles)", "Loop（三角形）"}},
+    SchemeRow{subdivide::Scheme::catmull_clark,
+              {"catmull_clark", "Catmull-Clark (polygons)", "Catmull-Clark（多角形）"}},
+    SchemeRow{subdivide::Scheme::midpoint, {"midpoint", "Midpoint (shape stays)", "中点（形状は不変）"}},
+    SchemeRow{subdivide::Scheme::sqrt3, {"sqrt3", "sqrt(3) (triangles)", "√3（三角形）"}},
+};
+
+// By which most of the faces stay of the kind that they are: loop cuts polygons first.
+std::string scheme_for(const Mesh& mesh) {
+  const std::size_t polygons = polygons_of_mesh(mesh).size();
+  return 2 * polygons > mesh.live().faces ? "catmull_clark" : "loop";
+}
+
+subdivide::Options options_of(const ParameterValues& values) {
+  subdivide::Options options;
+  for (const SchemeRow& row : schemes)
+    if (row.choice.id == values.choice("scheme")) options.scheme = row.scheme;
+  options.steps = values.count("steps");
+  if (values.has("crease_angle")) options.crease_angle_rad = values.angle_rad("crease_angle");
+  if (values.has("sharp")) options.sharp = values.elements("sharp");
+  if (values.has("sharp_steps")) options.sharp_steps = values.number("sharp_steps");
+  options.to_limit = values.flag("limit");
+  return options;
+}
+
+std::optional<Text> fault_of_sharp(const Mesh& mesh, const subdivide::Options& options) {
+  for (const Element& e : options.sharp)
+    if (e.kind == Element::Kind::face)
+      return Text{name_of(mesh, e) + " is a face; sharp takes edges and vertices",
+                  name_of(mesh, e) + " は面です（sharp には稜線と頂点を指定します）"};
+  return std::nullopt;
+}
+
+AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  AlgorithmResult result;
+  const std::size_t before = edit.mesh().live().faces;
+  if (edit.mesh().live().edges == 0) {
+    result.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"};
+    return result;
+  }
+  subdivide::Options options = options_of(input.values);
+  options.wants_descent = input.wants.descent;
+  if ((result.fault = fault_of_sharp(edit.mesh(), options))) return result;
+  subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
+  if (made.is_cancelled) return result;
+  if (made.fault) {
+    result.fault = std::move(made.fault);
+    return result;
+  }
+  result.account.emplace();
+  result.descent = std::move(made.descent);
+  result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
+  const std::string count = std::to_string(made.columns.live.faces);
+  result.text = count_text(before, "One face became " + count, "# faces became " + count,
+                           "面 # 個が " + count + " 個になりました");
+  if (made.cut_faces > 0)
+    result.text = result.text + count_text(made.cut_faces, "; one face was cut into triangles first",
+                                           "; # faces were cut into triangles first", "（先に面 # 個を三角形に分割）");
+  if (made.seams > 0)
+    result.text = result.text + count_text(made.seams, "; one edge where the texture is torn stayed a crease",
+                                           "; # edges where the texture is torn stayed creases",
+                                           "（テクスチャの継ぎ目の稜線 # 本は折り目のまま）");
+  result.text = result.text + Text{".", "。"};
+  if (options.sharp_steps && options.sharp.empty() && !options.crease_angle_rad)
+    result.text = result.text + Text{" No edges are named that would be sharp for some steps.",
+                                     "回数だけ鋭くする稜線は指定されていません。"};
+  result.has_normals = options.to_limit && options.scheme != subdivide::Scheme::midpoint;
+  edit.replace(std::move(made.columns));
+  return result;
+}
+
+}  // namespace
+
+std::vector<AlgorithmRow> subdivision_rows() {
+  ParameterRow scheme{
+      .id = "scheme",
+      .kind = ParameterKind::choice,
+      .name_en = "Scheme",
+      .name_ja = "方式",
+      .help_en =
+          "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
+          "triangles first, all cut faces with rings",
+      .help_ja = "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する",
+      .initial = "loop",
+      .proposed = scheme_for};
+  for (const SchemeRow& row : schemes) scheme.choices.push_back(row.choice);
+  const std::vector<ParameterRow> parameters{
+      scheme,
+      {.id = "steps",
+       .kind = ParameterKind::count,
+       .name_en = "Steps",
+       .name_ja = "回数",
+       .help_en = "how often; each makes about four times as many faces, sqrt(3) three times",
+       .help_ja = "繰り返す回数。一回で面は約 4 倍、√3 では 3 倍になる",
+       .initial = "1",
+       .smallest = 1,
+       .largest = 16},
+      {.id = "limit",
+       .kind = ParameterKind::flag,
+       .name_en = "Limit",
+       .name_ja = "極限位置",
+       .help_en = "puts the vertices where ever more steps would bring them, with the normals there",
+       .help_ja = "無限に繰り返したときの位置に頂点を置き、法線も付ける",
+       .initial = "off"},
+      {.id = "crease_angle",
+       .kind = ParameterKind::angle,
+       .name_en = "Crease angle",
+       .name_ja = "折り目の角度",
+       .help_en = "edges whose faces bend by at least this stay sharp",
+       .help_ja = "両側の面がこの角度以上に曲がる稜線を折り目として保つ"},
+      {.id = "sharp",
+       .kind = ParameterKind::elements,
+       .name_en = "Sharp",
+       .name_ja = "折り目と角",
+       .help_en = "edges that stay sharp, and vertices that stay where they are",
+       .help_ja = "折り目にする稜線と、動かさない頂点"},
+      {.id = "sharp_steps",
+       .kind = ParameterKind::number,
+       .name_en = "Sharp for",
+       .name_ja = "鋭さ",
+       .help_en = "such edges are sharp in so many steps and smooth then; else they stay sharp",
+       .help_ja = "折り目をこの回数だけ鋭く保ち、その後は滑らかにする（省くと常に鋭い）",
+       .smallest = 0,
+       .unit_en = "steps",
+       .unit_ja = "回"},
+  };
+  return {{.id = "subdivide",
+           .name_en = "Subdivide",
+           .name_ja = "細分割曲面",
+           .help_en = "divides all faces and smooths the surface, but for its boundary curves, creases and corners",
+           .help_ja = "すべての面を分割し、境界・折り目・角を保ちながら曲面を滑らかにする",
+           .parameters = parameters,
+           .keeps_geometry = false,
+           .solves = {},
+           .run = subdivide_mesh,
+           .lineage = Lineage::told,
+           .accounts = true}};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,12 @@
+// The row of subdivision in the table of algorithms.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/algo/algorithms.h"
+
+namespace ryosen {
+
+std::vector<AlgorithmRow> subdivision_rows();
+
+}  // namespace ryosen

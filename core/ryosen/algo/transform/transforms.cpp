@@ -1,0 +1,187 @@
+#include "ryosen/algo/transform/transforms.h"
+
+#include "ryosen/algo/transform/moved_points.h"
+#include "ryosen/algo/transform/point_transform.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<Vertex> all_points(const Mesh& mesh) {
+  std::vector<Vertex> points;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (const Vertex v(i); mesh.is_alive(v) && point(mesh, v) == v) points.push_back(v);
+  return points;
+}
+
+std::vector<Vertex> points_meant(const Mesh& mesh, const ParameterValues& values) {
+  return values.has("elements") ? points_of(mesh, values.elements("elements")) : all_points(mesh);
+}
+
+AlgorithmResult too_far(const Mesh& mesh, Vertex v) {
+  AlgorithmResult result;
+  const std::string name = name_of(mesh, v);
+  result.fault = Text{name + " would come to a place that is not finite", name + " の座標が有限でなくなります"};
+  return result;
+}
+
+AlgorithmResult apply(Edit& edit, const AlgorithmInput& input, const PointTransform& transform, Progress& progress) {
+  const Mesh& mesh = edit.mesh();
+  const double radius = input.values.has("falloff") ? input.values.length("falloff") : 0;
+  const std::vector<MovedPoint> moved = moved_points(mesh, points_meant(mesh, input.values), radius);
+  AlgorithmResult result;
+  for (const MovedPoint& each : moved) {
+    if (!progress.go_on(static_cast<std::size_t>(&each - moved.data()), moved.size())) return result;
+    const glm::dvec3 before = mesh.position(each.point);
+    if (!is_finite(before)) continue;
+    const glm::dvec3 after = transform(before, each.share);
+    if (!is_finite(after)) return too_far(mesh, each.point);
+    if (after == before) continue;
+    move_point(edit, each.point, after);
+    ++result.changed;
+  }
+  result.text =
+      count_text(result.changed, "One vertex was moved.", "# vertices were moved.", "頂点 # 個を動かしました。");
+  return result;
+}
+
+glm::dvec3 centre(const Mesh& mesh, const ParameterValues& values) {
+  return values.has("about") ? values.place("about") : middle_of(mesh, points_meant(mesh, values));
+}
+
+AlgorithmResult no_direction() {
+  AlgorithmResult result;
+  result.fault = Text{"the axis has no direction", "軸に向きがありません"};
+  return result;
+}
+
+AlgorithmResult translate(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  return apply(edit, input, {.kind = PointTransform::Kind::move, .by = input.values.place("by"), .axis = {}}, progress);
+}
+
+AlgorithmResult rotate(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const auto axis = direction_of(input.values.place("axis"));
+  if (!axis) return no_direction();
+  return apply(edit, input,
+               {.kind = PointTransform::Kind::turn,
+                .angle_deg = input.values.number("angle"),
+                .axis = axis,
+                .about = centre(edit.mesh(), input.values)},
+               progress);
+}
+
+AlgorithmResult scale(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  std::optional<glm::dvec3> axis;
+  if (input.values.has("axis") && !(axis = direction_of(input.values.place("axis")))) return no_direction();
+  return apply(edit, input,
+               {.kind = PointTransform::Kind::scale,
+                .factor = input.values.number("factor"),
+                .axis = axis,
+                .about = centre(edit.mesh(), input.values)},
+               progress);
+}
+
+ParameterRow about() {
+  return {.id = "about",
+          .kind = ParameterKind::place,
+          .name_en = "About",
+          .name_ja = "中心",
+          .help_en = "what stays where it is; else the middle of what is moved",
+          .help_ja = "動かない点（省くと対象の中央）"};
+}
+
+std::vector<ParameterRow> with_common(std::vector<ParameterRow> rows) {
+  rows.push_back({.id = "falloff",
+                  .kind = ParameterKind::length,
+                  .name_en = "Falloff",
+                  .name_ja = "減衰半径",
+                  .help_en = "vertices nearer than this come along, less and less with the distance",
+                  .help_ja = "この距離より近い頂点も、遠いほど少なく動かす"});
+  rows.push_back({.id = "elements",
+                  .kind = ParameterKind::elements,
+                  .name_en = "Elements",
+                  .name_ja = "対象",
+                  .help_en = "the vertices, or those of these edges and faces; else all",
+                  .help_ja = "動かす頂点、または稜線や面（省くとすべて）",
+                  .is_worked_on = true});
+  return rows;
+}
+
+ParameterRow axis(std::string_view help_en, std::string_view help_ja, std::string_view initial) {
+  return {.id = "axis",
+          .kind = ParameterKind::place,
+          .name_en = "Axis",
+          .name_ja = "軸",
+          .help_en = help_en,
+          .help_ja = help_ja,
+          .initial = initial};
+}
+
+}  // namespace
+
+std::vector<AlgorithmRow> transform_rows() {
+  const auto row = [](AlgorithmRow made, std::vector<ParameterRow> parameters) {
+    made.parameters = with_common(std::move(parameters));
+    return made;
+  };
+  return {
+      row({.id = "translate",
+           .name_en = "Move",
+           .name_ja = "移動",
+           .help_en = "moves vertices by a vector",
+           .help_ja = "頂点をベクトルだけ動かす",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
+           .run = translate},
+          {{.id = "by",
+            .kind = ParameterKind::place,
+            .name_en = "By",
+            .name_ja = "移動量",
+            .help_en = "how far along X, Y and Z",
+            .help_ja = "X、Y、Z 方向の移動量",
+            .is_required = true}}),
+      row({.id = "rotate",
+           .name_en = "Turn",
+           .name_ja = "回転",
+           .help_en = "turns vertices about an axis",
+           .help_ja = "頂点を軸のまわりに回す",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
+           .run = rotate},
+          {{.id = "angle",
+            .kind = ParameterKind::number,
+            .name_en = "Angle",
+            .name_ja = "角度",
+            .help_en = "counter-clockwise seen against the axis",
+            .help_ja = "軸の先から見て反時計回り",
+            .is_required = true,
+            .unit_en = "degrees",
+            .unit_ja = "度"},
+           axis("the direction of the axis", "軸の向き", "0,1,0"),
+           about()}),
+      row({.id = "scale",
+           .name_en = "Scale",
+           .name_ja = "拡大縮小",
+           .help_en = "scales vertices, everywhere or along an axis",
+           .help_ja = "頂点を全方向または軸方向に拡大縮小する",
+           .parameters = {},
+           .keeps_geometry = false,
+           .solves = {},
+           .run = scale},
+          {{.id = "factor",
+            .kind = ParameterKind::number,
+            .name_en = "Factor",
+            .name_ja = "倍率",
+            .help_en = "1 changes nothing; a negative one mirrors",
+            .help_ja = "1 で変化なし、負の値で反転",
+            .is_required = true},
+           axis("scales along this direction alone; else everywhere", "この向きだけ拡大縮小する（省くと全方向）", ""),
+           about()})};
+}
+
+}  // namespace ryosen

@@ -1,0 +1,254 @@
+#include "ryosen/analysis/shells.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/vec2.hpp>
+#include <span>
+#include <utility>
+
+#include "ryosen/analysis/box_nesting.h"
+#include "ryosen/analysis/box_tree.h"
+#include "ryosen/analysis/disjoint_sets.h"
+#include "ryosen/analysis/leaf_planes.h"
+#include "ryosen/analysis/overlap_tree.h"
+#include "ryosen/base/interruption.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/geometry/predicates.h"
+#include "ryosen/geometry/triangles_meet.h"
+#include "ryosen/geometry/volume_sign.h"
+#include "ryosen/mesh/face_polygon.h"
+
+namespace ryosen {
+
+namespace {
+
+// The triangles of a shell in a tree.
+struct ShellTriangles {
+  std::vector<std::array<glm::dvec3, 3>> triangles;
+  BoxTree tree;
+};
+
+// Whether the ray from p along +x, moved by next to nothing along y and by far less along z, passes through a triangle;
+// p is not on it.
+bool ray_passes(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
+  const auto flat = [](const glm::dvec3& a) { return glm::dvec2(a.y, a.z); };
+  const auto side = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    if (const int exact = orient2d(flat(a), flat(b), flat(p))) return exact;
+    if (a.z != b.z) return a.z > b.z ? 1 : -1;
+    return a.y < b.y ? 1 : -1;
+  };
+  const auto& [a, b, c] = t;
+  const int facing = orient2d(flat(a), flat(b), flat(c));
+  if (facing == 0 || side(a, b) != facing || side(b, c) != facing || side(c, a) != facing) return false;
+  // Seen from +x the corners turn as in the plane of y and z, so a triangle with facing 1 has its normal towards +x.
+  return orient3d(a, b, c, p) == -facing;
+}
+
+class ShellSearch {
+ public:
+  ShellSearch(const Mesh& mesh, FaceComponents components)
+      : mesh_(mesh),
+        components_(std::move(components)),
+        bodies_(components_.count),
+        has_volume_(components_.count, true) {
+    boxes_.resize(components_.count);
+    triangles_.resize(components_.count);
+    faces_.resize(components_.count);
+    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+      stop_if_interrupted();
+      const std::uint32_t shell = components_.of_face[i];
+      if (shell == no_index) continue;
+      faces_[shell].emplace_back(i);
+      for (const glm::dvec3& p : places_of(Face(i))) boxes_[shell].add(p);
+    }
+  }
+
+  // Where shells meet their depths are not known.
+  Shells run() {
+    Shells shells = turned_shells();
+    const bool encloses_nothing =
+        std::any_of(shells.all.begin(), shells.all.end(), [](const Shell& shell) { return shell.turned == 0; });
+    if (components_.count < 2 || encloses_nothing) return shells;
+    const BoxNesting nesting(boxes_);
+    const std::vector<std::uint32_t> parents = find_parents(nesting);
+    shells.meeting = find_meeting(parents);
+    if (!shells.meeting) add_depths(nesting, parents, shells);
+    return shells;
+  }
+
+  Shells run_with_bodies() {
+    Shells shells = turned_shells();
+    for (std::uint32_t i = 0; i < components_.count; ++i) has_volume_[i] = shells.all[i].turned != 0;
+    if (components_.count < 2) return shells;
+    const BoxNesting nesting(boxes_);
+    std::vector<std::uint32_t> parents = find_parents(nesting);
+    shells.meeting = find_meeting(parents);
+    if (shells.meeting) {
+      join_bodies();
+      parents = find_parents(nesting);
+    }
+    add_depths(nesting, parents, shells);
+    return shells;
+  }
+
+ private:
+  Shells turned_shells() {
+    Shells shells;
+    for (std::uint32_t i = 0; i < components_.count; ++i) shells.all.push_back({faces_[i].front(), turned(i), 0});
+    return shells;
+  }
+
+  static void add_depths(const BoxNesting& nesting, std::span<const std::uint32_t> parents, Shells& shells) {
+    for (std::size_t n = shells.all.size(); n-- > 0;) {
+      const std::uint32_t shell = nesting.order()[n];
+      if (parents[shell] != no_index) shells.all[shell].depth = shells.all[parents[shell]].depth + 1;
+    }
+  }
+
+  int turned(std::uint32_t shell) {
+    RoundedVolume rounded(boxes_[shell].lowest);
+    for (const Face f : faces_[shell]) rounded.add(places_of(f));
+    if (const auto sign = rounded.sign()) return *sign;
+    ExactVolume exact;
+    for (const Face f : faces_[shell]) exact.add(places_of(f));
+    return exact.sign();
+  }
+
+  // One walk around the face, which may go from ring to ring; valid until the next call.
+  std::span<const glm::dvec3> places_of(Face f) {
+    stop_if_interrupted();
+    const Halfedge first = mesh_.halfedge(f), second = mesh_.next(first);
+    if (is_triangle(mesh_, first) && !mesh_.has_rings(f)) {
+      triangle_ = {mesh_.position(mesh_.from(first)), mesh_.position(mesh_.from(second)),
+                   mesh_.position(mesh_.to(second))};
+      return triangle_;
+    }
+    polygon_.read(mesh_, f);
+    walk_ = polygon_.keyhole_walk();
+    return walk_;
+  }
+
+  ShellTriangles triangles_of(std::uint32_t shell) {
+    ShellTriangles found;
+    std::vector<CornerTriangle> corners;
+    std::vector<Box> boxes;
+    for (const Face f : faces_[shell]) {
+      stop_if_interrupted();
+      polygon_.read(mesh_, f);
+      polygon_.triangulate(corners);
+      for (const CornerTriangle& t : corners) {
+        const auto place = [&](int k) { return polygon_.places()[t[static_cast<std::size_t>(k)]]; };
+        const std::array<glm::dvec3, 3> triangle{place(0), place(1), place(2)};
+        if (are_collinear(place(0), place(1), place(2))) continue;
+        boxes.push_back(box_of(triangle));
+        found.triangles.push_back(triangle);
+      }
+    }
+    found.tree = BoxTree(std::move(boxes));
+    return found;
+  }
+
+  // The innermost shell of another body around each, or none. As long as no shells are joined, as if no two met.
+  std::vector<std::uint32_t> find_parents(const BoxNesting& nesting) {
+    std::vector<std::uint32_t> parents(components_.count, no_index);
+    for (std::uint32_t i = 0; i < components_.count; ++i) {
+      if (!has_volume_[i]) continue;
+      const glm::dvec3 p = mesh_.position(mesh_.from(mesh_.halfedge(faces_[i].front())));
+      parents[i] = nesting.first_around(i, [&](std::uint32_t other) {
+        return has_volume_[other] && bodies_.root(other) != bodies_.root(i) && is_inside(p, other);
+      });
+    }
+    return parents;
+  }
+
+  bool is_inside(const glm::dvec3& p, std::uint32_t shell) {
+    if (triangles_[shell].triangles.empty()) triangles_[shell] = triangles_of(shell);
+    const ShellTriangles& found = triangles_[shell];
+    const auto is_on_ray = [&](const Box& box) {
+      return box.highest.x >= p.x && box.lowest.y <= p.y && p.y <= box.highest.y && box.lowest.z <= p.z &&
+             p.z <= box.highest.z;
+    };
+    bool is_inside = false;
+    found.tree.visit(is_on_ray, [&](std::uint32_t n) {
+      is_inside ^= ray_passes(p, found.triangles[n]);
+      return true;
+    });
+    return is_inside;
+  }
+
+  // If any two shells meet, then also two of which one is the parent of the other, or that have the same or no parent:
+  // where those are apart, a shell parts what lies inside of it from what lies outside.
+  std::optional<std::pair<Face, Face>> find_meeting(std::span<const std::uint32_t> parents) {
+    std::vector<std::vector<std::uint32_t>> families(components_.count + 1);  // the last: of those without a parent
+    for (std::uint32_t i = 0; i < components_.count; ++i)
+      if (has_volume_[i]) families[std::min(parents[i], components_.count)].push_back(i);
+    std::optional<std::pair<Face, Face>> found;
+    for (std::uint32_t i = 0; i <= components_.count && !found; ++i) {
+      if (i < components_.count && !families[i].empty()) families[i].push_back(i);
+      for_each_meeting(families[i], [&](Face f, Face g) {
+        found = {std::min(f, g), std::max(f, g)};
+        return false;
+      });
+    }
+    return found;
+  }
+
+  // Shells that meet become one body.
+  void join_bodies() {
+    std::vector<std::uint32_t> shells;
+    for (std::uint32_t i = 0; i < components_.count; ++i)
+      if (has_volume_[i]) shells.push_back(i);
+    for_each_meeting(shells, [&](Face f, Face g) {
+      bodies_.join(components_.of_face[f.index], components_.of_face[g.index]);
+      return true;
+    });
+  }
+
+  // Calls visit for faces of two bodies that meet until it returns false. Among all triangles of the shells whose boxes
+  // overlap, in one tree, which tells those of fans and slivers apart.
+  template <class Visit>
+  void for_each_meeting(std::span<const std::uint32_t> shells, const Visit& visit) {
+    if (shells.size() < 2) return;
+    std::vector<Box> boxes;
+    for (const std::uint32_t shell : shells) boxes.push_back(boxes_[shell]);
+    const BoxTree tree_of_boxes(boxes);
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+      const auto is_alone = [&](std::uint32_t other) { return other == i; };
+      const auto overlaps = [&](const Box& box) { return box.overlaps(boxes[i]); };
+      if (tree_of_boxes.visit(overlaps, is_alone)) continue;
+      faces.insert(faces.end(), faces_[shells[i]].begin(), faces_[shells[i]].end());
+    }
+    const NumberedSurface surface(mesh_, faces);
+    const OverlapTree tree(surface, threads_for(surface.slots()));
+    LeafPlanes planes(surface);
+    const auto body = [&](std::uint32_t slot) { return bodies_.root(components_.of_face[surface.face(slot).index]); };
+    const auto may = [&](std::uint32_t a, std::uint32_t b) { return body(a) != body(b) && !planes.are_clear(a, b); };
+    const auto ask = [&](std::uint32_t a, std::uint32_t b) {
+      return !meet_elsewhere(surface.triangle(a), surface.triangle(b)) || visit(surface.face(a), surface.face(b));
+    };
+    for (std::uint32_t node = 0; node < tree.node_count() && tree.visit_pairs(node, may, ask);) ++node;
+  }
+
+  const Mesh& mesh_;
+  FaceComponents components_;
+  DisjointSets bodies_;                   // of shells that meet
+  std::vector<bool> has_volume_;          // else it counts for no other
+  std::vector<std::vector<Face>> faces_;  // by shell
+  std::vector<Box> boxes_;
+  std::vector<ShellTriangles> triangles_;  // of the shells that were asked whether others lie in them
+  // Scratch of places_of and triangles_of.
+  FacePolygon polygon_;
+  std::array<glm::dvec3, 3> triangle_;
+  std::vector<glm::dvec3> walk_;
+};
+
+}  // namespace
+
+Shells find_shells(Neighbourhood& around) { return ShellSearch(around.mesh(), find_face_components(around)).run(); }
+
+Shells nest_shells(const Mesh& mesh, FaceComponents components) {
+  return ShellSearch(mesh, std::move(components)).run_with_bodies();
+}
+
+}  // namespace ryosen

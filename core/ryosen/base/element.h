@@ -1,0 +1,30 @@
+// Any element of a mesh, tagged with its kind; used by verdicts, problems and selections.
+#pragma once
+
+#include <cstdint>
+
+#include "ryosen/base/handle.h"
+
+namespace ryosen {
+
+struct Element {
+  enum class Kind : std::uint8_t { vertex, halfedge, edge, face };
+  Kind kind = Kind::vertex;
+  std::uint32_t index = no_index;
+
+  constexpr Element() = default;
+  constexpr Element(Vertex v) : kind(Kind::vertex), index(v.index) {}
+  constexpr Element(Halfedge h) : kind(Kind::halfedge), index(h.index) {}
+  constexpr Element(Edge e) : kind(Kind::edge), index(e.index) {}
+  constexpr Element(Face f) : kind(Kind::face), index(f.index) {}
+
+  // The typed handle; the kind must match.
+  constexpr Vertex vertex() const { return Vertex(index); }
+  constexpr Halfedge halfedge() const { return Halfedge(index); }
+  constexpr Edge edge() const { return Edge(index); }
+  constexpr Face face() const { return Face(index); }
+
+  friend constexpr auto operator<=>(const Element&, const Element&) = default;
+};
+
+}  // namespace ryosen

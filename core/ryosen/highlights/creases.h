@@ -1,0 +1,22 @@
+// Creases: edges at which the surface bends.
+#pragma once
+
+#include "ryosen/analysis/neighbourhood.h"
+
+namespace ryosen {
+
+// The cosine of 30 degrees, the angle from which on a bend is a crease.
+inline constexpr double crease_cosine = 0.86602540378443865;
+
+// The cosine of the angle between the area normals of the faces at two sides of an edge on points. Where the faces are
+// turned against each other one normal is, so that the bend alone counts. 1 for two sides of one face, and where a face
+// has no normal: without area or with a place that is not finite.
+double cosine_of_bend(Neighbourhood& around, Halfedge a, Halfedge b);
+
+// Whether exactly two faces share the edge on points and it bends by more than an angle. The lowest sheet with a face
+// answers for the edge.
+bool bends(Neighbourhood& around, Edge e, double cosine_of_angle);
+// By more than 30 degrees.
+inline bool is_crease(Neighbourhood& around, Edge e) { return bends(around, e, crease_cosine); }
+
+}  // namespace ryosen

@@ -1,0 +1,40 @@
+// A convex hull as a shape: its size, and its faces as a polygon list.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "ryosen/base/message.h"
+#include "ryosen/hull/convex_hull.h"
+#include "ryosen/indexed/indexed.h"
+
+namespace ryosen {
+
+struct HullSize {
+  double volume = 0;  // of a solid
+  double area = 0;    // of all facets; of a polygon that of one side
+};
+
+// In units of the points, rounded; infinite where beyond the largest double. Cost: O(corners).
+HullSize hull_size(std::span<const glm::dvec3> points, const ConvexHull& hull);
+
+enum class HullFaces { facets, triangles };  // triangles: of each facet the fan from its lowest number
+
+struct HullList {
+  IndexedMesh list;                                            // the extreme points by ascending number, and the faces
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;  // the segment of dimension 1, by numbers in the list
+};
+// Behind what is in the list already.
+void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to);
+HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces);
+
+// "All points lie in a plane: the hull is a polygon of 5 vertices (dimension 2)."
+Text hull_sentence(const ConvexHull& hull);
+// "Volume 1, area 6." Empty below dimension 2.
+Text size_sentence(const ConvexHull& hull, const HullSize& size);
+// "The hulls of 3 components have 12 vertices and 9 facets. Volume 1, area 6 together."
+Text hulls_sentence(std::size_t count, std::size_t vertices, std::size_t facets, const HullSize& size);
+
+}  // namespace ryosen

@@ -1,0 +1,56 @@
+#include "ryosen/indexed/indexed.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace ryosen {
+namespace {
+
+// The out-of-range vertex number to report: the first negative one, else the largest.
+std::int64_t stray_corner(const CompactList<std::int64_t>& corners) {
+  for (const std::int64_t corner : corners) {
+    if (corner < 0) return corner;
+  }
+  return corners.empty() ? -1 : *std::max_element(corners.begin(), corners.end());
+}
+
+std::int64_t repeated_corner(const CompactList<std::int64_t>& corners) {
+  std::unordered_set<std::int64_t> seen;
+  for (const std::int64_t corner : corners) {
+    if (!seen.insert(corner).second) return corner;
+  }
+  return -1;
+}
+
+}  // namespace
+
+Text QuarantinedFace::cause() const {
+  const std::string name = "f" + std::to_string(face);
+  if (code == "face_too_few_corners") {
+    const std::string count = std::to_string(corners.size());
+    return {"Face " + name + " is set aside: it has " + count + (corners.size() == 1 ? " corner" : " corners") +
+                " and a face needs at least 3.",
+            "面 " + name + " は隔離されています: 頂点が " + count + " 個しかありません(3 個以上必要です)。"};
+  }
+  if (code == "index_out_of_range") {
+    const std::int64_t stray = stray_corner(corners);
+    if (stray < 0) {
+      return {"Face " + name + " is set aside: it names a vertex before the first one.",
+              "面 " + name + " は隔離されています: 最初の頂点より前の番号を参照しています。"};
+    }
+    const std::string vertex = "v" + std::to_string(stray);
+    return {"Face " + name + " is set aside: it names vertex " + vertex + ", which does not exist.",
+            "面 " + name + " は隔離されています: 存在しない頂点 " + vertex + " を参照しています。"};
+  }
+  const std::string vertex = "v" + std::to_string(repeated_corner(corners));
+  return {"Face " + name + " is set aside: it visits vertex " + vertex + " more than once.",
+          "面 " + name + " は隔離されています: 頂点 " + vertex + " を 2 回以上通ります。"};
+}
+
+bool QuarantinedFace::has_corners_within(std::size_t vertices) const {
+  return std::all_of(corners.begin(), corners.end(), [vertices](std::int64_t corner) {
+    return corner >= 0 && static_cast<std::uint64_t>(corner) < vertices;
+  });
+}
+
+}  // namespace ryosen

@@ -1,0 +1,44 @@
+// Fast pairing for regular lists: every pair of points has at most one side in each direction, so nothing is cut.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ryosen/base/handle.h"
+#include "ryosen/indexed/indexed.h"
+#include "ryosen/mesh/column_memory.h"
+
+namespace ryosen {
+
+// Edges are bucketed by smaller point; a side is "up" if it goes from the smaller to the larger point. Edges with an up
+// side come first, by smaller point, then in face order (in large buckets by larger point); then those with only a down
+// side. The even half of an edge is the up one.
+struct RegularPairing {
+  struct Point {
+    std::uint32_t edge_end = 0;            // end of its edges, start of the next point's
+    std::uint32_t last_corner = no_index;  // the last corner at it
+  };
+  struct Sides {
+    std::uint32_t larger;  // the larger point
+    std::uint32_t up;      // the corner where the up side starts
+    std::uint32_t down;    // where the down side starts; no_index: boundary
+  };
+  UnwrittenVector<Point> points;
+  UnwrittenVector<Sides> sides;          // per edge with an up side; a few dummy entries follow
+  UnwrittenVector<Halfedge> halfedge;    // per corner: of the side that starts there
+  std::vector<std::uint32_t> down_only;  // corners whose side is the only one of its edge, in order
+  std::uint32_t up_edges = 0;
+
+  std::uint32_t edges() const { return up_edges + static_cast<std::uint32_t>(down_only.size()); }
+};
+
+// None if the list is not regular. Two passes over the corners with a counting sort by smaller point between them,
+// nearly free of data-dependent branches. The result does not depend on the number of threads. O(corners) plus sorting
+// at the few points of high valence.
+std::optional<RegularPairing> pair_regular(const IndexedMesh& source, unsigned threads);
+
+// Whether all faces are triangles and none is quarantined.
+bool is_all_triangles(const IndexedMesh& source);
+
+}  // namespace ryosen

@@ -1,0 +1,105 @@
+#include "ryosen/io/edited_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/io/elements.h"
+#include "ryosen/io/format.h"
+#include "ryosen/mesh/circulate.h"
+
+namespace ryosen {
+namespace {
+
+// Without wires that coincide with lines, so that they do not occur twice when the file is read again.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementList& lines, const Mesh& mesh,
+                                                                  const std::vector<std::uint32_t>& number) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i)) || !mesh.is_wire(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    wires.push_back(std::minmax(number[a.index], number[b.index]));
+  }
+  if (wires.empty()) return wires;
+  sort_unique(wires);
+  std::set<std::pair<std::int64_t, std::int64_t>> drawn;
+  for (const LineElement& item : lines.items)
+    for (std::uint32_t i = 1; !item.is_points && i < item.count; ++i)
+      drawn.insert(std::minmax(lines.vertices[item.first + i - 1], lines.vertices[item.first + i]));
+  std::erase_if(wires, [&](const auto& wire) { return drawn.contains(wire); });
+  return wires;
+}
+
+// Leaves out the entries of a pool that neither corners nor `quarantined` faces nor lines use.
+void drop_unused(CornerValues& values, std::vector<QuarantinedFace>& quarantine,
+                 CompactList<std::uint32_t> QuarantinedFace::*quarantined, std::vector<std::uint32_t>& of_lines) {
+  std::vector<std::uint32_t> number(values.pool.size(), no_index);
+  const auto for_each_use = [&](const auto& visit) {
+    for (std::uint32_t& entry : values.index)
+      if (entry < number.size()) visit(entry);
+    for (std::uint32_t& entry : of_lines)
+      if (entry < number.size()) visit(entry);
+    for (QuarantinedFace& face : quarantine)
+      for (std::uint32_t& entry : face.*quarantined)
+        if (entry < number.size()) visit(entry);
+  };
+  for_each_use([&](std::uint32_t entry) { number[entry] = 0; });
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    if (number[i] == no_index) continue;
+    values.pool[kept] = values.pool[i];
+    number[i] = kept++;
+  }
+  if (kept == values.pool.size()) return;
+  values.pool.resize(kept);
+  for_each_use([&](std::uint32_t& entry) { entry = number[entry]; });
+}
+
+// In a format without pools of its own one with an entry per vertex has those of isolated vertices too.
+bool has_pools(const MeshFile& file) {
+  return !file.format || !file.format->holds || holds(file.format->holds(file.encoding), Holds::corner_normals);
+}
+
+}  // namespace
+
+std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, std::span<const QuarantinedFace> quarantine,
+                                         std::size_t file_vertices) {
+  std::vector<Vertex> used;
+  const auto add = [&](std::int64_t number) {
+    if (number >= 0 && number < static_cast<std::int64_t>(file_vertices))
+      used.emplace_back(static_cast<std::uint32_t>(number));
+  };
+  for (const QuarantinedFace& face : quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
+  std::for_each(source.elements.vertices.begin(), source.elements.vertices.end(), add);
+  for (const std::int64_t number : vertices_named(source.properties)) add(number);
+  sort_unique(used);
+  return used;
+}
+
+MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables& tables) {
+  MeshFile file = source;
+  CompactMesh compact = to_indexed(mesh, tables, used_beside_the_mesh(source, tables.quarantine, mesh.file_vertices()));
+  const std::size_t new_vertices = compact.mesh.positions.size();
+  file.elements =
+      renumbered(source.elements, compact.vertex_number, compact.face_number, mesh.file_vertices(), new_vertices);
+  file.properties = renumbered(source.properties, compact.vertex_number, compact.face_number, mesh.file_vertices(),
+                               new_vertices, compact.mesh.face_count());
+  file.kept_vertices = compact.kept_vertices;
+  file.wires = wires_beside(file.elements, mesh, compact.vertex_number);
+  file.mesh = std::move(compact.mesh);
+  return file;
+}
+
+void drop_unused_values(MeshFile& file) {
+  IndexedMesh& mesh = file.mesh;
+  const auto may_be_of_vertices = [&](const CornerValues& values) {
+    return !has_pools(file) && values.pool.size() == mesh.positions.size();
+  };
+  std::vector<std::uint32_t> no_lines;
+  if (!may_be_of_vertices(mesh.texcoords))
+    drop_unused(mesh.texcoords, mesh.quarantine, &QuarantinedFace::texcoords, file.elements.texcoords);
+  if (!may_be_of_vertices(mesh.normals))
+    drop_unused(mesh.normals, mesh.quarantine, &QuarantinedFace::normals, no_lines);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,215 @@
+#include "ryosen/io/ply_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ryosen/base/release.h"
+#include "ryosen/io/ply_strips.h"
+#include "ryosen/mesh/column_memory.h"
+#include "ryosen/mesh/touch_pages.h"
+
+namespace ryosen {
+namespace {
+
+// The value that represents 1 in a colour of this type.
+double full_scale(NumberType type) {
+  if (is_real(type)) return 1.0;
+  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
+}
+
+std::uint32_t swapped(std::uint32_t value) {
+  return value >> 24 | (value >> 8 & 0xff00u) | (value << 8 & 0xff0000u) | value << 24;
+}
+
+template <class Vector>
+PlyTarget component_of(std::vector<Vector>& values, std::size_t component, double divisor = 1.0) {
+  constexpr std::size_t stride = sizeof(Vector) / sizeof(double);
+  return {values.empty() ? nullptr : &values[0][static_cast<int>(component)], stride, divisor};
+}
+
+}  // namespace
+
+PlyBuilder::PlyBuilder(PlyHeader header) : faces_(file_.mesh), places_(header.tables.tables.size()) {
+  file_.properties = std::move(header.tables);
+  file_.head_comments = std::move(header.comments);
+  file_.encoding = header.encoding;
+  reporter_ = std::move(header.reporter);
+}
+
+PlyTarget PlyBuilder::target_of(const Property& property) {
+  IndexedMesh& mesh = file_.mesh;
+  switch (property.role) {
+    case PropertyRole::position:
+      return component_of(mesh.positions, property.component);
+    case PropertyRole::normal:
+      return component_of(mesh.normals.pool, property.component);
+    case PropertyRole::texcoord:
+      return component_of(mesh.texcoords.pool, property.component);
+    case PropertyRole::vertex_colour:
+      return component_of(mesh.vertex_colours, property.component, full_scale(property.type));
+    case PropertyRole::face_colour:
+      return component_of(mesh.face_colours.values, property.component, full_scale(property.type));
+    default:
+      return {};
+  }
+}
+
+std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace place) {
+  PropertyTable& table = tables()[number];
+  IndexedMesh& mesh = file_.mesh;
+  places_[number] = place;
+  if (table.kind == TableKind::vertices) {
+    reserve_large(mesh.positions, table.rows);
+    if (mesh.positions.empty()) touch_pages(mesh.positions.data(), table.rows * sizeof(glm::dvec3));
+    mesh.positions.resize(table.rows);
+  }
+  if (table.kind == TableKind::faces) reserve_large(mesh.face_offsets, table.rows + 1);
+  for (const Property& property : table.properties) {
+    if (property.role == PropertyRole::normal) mesh.normals.pool.resize(table.rows);
+    if (property.role == PropertyRole::texcoord) mesh.texcoords.pool.resize(table.rows);
+    if (property.role == PropertyRole::vertex_colour) {
+      mesh.vertex_colours.resize(table.rows, glm::dvec4(0, 0, 0, 1));
+      mesh.colour_components = std::max(mesh.colour_components, property.component + 1);
+    }
+    if (property.role == PropertyRole::face_colour) {
+      mesh.face_colours.values.resize(table.rows, glm::dvec4(0.0));
+      mesh.face_colours.count.assign(table.rows, static_cast<std::uint8_t>(property.component + 1));
+      mesh.face_colours.are_bytes = full_scale(property.type) == 255.0;
+    }
+  }
+  std::vector<PlyTarget> targets;
+  for (Property& property : table.properties) {
+    targets.push_back(target_of(property));
+    if (property.is_list && property.role != PropertyRole::corners) property.ends.reserve(table.rows);
+    if (property.is_kept() && !property.is_list) property.data.reserve(table.rows * size_of(property.type));
+  }
+  return targets;
+}
+
+void PlyBuilder::warn_non_finite(FilePlace place) { warn_of_non_finite_vertex(reporter_, place); }
+
+void PlyBuilder::warn_rounded(FilePlace place) {
+  reporter_.leave_out(&LeftOut::values);
+  reporter_.warn("rounded_number", place, [] {
+    return Text{"A whole number of a vertex or face has more than the 53 bits of a double; it is rounded.",
+                "頂点または面の整数が倍精度の 53 ビットに収まらないため、丸めました。"};
+  });
+}
+
+// If every list has two numbers per corner or is empty they become texture coordinates; else they are kept as lists.
+void PlyBuilder::take_corner_texcoords() {
+  IndexedMesh& mesh = file_.mesh;
+  for (PropertyTable& table : tables()) {
+    for (Property& property : table.properties) {
+      if (property.role != PropertyRole::corner_texcoord) continue;
+      bool fits = mesh.texcoords.pool.empty() && table.rows == mesh.face_count();
+      bool any = false;
+      for (std::size_t f = 0; fits && f < table.rows; ++f) {
+        const std::size_t count = property.value_count(f);
+        any = any || count != 0;
+        fits = count == 0 || count == 2 * mesh.face(f).size();
+      }
+      if (!fits || !any) {
+        property.role = PropertyRole::extra;
+        continue;
+      }
+      CornerValues& texcoords = mesh.texcoords;
+      texcoords.components = 2;
+      texcoords.index.reserve(mesh.corners.size());
+      for (std::size_t f = 0; f < table.rows; ++f) {
+        const std::size_t first = property.first_value(f), count = property.value_count(f);
+        for (std::size_t i = 0; i < mesh.face(f).size(); ++i) {
+          texcoords.index.push_back(count == 0 ? no_index : static_cast<std::uint32_t>(texcoords.pool.size()));
+          if (count == 0) continue;
+          texcoords.pool.emplace_back(property.real(first + 2 * i), property.real(first + 2 * i + 1), 0.0);
+        }
+      }
+      release(property.data);
+      release(property.ends);
+    }
+  }
+}
+
+// Whether no face references existing vertices, but all would with swapped bytes.
+bool PlyBuilder::has_other_byte_order() const {
+  const IndexedMesh& mesh = file_.mesh;
+  if (file_.encoding == Encoding::ascii || mesh.quarantine.empty()) return false;
+  if (mesh.quarantine.size() != mesh.face_count()) return false;
+  return std::all_of(mesh.quarantine.begin(), mesh.quarantine.end(), [&](const QuarantinedFace& face) {
+    return face.code == "index_out_of_range" &&
+           std::all_of(face.corners.begin(), face.corners.end(), [&](std::int64_t corner) {
+             return swapped(static_cast<std::uint32_t>(corner)) < mesh.positions.size();
+           });
+  });
+}
+
+// Lists of vertices in elements with other names may be meant as faces.
+void PlyBuilder::warn_of_kept_lists() {
+  for (std::size_t t = 0; t < tables().size(); ++t) {
+    const PropertyTable& table = tables()[t];
+    const bool has_list = std::any_of(table.properties.begin(), table.properties.end(), [](const Property& property) {
+      return property.is_list && property.role == PropertyRole::vertex_number;
+    });
+    const bool are_lists = table.kind == TableKind::other && (has_list || table.name == "tristrips");
+    if (!are_lists || table.rows == 0 || strip_corners(table)) continue;
+    reporter_.warn("tristrips_kept", places_[t], [&] {
+      return Text{
+          "The rows of the element " + shown(table.name) + " are not read as faces; they are kept and written back.",
+          "要素 " + shown(table.name) + " の行は面として読みません。そのまま保持して書き戻します。"};
+    });
+  }
+}
+
+// Text may have other numbers than bytes where it announces them; such colours are reals.
+void PlyBuilder::widen_odd_colours() {
+  const auto is_byte = [](double value) { return std::nearbyint(value * 255.0) / 255.0 == value; };
+  for (PropertyTable& table : tables())
+    for (const PropertyRole role : {PropertyRole::vertex_colour, PropertyRole::face_colour}) {
+      bool are_bytes = true;
+      for (const Property& property : table.properties) {
+        if (property.role != role || property.type != NumberType::u8) continue;
+        const PlyTarget target = target_of(property);
+        for (std::size_t row = 0; are_bytes && row < table.rows; ++row)
+          are_bytes = is_byte(target.first[row * target.stride]);
+      }
+      for (Property& property : table.properties)
+        if (!are_bytes && property.role == role) property.type = NumberType::f64;
+    }
+}
+
+FilePlace PlyBuilder::place_of_faces() const {
+  const std::vector<PropertyTable>& all = file_.properties.tables;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].rows != 0 && (all[i].kind == TableKind::faces || strip_corners(all[i]))) return places_[i];
+  return {};
+}
+
+Result<MeshFile> PlyBuilder::finish() {
+  IndexedMesh& mesh = file_.mesh;
+  const FilePlace first_face = place_of_faces();
+  warn_of_kept_lists();
+  if (file_.encoding == Encoding::ascii) widen_odd_colours();
+  take_corner_texcoords();
+  if (std::optional<Failure> failure = take_strips(file_, faces_, strip_places_, reporter_)) return std::move(*failure);
+  faces_.finish(reporter_);
+  if (has_other_byte_order()) {
+    return malformed("wrong_byte_order",
+                     {"No face names vertices that exist; with their bytes the other way round all would. The byte "
+                      "order is not the one that the header says.",
+                      "どの面も存在しない頂点を参照しています。バイト順を逆にするとすべて正しくなるため、"
+                      "ヘッダーのバイト順が誤っています。"},
+                     first_face);
+  }
+  if (!mesh.normals.pool.empty()) mesh.normals.index = mesh.corners;
+  if (!mesh.texcoords.pool.empty() && mesh.texcoords.index.empty()) {
+    mesh.texcoords.index = mesh.corners;
+    mesh.texcoords.components = 2;
+  }
+  warn_of_missing_elements(reporter_, mesh.positions.size(), mesh.face_count());
+  file_.left_out = reporter_.left_out();
+  file_.messages = reporter_.take();
+  return std::move(file_);
+}
+
+}  // namespace ryosen

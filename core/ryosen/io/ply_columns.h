@@ -1,0 +1,86 @@
+// The columns for writing a PLY file: those of the file's layout, plus those that its mesh needs in addition.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "ryosen/io/mesh_file.h"
+
+namespace ryosen {
+
+struct PlyColumn {
+  std::string_view name;
+  NumberType type = NumberType::f32;
+  bool is_list = false;
+  NumberType count_type = NumberType::u8;
+  PropertyRole role = PropertyRole::extra;
+  std::uint8_t component = 0;
+  double scale = 1.0;  // for colours: the written value of 1
+  bool is_of_layout = false;
+  const Property* kept = nullptr;  // the source of its values, if not in the mesh
+};
+
+struct PlyTable {
+  std::string_view name;
+  TableKind kind = TableKind::other;
+  std::size_t rows = 0;
+  std::vector<PlyColumn> columns;
+};
+
+class PlyColumns {
+ public:
+  // Chooses the types: those of the layout if they hold every value of a position, normal, texture coordinate or
+  // colour; else the narrowest real type that does, for all its components. Colours without a layout are uchar if each
+  // component means a byte (byte_meant); those of a layout with uchar stay it, rounded. The file must outlive it.
+  // O(values).
+  PlyColumns(const MeshFile& file, Encoding encoding);
+
+  const std::vector<PlyTable>& tables() const { return tables_; }
+  // The value to write for a row of a scalar column from the mesh; as the mesh has it, colours from 0 to 1.
+  double value(const PlyColumn& column, std::size_t row) const;
+  double mesh_value(const PlyColumn& column, std::size_t row) const;
+  // The corners of a face with file numbering, quarantined faces too.
+  template <class Visit>
+  void for_each_corner(std::size_t face, Visit visit) const {
+    if (const QuarantinedFace* const aside = quarantined(face)) {
+      for (const std::int64_t corner : aside->corners) visit(corner);
+    } else {
+      for (const std::uint32_t corner : file_.mesh.face(face)) visit(std::int64_t{corner});
+    }
+  }
+  std::size_t corner_count(std::size_t face) const;
+  // The texture coordinates of a face's corners: empty, or one per corner.
+  const std::vector<glm::dvec3>& corner_texcoords(std::size_t face) const;
+
+ private:
+  const QuarantinedFace* quarantined(std::size_t face) const;
+  void add_layout();
+  void add_missing();
+  bool has_data(PropertyRole role, std::uint8_t component) const;
+  void add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names);
+  void widen(const PlyTable& table, PlyColumn& column);
+  // Keeps the layout's types for a role, or widens all its components to one type.
+  void widen_together(PlyTable& table, PropertyRole role);
+  void widen_corners(PlyColumn& column);
+  bool holds(NumberType type, const PlyColumn& column, std::size_t rows) const;
+  bool holds_value(NumberType type, const PlyColumn& column, double value) const;
+
+  const MeshFile& file_;
+  std::vector<PlyTable> tables_;
+  std::optional<std::vector<std::uint32_t>> normals_, texcoords_;
+  std::vector<std::uint32_t> aside_;  // per face the index in the quarantine; empty if there is none
+  bool has_corner_texcoords_ = false;
+  int face_colour_components_ = 0;  // 0: PLY cannot hold the face colours
+  bool has_decimals_ = false;       // the file as read is ascii
+  bool writes_decimals_ = false;    // and so is the one to write
+  mutable std::vector<glm::dvec3> scratch_;
+};
+
+// The number of components for writing the face colours to PLY: 3 or 4, or 0 if it cannot hold them.
+int ply_face_colour_components(const FaceColours& colours);
+
+// The number of vertices and faces whose colours are rounded to the uchar that the file had. O(colours).
+std::uint64_t ply_rounded_colours(const MeshFile& file);
+
+}  // namespace ryosen

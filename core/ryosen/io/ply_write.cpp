@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "ryosen/base/enum_table.h"
+#include "ryosen/geometry/single_precision.h"
+#include "ryosen/io/ply.h"
+#include "ryosen/io/ply_columns.h"
+#include "ryosen/io/text_lines.h"
+#include "ryosen/io/text_out.h"
+
+namespace ryosen {
+namespace {
+
+// Writes numbers as words of a line. Integral values are written as integers, whatever the type.
+class PlyTextSink {
+ public:
+  explicit PlyTextSink(TextOut& out) : out_(out) {}
+
+  // A float has the shortest digits of one; a decimal of a text in its place keeps its own.
+  void real(NumberType type, double value) {
+    blank();
+    if (!is_real(type)) {
+      out_ << static_cast<std::int64_t>(value);
+    } else if (type == NumberType::f32 && to_single(value) == value) {
+      out_ << static_cast<float>(value);
+    } else {
+      out_ << value;
+    }
+  }
+  void kept(const Property& property, std::size_t value) {
+    if (property.type == NumberType::f32) {
+      float single = 0;
+      std::memcpy(&single, property.data.data() + value * sizeof single, sizeof single);
+      blank();
+      out_ << single;
+    } else if (is_real(property.type)) {
+      real(property.type, property.real(value));
+    } else if (property.type == NumberType::u64) {
+      blank();
+      out_ << static_cast<std::uint64_t>(property.integer(value));
+    } else {
+      whole(property.type, property.integer(value));
+    }
+  }
+  void whole(NumberType, std::int64_t value) {
+    blank();
+    out_ << value;
+  }
+  void end_row() {
+    out_ << '\n';
+    is_first_ = true;
+  }
+
+ private:
+  void blank() {
+    if (!is_first_) out_ << ' ';
+    is_first_ = false;
+  }
+
+  TextOut& out_;
+  bool is_first_ = true;
+};
+
+class PlyBinarySink {
+ public:
+  PlyBinarySink(TextOut& out, bool swaps) : out_(out), swaps_(swaps) {}
+
+  void real(NumberType type, double value) {
+    with_number_type(type, [&](auto zero) { return put(static_cast<decltype(zero)>(value)); });
+  }
+  void kept(const Property& property, std::size_t value) {
+    with_number_type(property.type, [&](auto number) {
+      std::memcpy(&number, property.data.data() + value * sizeof number, sizeof number);
+      return put(number);
+    });
+  }
+  void whole(NumberType type, std::int64_t value) {
+    with_number_type(type, [&](auto zero) {
+      using Number = decltype(zero);
+      if constexpr (std::is_floating_point_v<Number>) {
+        return put(static_cast<Number>(value));
+      } else {
+        using Limits = std::numeric_limits<Number>;
+        if (value < 0 && value < static_cast<std::int64_t>(Limits::lowest())) return put(Limits::lowest());
+        if (value > 0 && static_cast<std::uint64_t>(value) > static_cast<std::uint64_t>(Limits::max()))
+          return put(Limits::max());
+        return put(static_cast<Number>(value));
+      }
+    });
+  }
+  void end_row() {}
+
+ private:
+  template <class Number>
+  int put(Number number) {
+    char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    if (swaps_) std::reverse(bytes, bytes + sizeof number);
+    out_ << std::string_view(bytes, sizeof number);
+    return 0;
+  }
+
+  TextOut& out_;
+  bool swaps_;
+};
+
+class PlyWriter {
+ public:
+  PlyWriter(const MeshFile& file, Encoding encoding)
+      : file_(file),
+        encoding_(encoding == Encoding::automatic ? Encoding::binary_little : encoding),
+        columns_(file, encoding_),
+        out_(64 * file.mesh.positions.size() + 8 * file.mesh.corners.size()) {}
+
+  std::string write() {
+    header();
+    if (encoding_ == Encoding::ascii) {
+      PlyTextSink sink(out_);
+      data(sink);
+    } else {
+      const bool is_big = encoding_ == Encoding::binary_big;
+      PlyBinarySink sink(out_, is_big != (std::endian::native == std::endian::big));
+      data(sink);
+    }
+    return out_.take();
+  }
+
+ private:
+  void header() {
+    struct Row {
+      Encoding encoding;
+      std::string_view name;
+    };
+    static constexpr Row rows[] = {{Encoding::automatic, ""},
+                                   {Encoding::ascii, "ascii"},
+                                   {Encoding::binary_little, "binary_little_endian"},
+                                   {Encoding::binary_big, "binary_big_endian"}};
+    static_assert(rows_are_in_order(rows, &Row::encoding));
+    out_ << "ply\nformat " << rows[static_cast<std::size_t>(encoding_)].name << " 1.0\n";
+    // Comments from another format include that format's comment marker.
+    const bool came_from_ply = file_.properties.has_layout();
+    for (const std::string& comment : file_.head_comments) {
+      std::string_view text = comment;
+      if (!came_from_ply && text.starts_with('#')) text.remove_prefix(text.starts_with("# ") ? 2 : 1);
+      out_ << "comment " << on_one_line(text) << '\n';
+    }
+    for (const std::string& info : file_.properties.obj_info) out_ << "obj_info " << on_one_line(info) << '\n';
+    unknown_lines(0, 0);
+    std::uint32_t tables = 0;
+    for (const PlyTable& table : columns_.tables()) {
+      out_ << "element " << table.name << ' ' << table.rows << '\n';
+      unknown_lines(++tables, 0);
+      std::uint32_t properties = 0;
+      for (const PlyColumn& column : table.columns) {
+        out_ << "property ";
+        if (column.is_list) out_ << "list " << name_of(column.count_type) << ' ';
+        out_ << name_of(column.type) << ' ' << column.name << '\n';
+        unknown_lines(tables, ++properties);
+      }
+      unknown_lines(tables, no_index);
+    }
+    out_ << "end_header\n";
+  }
+
+  // Those that stood before this place, as far as they have not been written.
+  void unknown_lines(std::uint32_t tables, std::uint32_t properties) {
+    const std::vector<UnknownLines>& all = file_.properties.unknown_lines;
+    for (; unknown_written_ < all.size(); ++unknown_written_) {
+      const UnknownLines& lines = all[unknown_written_];
+      if (std::pair(lines.tables, lines.properties) > std::pair(tables, properties)) break;
+      out_ << lines.text;
+    }
+  }
+
+  template <class Sink>
+  void data(Sink& sink) {
+    for (const PlyTable& table : columns_.tables()) {
+      if (table.columns.empty()) continue;
+      for (std::size_t row = 0; row < table.rows; ++row) {
+        for (const PlyColumn& column : table.columns) value(sink, column, row);
+        sink.end_row();
+      }
+    }
+  }
+
+  template <class Sink>
+  void value(Sink& sink, const PlyColumn& column, std::size_t row) const {
+    if (column.kept) {
+      const std::size_t first = column.kept->first_value(row), count = column.kept->value_count(row);
+      if (column.is_list) sink.whole(column.count_type, static_cast<std::int64_t>(count));
+      for (std::size_t i = first; i < first + count; ++i) sink.kept(*column.kept, i);
+    } else if (column.role == PropertyRole::corners) {
+      sink.whole(column.count_type, static_cast<std::int64_t>(columns_.corner_count(row)));
+      columns_.for_each_corner(row, [&](std::int64_t corner) { sink.whole(column.type, corner); });
+    } else if (column.role == PropertyRole::corner_texcoord) {
+      const std::vector<glm::dvec3>& texcoords = columns_.corner_texcoords(row);
+      sink.whole(column.count_type, static_cast<std::int64_t>(2 * texcoords.size()));
+      const bool are_singles = column.type == NumberType::f32;  // reading makes them floats
+      for (const glm::dvec3& texcoord : texcoords)
+        for (const double number : {texcoord.x, texcoord.y})
+          sink.real(column.type, are_singles ? to_single(number) : number);
+    } else {
+      sink.real(column.type, columns_.value(column, row));
+    }
+  }
+
+  const MeshFile& file_;
+  Encoding encoding_;
+  PlyColumns columns_;
+  TextOut out_;
+  std::size_t unknown_written_ = 0;
+};
+
+}  // namespace
+
+std::string write_ply(const MeshFile& file, Encoding encoding) { return PlyWriter(file, encoding).write(); }
+
+}  // namespace ryosen

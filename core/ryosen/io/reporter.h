@@ -1,0 +1,88 @@
+// Collects the warnings of a reader, with a limit per kind, so that a malformed file cannot exhaust memory.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "ryosen/base/message.h"
+#include "ryosen/base/result.h"
+
+namespace ryosen {
+
+// The place in a file that a message refers to; zero means not given (byte and face: see the flags).
+struct FilePlace {
+  std::uint64_t line = 0;    // from 1
+  std::uint64_t column = 0;  // from 1, in bytes
+  std::uint64_t byte = 0;    // from 0
+  bool byte_given = false;
+  std::uint64_t face = 0;  // from 0
+  bool face_given = false;
+
+  static FilePlace at_line(std::uint64_t line, std::uint64_t column = 0) { return {line, column}; }
+  static FilePlace at_byte(std::uint64_t byte) { return {0, 0, byte, true}; }
+  static FilePlace at_face(std::uint64_t face) { return {0, 0, 0, false, face, true}; }
+};
+
+Message make_message(Severity severity, Code code, Text text, FilePlace place = {});
+
+// The failure for malformed content; exit code input_malformed.
+Failure malformed(Code code, Text text, FilePlace place = {});
+
+// A token for display in a sentence: quoted, truncated to 40 bytes, without control characters or invalid UTF-8.
+std::string shown(std::string_view token);
+
+// Counts of what a reader ignored.
+struct LeftOut {
+  // Lines not understood.
+  std::uint64_t lines = 0;
+  // Numbers and indices that are meaningless, and rounded numbers.
+  std::uint64_t values = 0;
+  // Lines or bytes after the end of the mesh.
+  std::uint64_t rest = 0;
+};
+
+class Reporter {
+ public:
+  static constexpr std::size_t listed_per_code = 20;
+
+  // Adds a warning; make_text is only called if the warning is listed.
+  template <class MakeText>
+  void warn(Code code, FilePlace place, MakeText&& text) {
+    if (count(code) <= listed_per_code) {
+      messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
+    }
+  }
+
+  // Counts something that is ignored; there should also be a warning about it.
+  void leave_out(std::uint64_t LeftOut::*what, std::uint64_t count = 1) { left_out_.*what += count; }
+  const LeftOut& left_out() const { return left_out_; }
+
+  bool is_empty() const { return counts_.empty(); }
+
+  // The warnings in the order of the file, then per kind one sentence with the number of those not listed.
+  std::vector<Message> take();
+
+ private:
+  std::size_t count(Code code);
+
+  std::vector<Message> messages_;
+  LeftOut left_out_;
+  std::vector<std::pair<Code, std::size_t>> counts_;
+};
+
+// What several readers say, in the same words.
+Failure empty_file();
+Failure too_many_corners(FilePlace place);
+Text not_a_number(std::string_view word);
+Text not_a_whole_number(std::string_view word);
+Text not_a_finite_number(std::string_view word);
+void warn_of_non_finite_vertex(Reporter& reporter, FilePlace place);
+// Counts the values as left out.
+void warn_of_extra_values(Reporter& reporter, FilePlace place);
+// Where the mesh has no vertices or no faces.
+void warn_of_missing_elements(Reporter& reporter, std::size_t vertices, std::size_t faces);
+
+}  // namespace ryosen

@@ -1,0 +1,32 @@
+#include "ryosen/mesh/attribute.h"
+
+namespace ryosen {
+
+std::vector<CornerAttribute> corner_attributes(const Mesh& mesh) {
+  std::vector<CornerAttribute> found;
+  const auto add = [&](std::string_view index_name, std::string_view pool_name) {
+    const int index = mesh.find_attribute(index_name), pool = mesh.find_attribute(pool_name);
+    if (index >= 0 && pool >= 0) found.push_back({static_cast<std::size_t>(index), static_cast<std::size_t>(pool)});
+  };
+  add(attribute_names::texcoord, attribute_names::texcoord_pool);
+  add(attribute_names::normal, attribute_names::normal_pool);
+  return found;
+}
+
+bool corner_values_differ(const Mesh& mesh, Halfedge a, Halfedge b, bool alike) {
+  const Halfedge a_end = mesh.next(a), b_end = mesh.next(b);
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const std::vector<std::uint32_t>& index = mesh.attributes()[attribute.index_column].data;
+    const AttributeColumn& pool = mesh.attributes()[attribute.pool_column];
+    const auto differ = [&](Halfedge corner, Halfedge other) {
+      const std::uint32_t i = index[corner.index], k = index[other.index];
+      if (i == k) return false;
+      if (i == no_index || k == no_index) return true;
+      return attribute_value<glm::dvec3>(pool, i) != attribute_value<glm::dvec3>(pool, k);
+    };
+    if (differ(a, alike ? b : b_end) || differ(a_end, alike ? b_end : b)) return true;
+  }
+  return false;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,53 @@
+// The standard attributes of a mesh and typed access to their values.
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
+
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// Names of the columns that readers fill. A corner value is an index into its pool, no_index where the corner has none.
+namespace attribute_names {
+inline constexpr std::string_view texcoord = "corner.texcoord";     // -> texcoord_pool
+inline constexpr std::string_view texcoord_pool = "pool.texcoord";  // dvec3
+inline constexpr std::string_view normal = "corner.normal";         // -> normal_pool
+inline constexpr std::string_view normal_pool = "pool.normal";      // dvec3
+inline constexpr std::string_view colour = "vertex.colour";         // dvec4
+inline constexpr std::string_view material = "face.material";       // index into the document's table of names
+inline constexpr std::string_view group = "face.group";
+inline constexpr std::string_view object = "face.object";
+inline constexpr std::string_view smoothing = "face.smoothing";
+}  // namespace attribute_names
+
+// The value of type T at an index of a column; sizeof(T) must equal the column's words.
+template <class T>
+T attribute_value(const AttributeColumn& column, std::uint32_t index) {
+  T value;
+  std::memcpy(&value, column.data.data() + std::size_t{index} * column.words, sizeof(T));
+  return value;
+}
+// A value as the words of a column.
+template <class T>
+std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> attribute_words(const T& value) {
+  std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
+  std::memcpy(words.data(), &value, sizeof(T));
+  return words;
+}
+
+// A corner column with its pool, as indices into Mesh::attributes().
+struct CornerAttribute {
+  std::size_t index_column;
+  std::size_t pool_column;
+};
+// The corner attributes that the mesh carries (texture coordinates, normals).
+std::vector<CornerAttribute> corner_attributes(const Mesh& mesh);
+// Whether the corners of two faces carry other values at an end of the edge that the faces share. One half of it in each
+// face is given; `alike` tells that the two run in the same direction. Equal values in two places of a pool are equal.
+bool corner_values_differ(const Mesh& mesh, Halfedge a, Halfedge b, bool alike);
+
+}  // namespace ryosen

@@ -1,0 +1,189 @@
+// Circulators around vertices and faces: the nine incidence relations between vertices, edges and faces, O(1) per step.
+//
+// All ranges are views and stay valid until the mesh is edited. On a corrupt mesh a cycle that does not return to its
+// start throws BrokenMesh, which names the halfedge, after at most halfedge_slots() + 1 steps.
+#pragma once
+
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// A cycle that does not close; what() names the halfedge it started at.
+class BrokenMesh : public std::runtime_error {
+ public:
+  explicit BrokenMesh(Halfedge start)
+      : std::runtime_error("the links from halfedge h" + std::to_string(start.index) + " do not close a cycle"),
+        start_(start) {}
+  Halfedge start() const { return start_; }
+
+ private:
+  Halfedge start_;
+};
+
+// The cycle of Step from a halfedge, each halfedge visited once, mapped to an element by Map. Empty if start is none.
+template <class Step, class Map>
+class CycleRange {
+ public:
+  class iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = decltype(Map()(std::declval<const Mesh&>(), Halfedge()));
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = value_type;
+
+    iterator(const Mesh* mesh, Halfedge start)
+        : mesh_(mesh), start_(start), current_(start), left_(mesh->halfedge_slots()) {}
+    value_type operator*() const { return Map()(*mesh_, current_); }
+    iterator& operator++() {
+      current_ = Step()(*mesh_, current_);
+      if (current_ == start_) {
+        current_ = Halfedge();
+      } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
+        throw BrokenMesh(start_);
+      }
+      return *this;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }
+
+   private:
+    const Mesh* mesh_;
+    Halfedge start_, current_;
+    std::uint32_t left_;
+  };
+
+  CycleRange(const Mesh& mesh, Halfedge start) : mesh_(&mesh), start_(start) {}
+  iterator begin() const { return {mesh_, start_}; }
+  iterator end() const { return {mesh_, Halfedge()}; }
+
+ private:
+  const Mesh* mesh_;
+  Halfedge start_;
+};
+
+namespace detail {
+struct StepNext {
+  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.next(h); }
+};
+struct StepLeft {
+  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.counter_clockwise(h); }
+};
+struct ToHalfedge {
+  Halfedge operator()(const Mesh&, Halfedge h) const { return h; }
+};
+struct ToEdge {
+  Edge operator()(const Mesh&, Halfedge h) const { return edge(h); }
+};
+struct ToFrom {
+  Vertex operator()(const Mesh& m, Halfedge h) const { return m.from(h); }
+};
+struct ToEnd {
+  Vertex operator()(const Mesh& m, Halfedge h) const { return m.to(h); }
+};
+struct ToFace {
+  Face operator()(const Mesh& m, Halfedge h) const { return m.face(h); }
+};
+struct ToOppositeFace {
+  Face operator()(const Mesh& m, Halfedge h) const { return m.face(twin(h)); }
+};
+}  // namespace detail
+
+// The loops of a face one after another, the outer one first, mapped to an element by Map.
+template <class Map>
+class FaceRange {
+ public:
+  class iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = decltype(Map()(std::declval<const Mesh&>(), Halfedge()));
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = value_type;
+
+    iterator(const Mesh* mesh, Halfedge start, std::uint32_t next_ring)
+        : mesh_(mesh), start_(start), current_(start), next_ring_(next_ring), left_(mesh->halfedge_slots()) {}
+    value_type operator*() const { return Map()(*mesh_, current_); }
+    iterator& operator++() {
+      current_ = mesh_->next(current_);
+      if (current_ == start_) {
+        begin_ring();
+      } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
+        throw BrokenMesh(start_);
+      }
+      return *this;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }
+
+   private:
+    void begin_ring() {
+      start_ = current_ = Halfedge();
+      if (next_ring_ == no_index) return;
+      const Ring& ring = mesh_->ring(next_ring_);
+      start_ = current_ = ring.halfedge;
+      next_ring_ = ring.next;
+    }
+
+    const Mesh* mesh_;
+    Halfedge start_, current_;
+    std::uint32_t next_ring_;
+    std::uint32_t left_;
+  };
+
+  FaceRange(const Mesh& mesh, Face f) : mesh_(&mesh), start_(mesh.halfedge(f)), ring_(mesh.first_ring(f)) {}
+  iterator begin() const { return {mesh_, start_, ring_}; }
+  iterator end() const { return {mesh_, Halfedge(), no_index}; }
+
+ private:
+  const Mesh* mesh_;
+  Halfedge start_;
+  std::uint32_t ring_;
+};
+
+// Around a vertex (its one-ring), counter-clockwise. faces_around may yield none (the gap at a boundary).
+inline auto outgoing(const Mesh& m, Vertex v) {
+  return CycleRange<detail::StepLeft, detail::ToHalfedge>(m, m.halfedge(v));
+}
+inline auto edges_around(const Mesh& m, Vertex v) {
+  return CycleRange<detail::StepLeft, detail::ToEdge>(m, m.halfedge(v));
+}
+inline auto neighbours(const Mesh& m, Vertex v) {
+  return CycleRange<detail::StepLeft, detail::ToEnd>(m, m.halfedge(v));
+}
+inline auto faces_around(const Mesh& m, Vertex v) {
+  return CycleRange<detail::StepLeft, detail::ToFace>(m, m.halfedge(v));
+}
+
+// Around a loop of a face, or a boundary loop, in the direction of next.
+inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::StepNext, detail::ToHalfedge>(m, start); }
+// Around a face, counter-clockwise: its outer loop, then its rings. neighbour_faces may yield none.
+inline auto halfedges_around(const Mesh& m, Face f) { return FaceRange<detail::ToHalfedge>(m, f); }
+inline auto vertices_around(const Mesh& m, Face f) { return FaceRange<detail::ToFrom>(m, f); }
+inline auto edges_around(const Mesh& m, Face f) { return FaceRange<detail::ToEdge>(m, f); }
+inline auto neighbour_faces(const Mesh& m, Face f) { return FaceRange<detail::ToOppositeFace>(m, f); }
+
+// Both ends and both faces of an edge.
+inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {
+  return {m.from(halfedge(e, 0)), m.from(halfedge(e, 1))};
+}
+inline std::pair<Face, Face> faces(const Mesh& m, Edge e) { return {m.face(halfedge(e, 0)), m.face(halfedge(e, 1))}; }
+
+// Number of corners over all loops.
+inline std::uint32_t corner_count(const Mesh& m, Face f) {
+  std::uint32_t n = 0;
+  for ([[maybe_unused]] Halfedge h : halfedges_around(m, f)) ++n;
+  return n;
+}
+inline bool is_triangle(const Mesh& m, Halfedge h) { return m.next(m.next(m.next(h))) == h && m.next(m.next(h)) != h; }
+
+// The halfedge from a to b (the same sheet), or none. Cost: the valence of a.
+inline Halfedge find_halfedge(const Mesh& m, Vertex a, Vertex b) {
+  for (Halfedge h : outgoing(m, a))
+    if (m.to(h) == b) return h;
+  return Halfedge();
+}
+
+}  // namespace ryosen

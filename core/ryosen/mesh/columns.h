@@ -1,0 +1,109 @@
+// The columns (arrays) that make up a mesh, their lengths, and the column ids by which the journal addresses cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "ryosen/base/handle.h"
+#include "ryosen/mesh/column_memory.h"
+
+namespace ryosen {
+
+// 16 bytes, so the two halves of an edge share half a cache line. face is none outside the surface.
+struct HalfedgeLinks {
+  Vertex from;
+  Halfedge next;
+  Halfedge prev;
+  Face face;
+
+  friend bool operator==(const HalfedgeLinks&, const HalfedgeLinks&) = default;
+};
+
+// Marks a deleted element in vertex_halfedge and face_halfedge. A deleted edge has `dead_from` as origin of its even
+// half.
+inline constexpr Halfedge dead_halfedge{0xfffffffeu};
+inline constexpr Vertex dead_from{0xfffffffeu};
+
+enum class ElementKind : std::uint8_t { vertex, corner, face, pool };
+
+// An attribute column read from a file: `words` 32-bit words per vertex, corner (= halfedge) or face, or an append-only
+// pool of values that another column refers to by index.
+struct AttributeColumn {
+  std::string name;
+  ElementKind element = ElementKind::vertex;
+  std::uint32_t words = 1;
+  std::vector<std::uint32_t> data;
+  std::vector<std::uint32_t> fill;  // the value of a new element, `words` long
+
+  friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
+};
+
+// An inner loop of a face, in the side table of rings.
+struct Ring {
+  Halfedge halfedge;              // any halfedge of the loop; dead_halfedge: deleted
+  std::uint32_t next = no_index;  // the next ring of the same face
+
+  friend bool operator==(const Ring&, const Ring&) = default;
+};
+
+inline constexpr std::size_t max_pools = 4;
+
+struct ColumnLengths {
+  std::uint32_t vertices = 0;
+  std::uint32_t halfedges = 0;
+  std::uint32_t faces = 0;
+  std::uint32_t copies = 0;        // length of next_copy and copy_point: 0 or the number of vertices
+  std::uint32_t ringed_faces = 0;  // length of first_ring: 0 or the number of faces
+  std::uint32_t rings = 0;
+  std::array<std::uint32_t, max_pools> pools{};
+
+  friend bool operator==(const ColumnLengths&, const ColumnLengths&) = default;
+};
+
+// Live elements as the mesh stores them: every copy of a point and every copy of a cut edge counts.
+struct ElementCounts {
+  std::uint32_t vertices = 0;
+  std::uint32_t edges = 0;
+  std::uint32_t faces = 0;
+  std::uint32_t rings = 0;
+
+  friend bool operator==(const ElementCounts&, const ElementCounts&) = default;
+};
+
+struct MeshColumns {
+  ColumnVector<Halfedge> vertex_halfedge;
+  UnwrittenVector<HalfedgeLinks> halfedges;
+  ColumnVector<Halfedge> face_halfedge;
+  std::vector<glm::dvec3> positions;
+  std::vector<Vertex> next_copy;          // cyclic list of the copies of a point; empty while there are none
+  std::vector<Vertex> copy_point;         // the smallest copy in the list of each; empty as next_copy is
+  std::vector<std::uint32_t> first_ring;  // per face, into rings; empty while no face has had a ring
+  std::vector<Ring> rings;
+  std::vector<AttributeColumn> attributes;
+  ElementCounts live;
+  std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
+
+  // Bitwise: a NaN equals itself, 0 and -0 differ.
+  friend bool operator==(const MeshColumns& a, const MeshColumns& b);
+};
+
+// Column ids of the journal; attribute k of a mesh is first_attribute + k.
+enum class Column : std::uint8_t {
+  vertex_halfedge,
+  from,
+  next,
+  prev,
+  face,
+  face_halfedge,
+  position,
+  next_copy,
+  copy_point,
+  first_ring,
+  ring,
+  first_attribute
+};
+
+}  // namespace ryosen

@@ -1,0 +1,137 @@
+#include "ryosen/mesh/edit.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#ifdef RYOSEN_CHECKED
+#include "ryosen/analysis/invariants.h"
+#endif
+
+namespace ryosen {
+
+void Edit::commit() {
+#ifdef RYOSEN_CHECKED
+  constexpr std::uint32_t largest_checked = 4000;
+  if (mesh_.halfedge_slots() <= largest_checked) {
+    if (const auto broken = check_invariants(mesh_)) {
+      std::fprintf(stderr, "invariant broken at commit: %s\n", broken->sentence.c_str());
+      std::abort();
+    }
+  }
+#endif
+  if (journal_) journal_->commit();
+  open_ = false;
+}
+
+void Edit::set_copy_links(Vertex v, Vertex next, Vertex point) {
+  std::vector<Vertex>& next_copy = mesh_.columns_.next_copy;
+  std::vector<Vertex>& copy_point = mesh_.columns_.copy_point;
+  if (next_copy.empty()) {
+    next_copy.resize(mesh_.vertex_slots());
+    for (std::uint32_t i = 0; i < next_copy.size(); ++i) next_copy[i] = Vertex(i);
+    copy_point = next_copy;
+  }
+  write<Column::next_copy>(v.index, next_copy[v.index], next);
+  write<Column::copy_point>(v.index, copy_point[v.index], point);
+}
+
+void Edit::add_ring(Face f, Halfedge h) {
+  MeshColumns& c = mesh_.columns_;
+  if (c.first_ring.empty()) c.first_ring.resize(mesh_.face_slots(), no_index);
+  const auto number = static_cast<std::uint32_t>(c.rings.size());
+  c.rings.push_back({h, c.first_ring[f.index]});
+  write<Column::first_ring>(f.index, c.first_ring[f.index], number);
+  ++c.live.rings;
+}
+
+void Edit::remove_ring(Face f, std::uint32_t ring) {
+  MeshColumns& c = mesh_.columns_;
+  const std::uint32_t after = c.rings[ring].next;
+  if (c.first_ring[f.index] == ring) {
+    write<Column::first_ring>(f.index, c.first_ring[f.index], after);
+  } else {
+    std::uint32_t before = c.first_ring[f.index];
+    while (c.rings[before].next != ring) before = c.rings[before].next;
+    write<Column::ring>(before, c.rings[before], Ring{c.rings[before].halfedge, after});
+  }
+  write<Column::ring>(ring, c.rings[ring], Ring{dead_halfedge, no_index});
+  --c.live.rings;
+}
+
+void Edit::extend_attributes(ElementKind element, std::uint32_t count) {
+  for (AttributeColumn& a : mesh_.columns_.attributes)
+    if (a.element == element)
+      for (std::uint32_t i = 0; i < count; ++i) a.data.insert(a.data.end(), a.fill.begin(), a.fill.end());
+}
+
+Vertex Edit::add_vertex(const glm::dvec3& position) {
+  MeshColumns& c = mesh_.columns_;
+  const Vertex v(c.vertex_halfedge.size());
+  c.vertex_halfedge.emplace_back();
+  c.positions.push_back(position);
+  if (!c.next_copy.empty()) {
+    c.next_copy.push_back(v);
+    c.copy_point.push_back(v);
+  }
+  extend_attributes(ElementKind::vertex, 1);
+  ++c.live.vertices;
+  return v;
+}
+
+Halfedge Edit::add_edge(Vertex from, Vertex to) {
+  MeshColumns& c = mesh_.columns_;
+  const Halfedge h(c.halfedges.size());
+  c.halfedges.push_back({from, Halfedge(), Halfedge(), Face()});
+  c.halfedges.push_back({to, Halfedge(), Halfedge(), Face()});
+  extend_attributes(ElementKind::corner, 2);
+  ++c.live.edges;
+  return h;
+}
+
+Face Edit::add_face(Halfedge first) {
+  MeshColumns& c = mesh_.columns_;
+  const Face f(c.face_halfedge.size());
+  c.face_halfedge.push_back(first);
+  if (!c.first_ring.empty()) c.first_ring.push_back(no_index);
+  extend_attributes(ElementKind::face, 1);
+  ++c.live.faces;
+  return f;
+}
+
+void Edit::remove(Vertex v) {
+  set_halfedge(v, dead_halfedge);
+  --mesh_.columns_.live.vertices;
+}
+
+void Edit::remove(Edge e) {
+  set_from(halfedge(e, 0), dead_from);
+  --mesh_.columns_.live.edges;
+}
+
+void Edit::remove(Face f) {
+  set_halfedge(f, dead_halfedge);
+  --mesh_.columns_.live.faces;
+}
+
+void Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words) {
+  AttributeColumn& a = mesh_.columns_.attributes[attribute];
+  std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words;
+  if (std::equal(words.begin(), words.end(), cell)) return;
+  const auto column = static_cast<Column>(static_cast<std::size_t>(Column::first_attribute) + attribute);
+  if (journal_) journal_->record(column, index, cell, a.words * sizeof(std::uint32_t));
+  std::copy(words.begin(), words.end(), cell);
+}
+
+std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words) {
+  AttributeColumn& a = mesh_.columns_.attributes[pool_attribute];
+  a.data.insert(a.data.end(), words.begin(), words.end());
+  return static_cast<std::uint32_t>(a.data.size() / a.words - 1);
+}
+
+void Edit::replace(MeshColumns columns) {
+  std::swap(mesh_.columns_, columns);
+  if (journal_) journal_->record_replaced(std::move(columns));
+}
+
+}  // namespace ryosen

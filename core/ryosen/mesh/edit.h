@@ -1,0 +1,111 @@
+// The only way to write to a mesh: a transaction that is committed as a whole or rolled back.
+#pragma once
+
+#include <cstring>
+#include <span>
+
+#include "ryosen/mesh/journal.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// While an Edit is open, old values go to the journal. commit() makes it one history entry; destroying it uncommitted
+// restores the mesh byte for byte and keeps the redo list (so a preview is an Edit that is not committed). With a null
+// Journal nothing is recorded and the writes are final: for batch work. At most one Edit may be open on a mesh.
+class Edit {
+ public:
+  Edit(Mesh& mesh, Journal* journal)
+      : mesh_(mesh), journal_(journal), before_(journal ? mesh.lengths() : ColumnLengths()) {
+    if (journal_) journal_->begin(mesh_);
+  }
+  ~Edit() {
+    if (journal_ && open_) journal_->rollback(mesh_);
+  }
+  Edit(const Edit&) = delete;
+  Edit& operator=(const Edit&) = delete;
+
+  const Mesh& mesh() const { return mesh_; }
+  // Ends the edit. In checked builds the invariants of small meshes are verified and a violation aborts with its name.
+  void commit();
+
+  // Links. connect sets next and prev of both.
+  void connect(Halfedge h, Halfedge next) {
+    write<Column::next>(h.index, mesh_.columns_.halfedges[h.index].next, next);
+    write<Column::prev>(next.index, mesh_.columns_.halfedges[next.index].prev, h);
+  }
+  void set_from(Halfedge h, Vertex v) { write<Column::from>(h.index, mesh_.columns_.halfedges[h.index].from, v); }
+  void set_face(Halfedge h, Face f) { write<Column::face>(h.index, mesh_.columns_.halfedges[h.index].face, f); }
+  void set_halfedge(Vertex v, Halfedge h) {
+    write<Column::vertex_halfedge>(v.index, mesh_.columns_.vertex_halfedge[v.index], h);
+  }
+  void set_halfedge(Face f, Halfedge h) {
+    write<Column::face_halfedge>(f.index, mesh_.columns_.face_halfedge[f.index], h);
+  }
+  // Moves one vertex; use move_point (copies.h) to move all copies of a point.
+  void set_position(Vertex v, const glm::dvec3& p) {
+    write<Column::position>(v.index, mesh_.columns_.positions[v.index], p);
+  }
+  // The successor of v in its cyclic list of copies, and the smallest of the list. copies.h has what keeps lists whole.
+  void set_copy_links(Vertex v, Vertex next, Vertex point);
+  // Adds the loop of `h` to the face as a ring; the caller has already set the face of its halfedges. O(1), the mesh's
+  // first ring O(faces).
+  void add_ring(Face f, Halfedge h);
+  // Removes a ring from the face's list; the caller updates its halfedges. Cost: the rings of the face.
+  void remove_ring(Face f, std::uint32_t ring);
+  void set_ring_halfedge(std::uint32_t ring, Halfedge h) {
+    write<Column::ring>(ring, mesh_.columns_.rings[ring], Ring{h, mesh_.columns_.rings[ring].next});
+  }
+
+  // New elements are appended; their links are none until set. add_edge sets both origins.
+  Vertex add_vertex(const glm::dvec3& position);
+  Halfedge add_edge(Vertex from, Vertex to);
+  Face add_face(Halfedge first);
+  // The slot stays, marked dead. The caller must already have redirected the links of other elements to it.
+  void remove(Vertex v);
+  void remove(Edge e);
+  void remove(Face f);
+
+  // Attribute values as raw words; append_value appends to a pool and returns the new index.
+  void set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
+  std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
+
+  // Replaces all columns at once: for batch algorithms that build new columns. Must be the only write of the edit.
+  void replace(MeshColumns columns);
+
+ private:
+  template <Column column, class Value>
+  void write(std::uint32_t index, Value& cell, const Value& value) {
+    if (std::memcmp(&cell, &value, sizeof(Value)) == 0) return;
+    if (journal_ && index < length_before(column)) journal_->record(column, index, &cell, sizeof(Value));
+    cell = value;
+  }
+  // Cells at or past this length belong to elements created by this edit and have no old value.
+  std::uint32_t length_before(Column column) const {
+    switch (column) {
+      case Column::from:
+      case Column::next:
+      case Column::prev:
+      case Column::face:
+        return before_.halfedges;
+      case Column::face_halfedge:
+        return before_.faces;
+      case Column::next_copy:
+      case Column::copy_point:
+        return before_.copies;
+      case Column::first_ring:
+        return before_.ringed_faces;
+      case Column::ring:
+        return before_.rings;
+      default:
+        return before_.vertices;
+    }
+  }
+  void extend_attributes(ElementKind element, std::uint32_t count);
+
+  Mesh& mesh_;
+  Journal* journal_;
+  ColumnLengths before_;
+  bool open_ = true;
+};
+
+}  // namespace ryosen

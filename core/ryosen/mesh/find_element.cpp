@@ -1,0 +1,43 @@
+#include "ryosen/mesh/find_element.h"
+
+namespace ryosen {
+
+NamedElement find_element(const Mesh& mesh, std::string_view name) {
+  const auto as = [](auto named, auto element_of) -> NamedElement {
+    if (!named.ok()) return {std::nullopt, named.error, std::move(named.sentence)};
+    return {element_of(named.element), NameError::none, {}};
+  };
+  if (name.starts_with('f')) return as(find_face(mesh, name), [](Face f) { return Element(f); });
+  if (name.starts_with('v')) return as(find_vertex(mesh, name), [](Vertex v) { return Element(v); });
+  const bool is_half = name.starts_with('h');
+  return as(find_edge(mesh, name), [&](Halfedge h) { return is_half ? Element(h) : Element(edge(h)); });
+}
+
+bool is_alive(const Mesh& mesh, const Element& element) {
+  const auto lives = [&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); };
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return lives(element.vertex());
+    case Element::Kind::halfedge:
+      return lives(element.halfedge());
+    case Element::Kind::edge:
+      return lives(element.edge());
+    default:
+      return lives(element.face());
+  }
+}
+
+bool has_slot(const ColumnLengths& lengths, const Element& element) {
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return element.index < lengths.vertices;
+    case Element::Kind::halfedge:
+      return element.index < lengths.halfedges;
+    case Element::Kind::edge:
+      return element.index < lengths.halfedges / 2;
+    default:
+      return element.index < lengths.faces;
+  }
+}
+
+}  // namespace ryosen

@@ -1,0 +1,283 @@
+#include "ryosen/mesh/journal.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace ryosen {
+
+namespace {
+
+// Calls visit(vector, first element, words per element) for the part of every column past `lengths`.
+template <class Visit>
+void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit visit) {
+  visit(c.vertex_halfedge, lengths.vertices, 1);
+  visit(c.positions, lengths.vertices, 1);
+  visit(c.halfedges, lengths.halfedges, 1);
+  visit(c.face_halfedge, lengths.faces, 1);
+  visit(c.next_copy, lengths.copies, 1);
+  visit(c.copy_point, lengths.copies, 1);
+  visit(c.first_ring, lengths.ringed_faces, 1);
+  visit(c.rings, lengths.rings, 1);
+  std::size_t pool = 0;
+  for (AttributeColumn& a : c.attributes) {
+    std::uint32_t first = 0;
+    switch (a.element) {
+      case ElementKind::vertex:
+        first = lengths.vertices;
+        break;
+      case ElementKind::corner:
+        first = lengths.halfedges;
+        break;
+      case ElementKind::face:
+        first = lengths.faces;
+        break;
+      case ElementKind::pool:
+        first = lengths.pools[pool++];
+        break;
+    }
+    visit(a.data, first, a.words);
+  }
+}
+
+std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& before) {
+  std::vector<std::byte> tail;
+  for_each_column_tail(columns, before, [&](auto& column, std::size_t first, std::size_t words) {
+    const auto* begin = reinterpret_cast<const std::byte*>(column.data() + first * words);
+    const auto* end = reinterpret_cast<const std::byte*>(column.data() + column.size());
+    tail.insert(tail.end(), begin, end);
+  });
+  return tail;
+}
+
+// Allocates nothing.
+void cut_tail(MeshColumns& columns, const ColumnLengths& before) {
+  for_each_column_tail(columns, before,
+                       [](auto& column, std::size_t first, std::size_t words) { column.resize(first * words); });
+}
+
+// So that restore_tail allocates nothing.
+void make_room_for_tail(MeshColumns& columns, const ColumnLengths& after) {
+  for_each_column_tail(columns, after,
+                       [](auto& column, std::size_t length, std::size_t words) { column.reserve(length * words); });
+}
+
+void restore_tail(MeshColumns& columns, const ColumnLengths& after, const std::vector<std::byte>& tail) {
+  const std::byte* source = tail.data();
+  for_each_column_tail(columns, after, [&](auto& column, std::size_t length, std::size_t words) {
+    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
+    const std::size_t first = column.size();
+    column.resize(length * words);
+    const std::size_t bytes = (column.size() - first) * sizeof(Value);
+    if (bytes != 0) std::memcpy(static_cast<void*>(column.data() + first), source, bytes);
+    source += bytes;
+  });
+}
+
+// Lengths are stored as a bit mask of the nonzero ones, followed by their values.
+constexpr std::size_t length_count = sizeof(ColumnLengths) / sizeof(std::uint32_t);
+static_assert(length_count <= 32 && std::has_unique_object_representations_v<ColumnLengths>);
+constexpr std::size_t count_words = sizeof(ElementCounts) / sizeof(std::uint32_t);
+
+void append_lengths(const ColumnLengths& lengths, std::vector<std::uint32_t>& words) {
+  const auto values = std::bit_cast<std::array<std::uint32_t, length_count>>(lengths);
+  const std::size_t place = words.size();
+  words.push_back(0);
+  for (std::size_t i = 0; i < length_count; ++i) {
+    if (values[i] == 0) continue;
+    words[place] |= 1u << i;
+    words.push_back(values[i]);
+  }
+}
+
+ColumnLengths read_lengths(const std::uint32_t* words) {
+  std::array<std::uint32_t, length_count> values{};
+  const std::uint32_t* next = words + 1;
+  for (std::size_t i = 0; i < length_count; ++i)
+    if (*words >> i & 1u) values[i] = *next++;
+  return std::bit_cast<ColumnLengths>(values);
+}
+
+std::size_t words_of_lengths(std::uint32_t mask) { return 1 + static_cast<std::size_t>(std::popcount(mask)); }
+
+// Makes room for `count` more, as much at once as push_back would.
+template <class Value>
+void make_room(std::vector<Value>& values, std::size_t count) {
+  if (values.capacity() - values.size() < count) values.reserve(std::max(2 * values.capacity(), values.size() + count));
+}
+
+}  // namespace
+
+void Journal::make_room_for_record(std::size_t words) {
+  make_room(cells_, 1);
+  make_room(words_, words);
+}
+
+void Journal::begin(const Mesh& mesh) {
+  make_room(words_, 1 + length_count + count_words);
+  open_ = {cells_.size(), words_.size()};
+  marks_.clear();
+  append_lengths(mesh.lengths(), words_);
+  const auto counts = std::bit_cast<std::array<std::uint32_t, count_words>>(mesh.live());
+  words_.insert(words_.end(), counts.begin(), counts.end());
+}
+
+void Journal::record_replaced(MeshColumns columns) { open_replaced_ = std::move(columns); }
+
+// What may find no memory comes first.
+void Journal::commit() {
+  make_room(transactions_, 1);
+  std::map<std::size_t, MeshColumns> replaced;
+  if (open_replaced_) replaced.emplace(position_, MeshColumns());
+  if (can_redo()) drop_undone();
+  if (open_replaced_) {
+    replaced.begin()->second = std::move(*open_replaced_);
+    replaced_.merge(replaced);
+  }
+  open_replaced_.reset();
+  redone_.clear();
+  transactions_.push_back(open_);
+  ++position_;
+}
+
+// Erases the undone transactions from the streams; the open one moves into their place.
+void Journal::drop_undone() {
+  const Transaction dropped = transactions_[position_];
+  const auto erase = [](auto& stream, std::size_t begin, std::size_t end) {
+    stream.erase(stream.begin() + static_cast<std::ptrdiff_t>(begin),
+                 stream.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  erase(cells_, dropped.first_cell, open_.first_cell);
+  erase(words_, dropped.first_word, open_.first_word);
+  open_ = dropped;
+  transactions_.resize(position_);
+  undone_.clear();
+  replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+}
+
+void Journal::rollback(Mesh& mesh) {
+  if (open_replaced_) {
+    mesh.columns_ = std::move(*open_replaced_);
+    open_replaced_.reset();
+  } else {
+    const std::size_t counts = open_.first_word + words_of_lengths(words_[open_.first_word]);
+    exchange_values(mesh, open_.first_cell, cells_.size(), counts + count_words);
+    cut_tail(mesh.columns_, read_lengths(words_.data() + open_.first_word));
+    exchange_counts(mesh, counts);
+  }
+  cells_.resize(open_.first_cell);
+  words_.resize(open_.first_word);
+}
+
+std::size_t Journal::cell_end(std::size_t i) const {
+  return i + 1 < transactions_.size() ? transactions_[i + 1].first_cell : cells_.size();
+}
+
+void Journal::exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value) {
+  std::uint32_t* value = words_.data() + first_value;
+  for (std::size_t i = first_cell; i < cell_end; ++i) {
+    std::uint32_t index;
+    std::memcpy(&index, cells_[i].index.data(), sizeof index);
+    const auto [cell, bytes] = mesh.cell(cells_[i].column, index);
+    for (std::size_t k = 0; k < bytes; k += sizeof(std::uint32_t), ++value) {
+      std::uint32_t word;
+      std::memcpy(&word, cell + k, sizeof word);
+      std::memcpy(cell + k, value, sizeof word);
+      *value = word;
+    }
+  }
+}
+
+void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
+  using Words = std::array<std::uint32_t, count_words>;
+  Words words;
+  std::copy_n(words_.begin() + static_cast<std::ptrdiff_t>(first_word), count_words, words.begin());
+  const auto now = std::bit_cast<Words>(mesh.columns_.live);
+  std::copy(now.begin(), now.end(), words_.begin() + static_cast<std::ptrdiff_t>(first_word));
+  mesh.columns_.live = std::bit_cast<ElementCounts>(words);
+}
+
+void Journal::undo(Mesh& mesh) {
+  const std::size_t i = position_ - 1;
+  const auto replaced = replaced_.find(i);
+  if (redone_.empty()) {
+    make_room(undone_, 1);
+    make_room(redone_, undone_.size() + 1);
+    Undone undone{mesh.lengths(), {}};
+    if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i));
+    undone_.push_back(std::move(undone));
+  } else {
+    undone_.push_back(std::move(redone_.back()));
+    redone_.pop_back();
+  }
+  --position_;
+  if (replaced != replaced_.end()) {
+    std::swap(mesh.columns_, replaced->second);
+    return;
+  }
+  const Transaction& t = transactions_[i];
+  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
+  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
+  cut_tail(mesh.columns_, lengths_before(i));
+  exchange_counts(mesh, counts);
+}
+
+void Journal::redo(Mesh& mesh) {
+  const std::size_t i = position_;
+  const auto replaced = replaced_.find(i);
+  if (replaced == replaced_.end()) make_room_for_tail(mesh.columns_, undone_.back().after);
+  redone_.push_back(std::move(undone_.back()));
+  undone_.pop_back();
+  const Undone& undone = redone_.back();
+  ++position_;
+  if (replaced != replaced_.end()) {
+    std::swap(mesh.columns_, replaced->second);
+    return;
+  }
+  const Transaction& t = transactions_[i];
+  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
+  restore_tail(mesh.columns_, undone.after, undone.tail);
+  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
+  exchange_counts(mesh, counts);
+}
+
+void Journal::withdraw(Mesh& mesh) noexcept {
+  redone_.clear();
+  const auto replaced = replaced_.find(--position_);
+  if (replaced != replaced_.end()) open_replaced_ = std::move(replaced->second);
+  replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+  open_ = transactions_[position_];
+  if (const std::size_t next = position_ + 1; next < transactions_.size()) {
+    cells_.resize(transactions_[next].first_cell);
+    words_.resize(transactions_[next].first_word);
+  }
+  transactions_.resize(position_);
+  undone_.clear();
+  rollback(mesh);
+}
+
+void Journal::clear() { *this = Journal(); }
+
+std::vector<TouchedCell> Journal::touched(std::size_t i) const {
+  std::vector<TouchedCell> cells;
+  cells.reserve(cell_end(i) - transactions_[i].first_cell);
+  for (std::size_t k = transactions_[i].first_cell; k < cell_end(i); ++k) {
+    TouchedCell& cell = cells.emplace_back();
+    cell.column = cells_[k].column;
+    std::memcpy(&cell.index, cells_[k].index.data(), sizeof cell.index);
+  }
+  return cells;
+}
+
+ColumnLengths Journal::lengths_before(std::size_t i) const {
+  return read_lengths(words_.data() + transactions_[i].first_word);
+}
+
+std::size_t Journal::bytes() const {
+  return cells_.size() * sizeof(PackedCell) + words_.size() * sizeof(std::uint32_t) +
+         transactions_.size() * sizeof(Transaction);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,114 @@
+// The undo history of a mesh: the old value of every changed cell, one transaction per committed edit, exact undo and
+// redo.
+//
+// Two packed streams hold all transactions in sequence: the addresses of the changed cells, 5 bytes each, and words:
+// the lengths and counts before the edit, then the cell values. A cell is recorded once per transaction, with its value
+// before it, so swapping the values with those in the mesh leads from either state to the other.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "ryosen/mesh/cell_marks.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// A cell that a transaction changed.
+struct TouchedCell {
+  Column column;
+  std::uint32_t index;
+};
+
+class Journal {
+ public:
+  // Number of committed transactions, and how many of them are applied; the rest can be redone.
+  std::size_t size() const { return transactions_.size(); }
+  std::size_t position() const { return position_; }
+  bool can_undo() const { return position_ > 0; }
+  bool can_redo() const { return position_ < transactions_.size(); }
+
+  // Swap the values of the last (next) transaction with those in the mesh; the columns are then byte-equal to what they
+  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on. Where there
+  // is no memory for it nothing changes; a way that was gone needs none to be gone back, until the next commit.
+  void undo(Mesh& mesh);
+  void redo(Mesh& mesh);
+  // Undoes the last transaction and forgets it, with all that can be redone. Allocates nothing.
+  void withdraw(Mesh& mesh) noexcept;
+  // Whether the last transaction was redone, and nothing has been committed since.
+  bool is_last_redone() const { return !redone_.empty(); }
+  void clear();
+
+  // What transaction i changed: the cells written, each once, and the lengths before it (elements from there on are
+  // new). If it replaced the columns, everything may have changed.
+  std::vector<TouchedCell> touched(std::size_t i) const;
+  ColumnLengths lengths_before(std::size_t i) const;
+  // The lengths after it; `mesh` must be in the state right before or right after transaction i.
+  ColumnLengths lengths_after(const Mesh& mesh, std::size_t i) const {
+    return i < position_ ? mesh.lengths() : undone_[transactions_.size() - 1 - i].after;
+  }
+  bool replaces_everything(std::size_t i) const { return replaced_.contains(i); }
+
+  // Bytes held by the history, not counting replaced columns.
+  std::size_t bytes() const;
+
+ private:
+  friend class Edit;
+
+  struct PackedCell {
+    Column column;
+    std::array<std::byte, 4> index;
+  };
+  static_assert(sizeof(PackedCell) == 5);
+
+  struct Transaction {
+    std::size_t first_cell = 0;  // into cells_
+    std::size_t first_word = 0;  // into words_: lengths before it, then counts (swapped with the mesh's), then values
+  };
+  // What only an undone transaction needs. Two stacks: the last undone is redone first; one that is redone keeps it for
+  // the way back.
+  struct Undone {
+    ColumnLengths after;
+    std::vector<std::byte> tail;  // column bytes of the new elements
+  };
+
+  void begin(const Mesh& mesh);
+  void record(Column column, std::uint32_t index, const void* value, std::size_t bytes) {
+    const std::size_t words = bytes / sizeof(std::uint32_t);
+    // What may find no memory comes first, so that a rollback finds whole records.
+    if (cells_.size() == cells_.capacity() || words_.capacity() - words_.size() < words) make_room_for_record(words);
+    if (!marks_.insert(column, index)) return;
+    PackedCell& cell = cells_.emplace_back();
+    cell.column = column;
+    std::memcpy(cell.index.data(), &index, sizeof index);
+    const std::size_t first = words_.size();
+    words_.resize(first + words);
+    std::memcpy(words_.data() + first, value, bytes);
+  }
+  void make_room_for_record(std::size_t words);
+  void record_replaced(MeshColumns columns);
+  void commit();
+  void rollback(Mesh& mesh);
+
+  std::size_t cell_end(std::size_t i) const;
+  void drop_undone();
+  void exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value);
+  void exchange_counts(Mesh& mesh, std::size_t first_word);
+
+  std::vector<PackedCell> cells_;
+  std::vector<std::uint32_t> words_;
+  std::vector<Transaction> transactions_;
+  std::vector<Undone> undone_, redone_;
+  std::map<std::size_t, MeshColumns> replaced_;  // by transaction; swapped with the mesh's columns
+  Transaction open_;
+  std::optional<MeshColumns> open_replaced_;
+  CellMarks marks_;  // the cells of open_
+  std::size_t position_ = 0;
+};
+
+}  // namespace ryosen

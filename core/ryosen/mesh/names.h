@@ -1,0 +1,53 @@
+// Formatting and parsing of element names as used in files, commands and reports.
+//
+//   v7  f3  12-88 (halfedge or edge)  12-88@f5 (the half of face 5)  ~12-88@f5 (its twin)  v7@f5 (the copy of face 5)
+//   h12 e6 (by slot)
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ryosen/base/element.h"
+#include "ryosen/base/message.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// The shortest unique name. Edges are named smaller point first, halfedges origin first; the face is added if several
+// sheets join the two points.
+std::string name_of(const Mesh& mesh, Element element);
+// As name_of, but a halfedge by its slot (h12), where 3-7 would mean its edge.
+std::string name_to_select(const Mesh& mesh, Element element);
+// The name and behind it the slot, where that is another one: 12-88 (h12).
+std::string name_and_slot(const Mesh& mesh, Element element);
+// By its slot alone: v7 h12 e6 f3, also of a dead element.
+std::string slot_name(Element element);
+// A name that distinguishes a vertex from the other copies of its point: v7@f5 if it has copies and a face, its own
+// number if it has no face.
+std::string name_of_copy(const Mesh& mesh, Vertex v);
+// An edge named by points and one of its faces: always with @f, except wires (h12).
+std::string name_with_face(const Mesh& mesh, Halfedge h);
+// The simplest name that find_edge resolves to this halfedge: its points in order, plus the face on either side if
+// several sheets join them; never with `~`.
+std::string name_to_choose(const Mesh& mesh, Halfedge h);
+
+enum class NameError { none, malformed, never_existed, ambiguous, deleted };
+
+template <class Handle>
+struct Named {
+  Handle element;
+  NameError error = NameError::none;
+  Text sentence;  // names the element and, if ambiguous, the candidates
+
+  bool ok() const { return error == NameError::none; }
+};
+
+// The vertex (v7, 7, v7@f5), face (f3) or edge (12-88, 12-88@f5, ~12-88@f5, h12, e6) with this name. An edge is
+// returned as the halfedge from the first point to the second. `12-88@f5` may give the points in either order: the
+// halfedge then still goes from the first to the second, as the side of face 5 or as its twin. Two live points without
+// an edge give never_existed; only the history knows whether there was one (app/editor).
+Named<Vertex> find_vertex(const Mesh& mesh, std::string_view name);
+Named<Face> find_face(const Mesh& mesh, std::string_view name);
+Named<Halfedge> find_edge(const Mesh& mesh, std::string_view name);
+
+}  // namespace ryosen

@@ -1,0 +1,90 @@
+#include "ryosen/ops/all.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace ryosen {
+
+namespace {
+
+bool is_called(const OpInfo& info, std::string_view id) {
+  if (info.id == id) return true;
+  const std::vector<std::string_view> aliases = split_words(info.aliases);
+  return std::find(aliases.begin(), aliases.end(), id) != aliases.end();
+}
+
+// Calls visit(std::type_identity<Op>) for the operator with this id; false if there is none.
+template <class Visit, std::size_t... I>
+bool visit_op(std::string_view id, Visit visit, std::index_sequence<I...>) {
+  return ((is_called(std::variant_alternative_t<I, AnyOp>::info, id)
+               ? (visit(std::type_identity<std::variant_alternative_t<I, AnyOp>>()), true)
+               : false) ||
+          ...);
+}
+
+constexpr auto indices = std::make_index_sequence<std::variant_size_v<AnyOp>>();
+
+template <std::size_t... I>
+std::vector<OpInfo> collect(std::index_sequence<I...>) {
+  return {std::variant_alternative_t<I, AnyOp>::info...};
+}
+
+}  // namespace
+
+const std::vector<OpInfo>& all_ops() {
+  static const std::vector<OpInfo> ops = collect(indices);
+  return ops;
+}
+
+void add_ids(const OpInfo& info, std::vector<std::string>& ids) {
+  ids.emplace_back(info.id);
+  for (std::string_view alias : split_words(info.aliases)) ids.emplace_back(alias);
+}
+
+const OpInfo* find_op(std::string_view id) {
+  for (const OpInfo& info : all_ops())
+    if (is_called(info, id)) return &info;
+  return nullptr;
+}
+
+Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments) {
+  Parsed<AnyOp> out;
+  [[maybe_unused]] const bool known = visit_op(
+      id,
+      [&]<class Op>(std::type_identity<Op>) {
+        Parsed<Op> parsed = Op::parse(mesh, arguments);
+        if (parsed.op) out.op = *parsed.op;
+        out.error = parsed.error;
+        out.sentence = std::move(parsed.sentence);
+      },
+      indices);
+  assert(known);
+  return out;
+}
+
+std::vector<std::string_view> split_words(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r\n";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
+  const std::vector<std::string_view> words = split_words(line);
+  if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, {"an operator", "演算子を"});
+  return parse_op(mesh, words[0], std::span(words).subspan(1));
+}
+
+AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target) {
+  AnyOp op;
+  [[maybe_unused]] const bool known = visit_op(
+      id, [&]<class Op>(std::type_identity<Op>) { op = Op::at(mesh, target); }, indices);
+  assert(known);
+  return op;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,107 @@
+// The list of operators. Menus, keys, scripts, the command line, previews and tests are generated from it; a new
+// operator adds its include and a word here, its id to the rules that it can break (ryosen/base/rules.def), and its
+// random arguments for the tests (tests/support/core/random_ops.cpp).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/delete.h"
+#include "ryosen/ops/detach.h"
+#include "ryosen/ops/dissolve.h"
+#include "ryosen/ops/euler/delete_edge.h"
+#include "ryosen/ops/euler/delete_loop.h"
+#include "ryosen/ops/euler/make_edge.h"
+#include "ryosen/ops/euler/make_loop.h"
+#include "ryosen/ops/euler/make_ring.h"
+#include "ryosen/ops/euler/make_vertex.h"
+#include "ryosen/ops/euler/move_vertex.h"
+#include "ryosen/ops/euler/remove_vertex.h"
+#include "ryosen/ops/euler/separate_edge.h"
+#include "ryosen/ops/euler/separate_loop.h"
+#include "ryosen/ops/euler/unite_edge.h"
+#include "ryosen/ops/euler/unite_loop.h"
+#include "ryosen/ops/euler/unite_ring.h"
+#include "ryosen/ops/extrude.h"
+#include "ryosen/ops/extrude_edges.h"
+#include "ryosen/ops/fill.h"
+#include "ryosen/ops/make_face.h"
+#include "ryosen/ops/orient.h"
+#include "ryosen/ops/poke.h"
+#include "ryosen/ops/reverse.h"
+#include "ryosen/ops/separate_fans.h"
+#include "ryosen/ops/split_edge.h"
+#include "ryosen/ops/swap_edge.h"
+#include "ryosen/ops/triangulate.h"
+#include "ryosen/ops/vertex_split.h"
+#include "ryosen/ops/weld.h"
+
+namespace ryosen {
+
+using AnyOp = std::variant<CollapseEdge, SwapEdge, SplitEdge, Orient,
+                           // Refining.
+                           Poke, VertexSplit, Triangulate, Dissolve, Extrude, ExtrudeEdges,
+                           // Deleting, filling, repairing.
+                           Delete, Fill, MakeFace, Reverse, SeparateFans, Detach, Weld,
+                           // The Euler operators of the source texts.
+                           MakeVertex, RemoveVertex, MoveVertex, MakeEdge, DeleteEdge, MakeLoop, DeleteLoop,
+                           SeparateLoop, UniteLoop, SeparateEdge, UniteEdge, MakeRing, UniteRing>;
+
+// One row per operator, in the order above.
+const std::vector<OpInfo>& all_ops();
+// The id and the aliases of an operator, for "did you mean".
+void add_ids(const OpInfo& info, std::vector<std::string>& ids);
+// By id or by one of its aliases.
+const OpInfo* find_op(std::string_view id);
+
+// Parses the arguments of a script line for the operator with this id. The id must be in the list.
+Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
+// The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
+Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line);
+std::vector<std::string_view> split_words(std::string_view line);
+AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
+
+inline const OpInfo& info_of(const AnyOp& op) {
+  return std::visit([](const auto& o) -> const OpInfo& { return o.info; }, op);
+}
+inline Verdict check(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.check(mesh); }, op);
+}
+// The same for many questions about one mesh.
+inline Verdict check(const Mesh& mesh, const AnyOp& op, LocalFacts& known) {
+  return std::visit(
+      [&](const auto& o) {
+        if constexpr (requires { o.check(mesh, known); })
+          return o.check(mesh, known);
+        else
+          return o.check(mesh);
+      },
+      op);
+}
+inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.warnings(mesh); }, op);
+}
+inline OpEffect apply(Edit& edit, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.apply(edit); }, op);
+}
+// The halfedge that an operator on one edge is about; none for others.
+inline Halfedge halfedge_of(const AnyOp& op) {
+  return std::visit(
+      []<class Op>(const Op& o) {
+        if constexpr (requires { Halfedge(o.halfedge); })
+          return o.halfedge;
+        else if constexpr (requires { Halfedge(o.edges[0]); })
+          return o.edges.size() == 1 ? o.edges[0] : Halfedge();
+        else
+          return Halfedge();
+      },
+      op);
+}
+inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.command(mesh); }, op);
+}
+
+}  // namespace ryosen

@@ -1,0 +1,147 @@
+#include "ryosen/ops/delete.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/op_series.h"
+#include "ryosen/ops/rules/pinch.h"
+#include "ryosen/ops/rules/settled_points.h"
+#include "ryosen/ops/rules/sheets.h"
+
+namespace ryosen {
+
+namespace {
+
+// An edge named by its points stands for all its sheets; returns any of them.
+Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
+  Named<Halfedge> found = find_edge(mesh, name);
+  if (found.error != NameError::ambiguous) return found;
+  const std::size_t dash = name.find('-');
+  const Named<Vertex> a = find_vertex(mesh, name.substr(0, dash)), b = find_vertex(mesh, name.substr(dash + 1));
+  if (!a.ok() || !b.ok()) return found;
+  return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
+}
+
+// The faces and wires to delete, and for a vertex the copies of its point.
+Deletion deletion_of(const Mesh& mesh, Element element) {
+  Deletion deletion;
+  const auto add_edge = [&](Halfedge h) {
+    for (Halfedge side : {h, twin(h)})
+      if (!mesh.is_outside(side)) deletion.faces.push_back(mesh.face(side));
+    if (mesh.is_wire(edge(h))) deletion.wires.push_back(h);
+  };
+  if (element.kind == Element::Kind::face) deletion.faces.push_back(element.face());
+  if (element.kind == Element::Kind::edge) {
+    const auto [a, b] = ends(mesh, element.edge());
+    for (Halfedge h : sheets_between(mesh, a, b)) add_edge(h);
+  }
+  if (element.kind == Element::Kind::vertex)
+    for_each_copy(mesh, element.vertex(), [&](Vertex copy) {
+      deletion.vertices.push_back(copy);
+      for (Halfedge h : outgoing(mesh, copy)) add_edge(h);
+    });
+  sort_unique(deletion.faces);
+  return deletion;
+}
+
+}  // namespace
+
+Parsed<Delete> Delete::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  const std::string_view name = in.peek();
+  Delete op;
+  if (name.starts_with('f')) {
+    op.element = in.face();
+  } else if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
+    const Named<Halfedge> sheet = find_any_sheet(mesh, name);
+    if (!sheet.ok()) return {std::nullopt, sheet.error, sheet.sentence};
+    if (arguments.size() > 1) return malformed_argument<Delete>(arguments[1]);
+    op.element = edge(sheet.element);
+    return {op, NameError::none, {}};
+  } else {
+    op.element = in.vertex();
+  }
+  return in.result(op);
+}
+
+Delete Delete::at(const Mesh&, const OpTarget& target) {
+  if (target.vertex) return {target.vertex};
+  if (target.face) return {target.face};
+  return {edge(target.halfedge)};
+}
+
+std::string Delete::command(const Mesh& mesh) const { return "delete " + name_of(mesh, element); }
+
+Verdict Delete::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (element.kind == Element::Kind::vertex) is_gone(mesh, element.vertex(), verdict);
+  if (element.kind == Element::Kind::edge) is_gone(mesh, halfedge(element.edge()), verdict);
+  if (element.kind == Element::Kind::face) is_gone(mesh, element.face(), verdict);
+  return verdict;
+}
+
+std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
+  std::vector<Reason> reasons;
+  warn_of_pinch(pinched_without(mesh, deletion_of(mesh, element).faces), reasons);
+  return reasons;
+}
+
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, SettledPoints* known) {
+  const Mesh& m = edit.mesh();
+  std::vector<Halfedge> unused = deletion.wires;
+  std::vector<Vertex> bare = deletion.vertices, points;
+  for (Face f : deletion.faces)
+    for (Halfedge h : halfedges_around(m, f)) {
+      unused.push_back(h);
+      points.push_back(point(m, m.from(h)));
+    }
+  for (Face f : deletion.faces) {
+    if (known) known->loses(f);
+    sheets.remove_face(f);
+  }
+  for (Halfedge h : unused) {
+    if (!m.is_alive(h) || !m.is_wire(edge(h))) continue;
+    bare.insert(bare.end(), {m.from(h), m.to(h)});
+    sheets.remove_edge(h);
+  }
+  // Descending, so that the representative of a point comes last and a copy can take over its number.
+  std::sort(bare.begin(), bare.end(), std::greater<>());
+  bare.erase(std::unique(bare.begin(), bare.end()), bare.end());
+  std::erase_if(bare, [&](Vertex v) { return !m.is_alive(v) || !m.is_isolated(v); });
+  sheets.remove_vertices(bare);
+  if (known)
+    known->settle();
+  else
+    sheets.settle(points);
+}
+
+OpEffect Delete::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  Sheets sheets(edit);
+  delete_elements(edit, sheets, deletion_of(edit.mesh(), element));
+  return sheets.finish();
+}
+
+namespace {
+
+class Deletes : public OneByOne {
+ public:
+  explicit Deletes(Edit& edit) : OneByOne(edit), sheets_(edit), known_(sheets_) {}
+  void apply(const AnyOp& op) override {
+    delete_elements(edit_, sheets_, deletion_of(edit_.mesh(), std::get<Delete>(op).element), &known_);
+  }
+
+ private:
+  Sheets sheets_;
+  SettledPoints known_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> deletes_in_series(Edit& edit) { return std::make_unique<Deletes>(edit); }
+
+}  // namespace ryosen

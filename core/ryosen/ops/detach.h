@@ -1,0 +1,47 @@
+// Detach: gives a sheet its own points wherever it touches other faces.
+//
+//        a---b---c             a---b   b'---c
+//        | f | g |      =>     | f |   |  g |       g is detached; b and d are shared with f
+//        e---d---h             e---d   d'---h
+//
+// polygon list: in the named faces every point shared with other faces is replaced by a new one, the same in all of
+//               them. A single face stands for its sheet (the faces connected to it through edges with exactly two
+//               faces in opposite directions) if that touches others, else for itself.
+// needs: the faces touch others.
+// changes: V + the shared points, E + the shared edges on points; non-manifold edges may become manifold.
+// inverse: weld, point by point, where it is legal.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+struct Detach {
+  std::vector<Face> faces;
+
+  static constexpr OpInfo info{"detach",
+                               "Detach",
+                               "シートの切り離し",
+                               "fN [fM ...]",
+                               "separates a sheet, or the named faces, from all other faces",
+                               "シート、または指定した面を独立した点に切り離す",
+                               '\0',
+                               OpTargetKind::face,
+                               OpGroup::join,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
+
+  static Parsed<Detach> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Detach at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

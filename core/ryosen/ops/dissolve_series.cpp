@@ -1,0 +1,235 @@
+#include "ryosen/ops/dissolve_series.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/euler/unite_loop.h"
+#include "ryosen/ops/euler/unite_series.h"
+#include "ryosen/ops/op_series.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/plain_faces.h"
+#include "ryosen/ops/rules/shared_chain.h"
+#include "ryosen/ops/rules/surgery.h"
+
+namespace ryosen {
+
+Face DissolveSeries::number(Face slot) const {
+  const auto found = numbers_.find(slot);
+  return found == numbers_.end() ? slot : found->second;
+}
+
+// Grows with each change of one of the two.
+std::uint64_t DissolveSeries::changes(Face f, Face g) const {
+  const auto of = [&](Face face) {
+    const auto found = changes_.find(face);
+    return found == changes_.end() ? std::uint64_t{0} : found->second;
+  };
+  return std::max(of(f), of(g));
+}
+
+std::uint64_t DissolveSeries::key(Face f, Face g) const {
+  const auto [low, high] = std::minmax(f.index, g.index);
+  return std::uint64_t{low} << 32 | high;
+}
+
+const Rule* DissolveSeries::known_refusal(Face f, Face g) const {
+  const auto found = refused_.find(key(f, g));
+  return found != refused_.end() && found->second.at == changes(f, g) ? &found->second.rule : nullptr;
+}
+
+std::vector<Halfedge> DissolveSeries::chain_of(Halfedge h) const {
+  return takes_ == Takes::chain ? chain_through(mesh(), h) : std::vector{h};
+}
+
+// Whether no point between the edges of its chain has copies, as far as that is known.
+bool DissolveSeries::is_known_chain(Halfedge h) const {
+  const Mesh& m = mesh();
+  if (takes_ == Takes::edge || (!has_two_edges(m, m.from(h)) && !has_two_edges(m, m.to(h)))) return true;
+  const auto found = known_chains_.find(edge(h));
+  return found != known_chains_.end() && found->second == changes(m.face(h), m.face(twin(h)));
+}
+
+void DissolveSeries::refuse(Face f, Face g, Rule rule) {
+  refused_.insert_or_assign(key(f, g), Refusal{rule, changes(f, g)});
+}
+
+std::optional<Rule> DissolveSeries::broken_rule(const Dissolve& op) {
+  plain_.clear();
+  if (op.vertex.is_none() && is_there(mesh(), op.halfedge)) return broken_rule_of_edge(op.halfedge);
+  const Verdict verdict = op.check(mesh());
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
+// In the order in which check() refuses.
+std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
+  const Mesh& m = mesh();
+  const Face f = m.face(h), g = m.face(twin(h));
+  if (!f || !g) return Rule::boundary;
+  if (f == g) return Rule::same_face;
+  if (is_cut_on_points(m, h)) return Rule::copies;
+  const Rule* const known = known_refusal(f, g);
+  if (known && is_known_chain(h)) return *known;
+  std::vector<Halfedge> chain = chain_of(h);
+  looks_ += chain.size();
+  for (const Halfedge side : chain)
+    if (is_cut_on_points(m, side) || (side != chain[0] && has_copies(m, m.from(side)))) return Rule::copies;
+  if (known) {
+    for (const Halfedge side : chain) known_chains_[edge(side)] = changes(f, g);
+    return *known;
+  }
+  const Union both = judge_union(m, chain, known_, &looks_);
+  if (both == Union::plain) {
+    plain_ = std::move(chain);
+    return std::nullopt;
+  }
+  if (both == Union::touching) {
+    refuse(f, g, Rule::loop);
+    return Rule::loop;
+  }
+  looks_ += known_.corner_count(m, f) + known_.corner_count(m, g);
+  const Verdict verdict = takes_ == Takes::chain ? Dissolve{h}.check(m) : UniteLoop{h}.check(m);
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
+// Faces that may be united have one chain between them, so that what is said of it is said of the two.
+std::optional<Rule> DissolveSeries::doubt(const Dissolve& op) {
+  const std::vector<Reason> doubts =
+      takes_ == Takes::chain ? op.warnings(mesh()) : UniteLoop{op.halfedge}.warnings(mesh());
+  if (doubts.empty()) return std::nullopt;
+  if (!plain_.empty()) refuse(mesh().face(plain_[0]), mesh().face(twin(plain_[0])), doubts[0].rule);
+  return doubts[0].rule;
+}
+
+void DissolveSeries::apply(const Dissolve& op) {
+  if (!plain_.empty()) {
+    unite(plain_);
+    plain_.clear();
+    return;
+  }
+  settle();
+  if (takes_ == Takes::chain)
+    op.apply(edit_);
+  else
+    UniteLoop{op.halfedge}.apply(edit_);
+}
+
+void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
+  const Mesh& m = mesh();
+  std::vector<Edge> edges;
+  for (const Halfedge h : chain) edges.push_back(edge(h));
+  std::sort(edges.begin(), edges.end());
+  merge_corner_values(edit_, edges, [&](Face f) { return number(f).index; });
+
+  const Face left = m.face(chain[0]), right = m.face(twin(chain[0]));
+  const std::uint32_t of_left = known_.corner_count(m, left), of_right = known_.corner_count(m, right);
+  const Face large = of_left < of_right ? right : left, small = large == left ? right : left;
+  const Face numbers[] = {number(left), number(right)};
+  const bool left_stays = numbers[0] < numbers[1];
+  // The common face begins where the one whose number stays began.
+  Halfedge start = m.halfedge(left_stays ? left : right);
+  const Halfedge past = left_stays ? m.next(twin(chain.front())) : m.next(chain.back());
+  for (const Halfedge h : chain)
+    if (start == (left_stays ? h : twin(h))) start = past;
+  give_corners(small, large);
+  const std::vector<Vertex> inner = inner_vertices(m, chain);
+  for (const Halfedge h : chain) unlink_edge(edit_, h);
+  for (const Vertex v : inner) edit_.remove(v);
+  edit_.set_halfedge(large, start);
+
+  const Face stays = left_stays ? numbers[0] : numbers[1];
+  for (const Face slot : {left, right, numbers[0], numbers[1]})
+    if (slot != large && slot != stays && m.is_alive(slot)) edit_.remove(slot);
+  numbers_.erase(small);
+  numbers_[large] = stays;
+  known_.united(large, small, of_left + of_right - static_cast<std::uint32_t>(2 * chain.size()));
+  changes_.erase(small);
+  changes_[large] = ++change_;
+}
+
+void DissolveSeries::give_corners(Face from, Face to) {
+  for (const Halfedge h : loop(mesh(), mesh().halfedge(from))) {
+    ++looks_;
+    edit_.set_face(h, to);
+  }
+}
+
+void DissolveSeries::settle() {
+  for (const auto& [slot, stays] : numbers_) {
+    if (slot == stays) continue;
+    give_corners(slot, stays);
+    edit_.set_halfedge(stays, mesh().halfedge(slot));
+    edit_.remove(slot);
+  }
+  forget_all();
+}
+
+void DissolveSeries::forget_all() {
+  known_ = {};
+  numbers_.clear();
+  changes_.clear();
+  refused_.clear();
+  known_chains_.clear();
+  plain_.clear();
+}
+
+namespace {
+
+// Vertices with two edges are taken out by a series of their own: each is told where the other has changed the mesh.
+class Dissolves : public OpSeries {
+ public:
+  explicit Dissolves(Edit& edit) : edit_(edit), of_edges_(edit), of_vertices_(edit) {}
+  std::optional<Rule> broken_rule(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    return is_two_edged(op) ? of_vertices_.broken_rule(op.vertex) : of_edges_.broken_rule(op);
+  }
+  std::optional<Rule> doubt(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    return is_two_edged(op) ? std::nullopt : of_edges_.doubt(op);
+  }
+  void apply(const AnyOp& any) override {
+    const Dissolve& op = std::get<Dissolve>(any);
+    if (is_two_edged(op)) {
+      of_edges_.settle();
+      of_vertices_.apply(op.vertex);
+    } else if (op.vertex) {
+      of_edges_.settle();
+      of_vertices_.forget(op.apply(edit_));
+    } else {
+      of_edges_.apply(op);
+      of_vertices_ = UniteSeries(edit_);
+    }
+  }
+  void settle() override { of_edges_.settle(); }
+
+ private:
+  bool is_two_edged(const Dissolve& op) const {
+    return op.vertex && edit_.mesh().is_alive(op.vertex) && has_two_edges(edit_.mesh(), op.vertex);
+  }
+
+  Edit& edit_;
+  DissolveSeries of_edges_;
+  UniteSeries of_vertices_;
+};
+
+class UnitedLoops : public OpSeries {
+ public:
+  explicit UnitedLoops(Edit& edit) : series_(edit, DissolveSeries::Takes::edge) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override { return series_.broken_rule(as_dissolve(op)); }
+  std::optional<Rule> doubt(const AnyOp& op) override { return series_.doubt(as_dissolve(op)); }
+  void apply(const AnyOp& op) override { series_.apply(as_dissolve(op)); }
+  void settle() override { series_.settle(); }
+
+ private:
+  static Dissolve as_dissolve(const AnyOp& op) { return {std::get<UniteLoop>(op).halfedge}; }
+
+  DissolveSeries series_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> dissolves_in_series(Edit& edit) { return std::make_unique<Dissolves>(edit); }
+std::unique_ptr<OpSeries> unites_loops_in_series(Edit& edit) { return std::make_unique<UnitedLoops>(edit); }
+
+}  // namespace ryosen

@@ -1,0 +1,381 @@
+#include "ryosen/ops/each.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/names.h"
+#include "ryosen/ops/euler/unite_series.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/ops/op_series.h"
+#include "ryosen/ops/rules/surgery.h"
+
+namespace ryosen {
+
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+// A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one as
+// their own names go.
+std::string quick_name(const Mesh& mesh, Element e) {
+  if (e.kind == Element::Kind::vertex && has_copies(mesh, e.vertex())) return name_of_copy(mesh, e.vertex());
+  if (e.kind == Element::Kind::vertex) return "v" + std::to_string(e.index);
+  if (e.kind == Element::Kind::face) return "f" + std::to_string(e.index);
+  if (e.kind == Element::Kind::halfedge) return "h" + std::to_string(e.index);
+  Halfedge h = halfedge(e.edge(), 0);
+  if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
+  return "h" + std::to_string(h.index);
+}
+
+// The halfedges that an element may be asked about at. Both sides of a wire lie along cycles of their own.
+std::vector<Halfedge> asked_at(const Mesh& mesh, const Element& e) {
+  if (e.kind == Element::Kind::edge) return {halfedge(e.edge(), 0), halfedge(e.edge(), 1)};
+  if (e.kind != Element::Kind::halfedge) return {};
+  const Halfedge h = e.halfedge();
+  return mesh.is_outside(h) ? std::vector{h} : std::vector{h, twin(h)};
+}
+
+// What became of the subjects (op.h) that were asked about and are shared by several halfedges, so that many of one cost
+// no more than one.
+class AskedSubjects {
+ public:
+  bool is_done(std::span<const Halfedge> at) const {
+    return std::any_of(at.begin(), at.end(), [&](Halfedge h) { return done_.contains(h.index); });
+  }
+  // The rule by which the subject was refused, if nothing has changed since then.
+  const Rule* refused(std::span<const Halfedge> at) const {
+    for (const Halfedge h : at)
+      if (const auto found = refused_.find(h.index); found != refused_.end()) return &found->second;
+    return nullptr;
+  }
+  void done(std::span<const Halfedge> subject) {
+    for (const Halfedge h : subject) done_.insert(h.index);
+    refused_.clear();
+  }
+  void refuse(std::span<const Halfedge> subject, Rule rule) {
+    for (const Halfedge h : subject) refused_.emplace(h.index, rule);
+  }
+
+ private:
+  IndexSet done_;
+  std::unordered_map<std::uint32_t, Rule> refused_;
+};
+
+// The halfedges that share the subject of one; none if it has its own.
+std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfedge h) {
+  std::vector<Halfedge> same;
+  if (subject == Subject::points) {
+    for (const Halfedge sheet : sheets_between(mesh, mesh.from(h), mesh.to(h)))
+      same.insert(same.end(), {sheet, twin(sheet)});
+  } else if (subject == Subject::cycle) {
+    for (const Halfedge other : loop(mesh, h)) same.push_back(other);
+  }
+  return same;
+}
+
+// The halfedge between two vertices, on points; none where no edge joins them. Between two points that both have copies
+// nothing may collapse, by whichever sheet.
+Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
+  if (has_copies(mesh, from) && has_copies(mesh, to)) return any_sheet_between(mesh, from, to);
+  const std::vector<Halfedge> sheets = sheets_between(mesh, from, to);
+  return sheets.empty() ? Halfedge() : sheets.front();
+}
+
+class Calls {
+ public:
+  Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
+      : edit_(edit), op_(op), arguments_(arguments), strict_(strict), series_(series_of(op, edit)) {}
+
+  // False where the arguments cannot be.
+  bool call(const Element& e, const Element* with) {
+    if (!is_alive(mesh(), e)) return ++result_.gone, true;
+    const std::vector<Halfedge> at = asked_at(mesh(), e);
+    if (subjects_.is_done(at)) return ++result_.done, true;
+    if (const Rule* const rule = subjects_.refused(at)) return refuse(e, *rule), true;
+    Parsed<AnyOp> parsed = read(e, with);
+    if (!parsed.op) {
+      result_.error = parsed.error;
+      result_.sentence = parsed.sentence;
+      return false;
+    }
+    auto rule = broken_rule(*parsed.op);
+    if (const auto along = rule && with ? read_along_edge(e, *with) : std::nullopt) {
+      parsed.op = along;
+      rule = broken_rule(*along);
+    }
+    Halfedge side = halfedge_of(*parsed.op);
+    if (op_.subject == Subject::cycle && !rule && !mesh().is_outside(side)) side = twin(side);
+    std::vector<Halfedge> same;
+    if (!at.empty() && (op_.subject != Subject::cycle || mesh().is_outside(side)))
+      same = with_same_subject(mesh(), op_.subject, side);
+    if (rule) {
+      subjects_.refuse(same, *rule);
+      refuse(e, *rule);
+      return true;
+    }
+    apply(*parsed.op);
+    subjects_.done(same);
+    return true;
+  }
+
+  // The operator that does the same along the edge between them; none where it may not or there is none.
+  std::optional<AnyOp> legal_along_edge(const Element& e, const Element& with) {
+    const auto along = read_along_edge(e, with);
+    return along && !broken_rule(*along) ? along : std::nullopt;
+  }
+  // After it was found to be legal.
+  void apply(const AnyOp& op) {
+    series_->apply(op);
+    ++result_.done;
+    ++result_.calls;
+  }
+
+  void arguments(Words arguments) { arguments_ = arguments; }
+  // What was refused, to be asked again.
+  std::vector<Element> take_refused() {
+    std::vector<Element> all;
+    for (const EachResult::Refused& refused : result_.refused)
+      all.insert(all.end(), refused.elements.begin(), refused.elements.end());
+    result_.refused.clear();
+    subjects_ = {};
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  const Mesh& mesh() const { return edit_.mesh(); }
+  EachResult& result() { return result_; }
+  // After the last call.
+  void settle() { series_->settle(); }
+
+ private:
+  Parsed<AnyOp> read(const Element& e, const Element* with) const {
+    const std::string name = with ? name_of_one(e) : quick_name(mesh(), e), first = with ? name_of_one(*with) : "";
+    std::vector<std::string_view> words;
+    if (with) words.push_back(first);
+    words.push_back(name);
+    words.insert(words.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.id, words);
+  }
+  // The operator that does the same along the edge between the two, if there is one and the row names such an operator.
+  std::optional<AnyOp> read_along_edge(const Element& e, const Element& with) const {
+    if (op_.along_edge.empty() || e.kind != Element::Kind::vertex || with.kind != Element::Kind::vertex)
+      return std::nullopt;
+    const Halfedge h = halfedge_between(mesh(), e.vertex(), with.vertex());
+    if (!h) return std::nullopt;
+    const std::string name = "h" + std::to_string(h.index);
+    std::vector<std::string_view> words{name};
+    words.insert(words.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.along_edge, words).op;
+  }
+  // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many looks as
+  // there are.
+  std::string name_of_one(const Element& e) const {
+    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), e);
+  }
+  std::optional<Rule> broken_rule(const AnyOp& op) {
+    const auto rule = series_->broken_rule(op);
+    return rule || !strict_ ? rule : series_->doubt(op);
+  }
+  void refuse(const Element& e, Rule rule) {
+    const auto same = [&](const EachResult::Refused& r) { return r.rule == rule; };
+    auto found = std::find_if(result_.refused.begin(), result_.refused.end(), same);
+    if (found == result_.refused.end()) found = result_.refused.insert(found, {rule, {}});
+    found->elements.push_back(e);
+  }
+
+  Edit& edit_;
+  const OpInfo& op_;
+  Words arguments_;
+  bool strict_;
+  std::unique_ptr<OpSeries> series_;
+  AskedSubjects subjects_;
+  EachResult result_;
+};
+
+// Each point once, and the sum never larger than the largest of them.
+glm::dvec3 middle_of_vertices(const Mesh& mesh, std::span<const Element> elements) {
+  IndexSet seen;
+  glm::dvec3 middle(0);
+  double n = 0;
+  for (const Element& e : elements) {
+    if (e.kind != Element::Kind::vertex || seen.contains(point(mesh, e.vertex()).index)) continue;
+    seen.insert(point(mesh, e.vertex()).index);
+    ++n;
+    middle = middle * ((n - 1) / n) + mesh.position(e.vertex()) / n;
+  }
+  return middle;
+}
+
+}  // namespace
+
+std::size_t EachResult::refusals() const {
+  std::size_t sum = 0;
+  for (const Refused& r : refused) sum += r.elements.size();
+  return sum;
+}
+
+bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
+  const std::string_view name = kind == Element::Kind::vertex ? "v0" : kind == Element::Kind::face ? "f0" : "0-1";
+  std::vector<std::string_view> words{name};
+  if (op.on_selection == OnSelection::into_last) words.push_back(name);
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return !first_misfit(op.syntax, words);
+}
+
+std::size_t least_taken(const OpInfo& op) { return op.on_selection == OnSelection::into_last ? 2 : 1; }
+
+CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Element> elements, Words arguments) {
+  CalledWith with;
+  for (const Element& e : elements) (takes(op, e.kind, arguments) ? with.taken : with.others).push_back(e);
+  const std::size_t least = least_taken(op);
+  if (!op.in_place_of || with.taken.size() >= least) return with;
+  std::vector<Element> found = op.in_place_of->elements(mesh, elements);
+  if (found.size() < least) return with;
+  return {std::move(found), {}, true};
+}
+
+namespace {
+
+// What may stand for the last one after it was called with another, the first that lives: itself, the other one, or what
+// is left of their points, where both were bare copies.
+std::vector<Element> heirs_of(const Mesh& mesh, const Element& last, const Element& other) {
+  std::vector<Element> heirs{last, other};
+  for (const Element& e : {last, other})
+    if (e.kind == Element::Kind::vertex && is_alive(mesh, e)) heirs.emplace_back(point(mesh, e.vertex()));
+  return heirs;
+}
+
+// What stands for the last one from now on.
+void hand_on(const Mesh& mesh, std::span<const Element> heirs, Element& last) {
+  const auto heir = std::find_if(heirs.begin(), heirs.end(), [&](const Element& e) { return is_alive(mesh, e); });
+  if (heir != heirs.end()) last = *heir;
+}
+
+// Those of a set to which edges lead from the point of a vertex, as the vertices there or what stands for their points.
+std::vector<Element> beside(const Mesh& mesh, const Element& e, const std::set<Element>& among) {
+  std::vector<Element> found;
+  for_each_copy(mesh, e.vertex(), [&](Vertex copy) {
+    if (mesh.is_isolated(copy)) return;
+    for (const Halfedge h : outgoing(mesh, copy))
+      for (const Vertex v : {mesh.to(h), point(mesh, mesh.to(h))})
+        if (among.contains(Element(v))) found.emplace_back(v);
+  });
+  return found;
+}
+
+// First those to which edges lead from the last one, and on from there, in ascending order as far as they are reached; again
+// those that were refused, as long as anything is done. What was done is taken out. So a patch comes together without being
+// pinched: joined out of turn, its vertices would keep each other apart.
+void call_along_edges(Calls& calls, std::vector<Element>& taken, Element& last, Progress& progress) {
+  const Mesh& mesh = calls.mesh();
+  const auto is_vertex = [](const Element& e) { return e.kind == Element::Kind::vertex; };
+  if (!is_vertex(last) || !std::all_of(taken.begin(), taken.end(), is_vertex)) return;
+  std::set<Element> left(taken.begin(), taken.end()), next, refused;
+  const std::vector<Element> first = beside(mesh, last, left);
+  next.insert(first.begin(), first.end());
+  for (bool has_done = false; progress.go_on(taken.size() - left.size(), taken.size());) {
+    if (next.empty() && std::exchange(has_done, false)) next.swap(refused);
+    if (next.empty()) break;
+    const Element e = next.extract(next.begin()).value();
+    if (!is_alive(mesh, e) || !are_joined(mesh, e.vertex(), last.vertex())) continue;
+    if (const auto along = calls.legal_along_edge(e, last)) {
+      const std::vector<Element> around = beside(mesh, e, left), heirs = heirs_of(mesh, last, e);
+      calls.apply(*along);
+      hand_on(mesh, heirs, last);
+      left.erase(e);
+      for (const Element& other : around)
+        if (!refused.contains(other)) next.insert(other);
+      has_done = true;
+    } else {
+      refused.insert(e);
+    }
+  }
+  std::erase_if(taken, [&](const Element& e) { return !left.contains(e); });
+}
+
+// In ascending order; again those that were refused, as long as anything is done, where `is_in_place`.
+// There `strict` does all or nothing: no selection of what was done would say the same without it.
+void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bool strict, Element* last,
+                  Progress& progress) {
+  std::sort(taken.begin(), taken.end());
+  const std::size_t all = taken.size();
+  while (true) {
+    const std::size_t done = calls.result().done;
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      if (!progress.go_on(all - taken.size() + i, all)) return;
+      const std::vector<Element> heirs = last ? heirs_of(calls.mesh(), *last, taken[i]) : std::vector<Element>();
+      if (!calls.call(taken[i], last)) return;
+      if (last) hand_on(calls.mesh(), heirs, *last);
+    }
+    if (!is_in_place || calls.result().refusals() == 0 || calls.result().done == done) break;
+    taken = calls.take_refused();
+  }
+  if (is_in_place) calls.result().done += std::exchange(calls.result().gone, 0);
+  if (is_in_place && strict && calls.result().refusals() > 0) calls.result().done = 0;
+}
+
+}  // namespace
+
+namespace {
+
+// The ends of these edges that have not two edges as it is, ascending.
+std::vector<Vertex> ends_with_more_edges(const Mesh& mesh, std::span<const Element> elements) {
+  std::vector<Vertex> found;
+  for (const Element& e : elements) {
+    if (!is_alive(mesh, e) || (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge)) continue;
+    const auto [a, b] = ends(mesh, e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge()));
+    for (const Vertex v : {a, b})
+      if (!has_two_edges(mesh, v)) found.push_back(v);
+  }
+  sort_unique(found);
+  return found;
+}
+
+std::size_t take_along(Edit& edit, std::span<const Vertex> ends) {
+  UniteSeries series(edit);
+  std::size_t taken = 0;
+  for (const Vertex v : ends)
+    if (edit.mesh().is_alive(v) && has_two_edges(edit.mesh(), v) && series.unite(v)) ++taken;
+  return taken;
+}
+
+}  // namespace
+
+EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
+                         Progress& progress) {
+  Calls calls(edit, op, arguments, strict);
+  CalledWith with = called_with(edit.mesh(), op, elements, arguments);
+  std::vector<Element>& taken = with.taken;
+  calls.result().others = std::move(with.others);
+  std::vector<Vertex> ends_left;
+  if (op.takes_ends_along && !with.is_in_place) ends_left = ends_with_more_edges(edit.mesh(), taken);
+  Element last;
+  const bool into_last = op.on_selection == OnSelection::into_last && !taken.empty();
+  // In the middle of all of them, not of two at a time.
+  std::string middle;
+  std::string_view place;
+  if (into_last && taken.back().kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid") {
+    middle = format_place(middle_of_vertices(edit.mesh(), taken));
+    place = middle;
+    calls.arguments({&place, 1});
+  }
+  if (into_last) {
+    last = taken.back();
+    taken.pop_back();
+    if (!op.along_edge.empty()) call_along_edges(calls, taken, last, progress);
+  }
+  call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
+  calls.settle();
+  if (calls.result().done > 0) calls.result().ends = take_along(edit, ends_left);
+  return std::move(calls.result());
+}
+
+}  // namespace ryosen

@@ -1,0 +1,45 @@
+// Makes an edge without a face (a wire) between two vertices.
+//
+//        a   .   b                a---.---b        the corner at a is the gap that the edge enters, given by the
+//        |       |       =>       |       |        boundary halfedge p -> a that ends there; likewise at b
+//        p       q                p       q
+//
+// polygon list: a new wire pair.
+// needs: two different points not joined by an edge, each isolated or with a gap.
+// changes: E + 1, and B - 1, S - 1 if an end is isolated or the gaps are in two components; B + 1 if they are on one
+//          cycle; B - 1, G + 1 if on two cycles of one component.
+// inverse: delete_edge.
+#pragma once
+
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+struct MakeEdge {
+  Vertex a, b;
+  Halfedge into_a, into_b;  // none at an isolated vertex
+
+  static constexpr OpInfo info{"make_edge",
+                               "Make edge",
+                               "稜線生成",
+                               "A B [P-A] [Q-B]",
+                               "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
+                               "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
+                               '\0',
+                               OpTargetKind::selection,
+                               OpGroup::euler,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
+
+  static Parsed<MakeEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeEdge at(const Mesh&, const OpTarget&) { return {}; }
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh&) const { return {}; }
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

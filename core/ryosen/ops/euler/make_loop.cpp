@@ -1,0 +1,62 @@
+#include "ryosen/ops/euler/make_loop.h"
+
+#include <cassert>
+
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/pinch.h"
+#include "ryosen/ops/rules/surgery.h"
+
+namespace ryosen {
+
+MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
+  const Halfedge h = target.halfedge;
+  return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
+}
+
+namespace {
+
+// Whether reading the resulting polygon list would give the same sheets at h: exactly two faces in opposite directions
+// share one edge, of three or more each has its own.
+bool keeps_sheets(const Mesh& m, Halfedge h) {
+  const PointEdge at = point_edge(m, h);
+  if (!m.is_outside(twin(h))) return at.faces() == 1;
+  return at.faces() != 1 || at.backward == 0;
+}
+
+}  // namespace
+
+Verdict MakeLoop::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, halfedge, verdict)) return verdict;
+  if (!mesh.is_outside(halfedge)) {
+    verdict.refuse(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
+    return verdict;
+  }
+  CornerLoops cycle;
+  cycle.add(points_along(mesh, halfedge));
+  if (!take_out_bridges(cycle)) {
+    verdict.refuse(Rule::loop, {edge(halfedge)});
+    return verdict;
+  }
+  for (Halfedge h : loop(mesh, halfedge))
+    if (!keeps_sheets(mesh, h)) verdict.refuse(Rule::copies, {point(mesh, mesh.from(h)), point(mesh, mesh.to(h))});
+  if (!verdict.legal()) return verdict;
+  if (const Face other = face_on(mesh, point_set(cycle.corners))) verdict.refuse(Rule::duplicate_face, {other});
+  return verdict;
+}
+
+std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return warnings_of_face_in(mesh, halfedge); }
+
+OpEffect MakeLoop::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  const Face f = edit.add_face(halfedge);
+  set_face_along(edit, halfedge, f);
+  for (Halfedge h : loop(edit.mesh(), halfedge)) hold_outside(edit, edit.mesh().from(h));
+  OpEffect effect;
+  effect.created.push_back(f);
+  effect.changed.push_back(f);
+  return effect;
+}
+
+}  // namespace ryosen

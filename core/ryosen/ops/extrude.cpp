@@ -1,0 +1,135 @@
+#include "ryosen/ops/extrude.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/raise.h"
+#include "ryosen/ops/rules/region.h"
+
+namespace ryosen {
+
+namespace {
+
+// Below this share of the sum of the areas the sum of the vector areas is rounding.
+constexpr double least_share = 1e-12;
+
+// The common normal of faces and the square root of their mean area.
+struct Slope {
+  glm::dvec3 normal{0};
+  double size = 0;
+};
+
+// Areas may overflow where their sums are taken, so each is taken relative to the largest.
+Slope slope_of(const Mesh& mesh, std::span<const Face> faces) {
+  std::vector<std::pair<double, glm::dvec3>> parts;  // area, normal
+  double largest = 0;
+  FacePolygon polygon;
+  for (Face f : faces) {
+    polygon.read(mesh, f);
+    if (!polygon.is_finite()) continue;
+    const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
+    parts.emplace_back(polygon_area(walk), polygon_normal(walk));
+    largest = std::max(largest, parts.back().first);
+  }
+  if (parts.empty()) return {};
+  if (parts.size() == 1) return {parts[0].second, std::sqrt(largest)};
+  glm::dvec3 sum(0);
+  double all = 0;
+  for (const auto& [area, normal] : parts) {
+    const double share = area == largest ? 1 : area / largest;
+    sum += share * normal;
+    all += share;
+  }
+  const double length = glm::length(sum);
+  const double size = std::sqrt(largest) * std::sqrt(all / static_cast<double>(parts.size()));
+  return length > least_share * all ? Slope{sum / length, size} : Slope{};
+}
+
+// Refuses faces with another one on the same points that would stay.
+void refuse_duplicates(const Mesh& mesh, const Region& region, Verdict& verdict) {
+  std::map<std::vector<std::uint32_t>, Face> asked;  // the first face on each set of points
+  for (Face f : region.faces()) {
+    const std::vector<std::uint32_t> points = point_set(loops_of(mesh, f).corners);
+    if (!asked.emplace(points, f).second) continue;
+    const Face other = face_on_unless(mesh, points, [&](Face g) { return region.contains(g); });
+    if (other) verdict.refuse(Rule::loses_duplicate, {f, other});
+  }
+}
+
+}  // namespace
+
+Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Extrude op;
+  do op.faces.push_back(in.face());
+  while (!in.failed() && in.peek().starts_with('f'));
+  const std::string argument(in.peek());
+  if (!in.at_end()) {
+    if (argument.find(',') != std::string::npos)
+      op.offset = in.place();
+    else
+      op.distance = in.number();
+  }
+  Parsed<Extrude> out = in.result(op);
+  if (!out.op || argument.empty()) return out;
+  const glm::dvec3 by = op.movement(mesh);
+  for (Face f : op.faces)
+    for (Vertex v : vertices_around(mesh, f))
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return malformed_argument<Extrude>(
+            argument, {"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"});
+  return out;
+}
+
+std::string Extrude::command(const Mesh& mesh) const {
+  std::string text = "extrude";
+  for (Face f : faces) text += " " + name_of(mesh, f);
+  if (offset) return text + " " + format_place(*offset);
+  if (distance) text += " " + format_double(*distance);
+  return text;
+}
+
+glm::dvec3 Extrude::movement(const Mesh& mesh) const {
+  if (offset) return *offset;
+  const Region region(mesh, faces);
+  const Slope slope = slope_of(mesh, region.faces());
+  const glm::dvec3 by = distance.value_or(slope.size) * slope.normal;
+  return is_finite(by) ? by : glm::dvec3();
+}
+
+Verdict Extrude::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
+  for (Face f : faces)
+    if (is_gone(mesh, f, verdict)) return verdict;
+  if (verdict.legal()) refuse_duplicates(mesh, Region(mesh, faces), verdict);
+  return verdict;
+}
+
+std::vector<Reason> Extrude::warnings(const Mesh& mesh) const {
+  const glm::dvec3 by = movement(mesh);
+  const Region region(mesh, faces);
+  std::vector<Element> flat;
+  for (const Region::Border& border : region.border()) {
+    const glm::dvec3 &a = mesh.position(mesh.from(border.side)), &b = mesh.position(mesh.to(border.side));
+    if (FaceGeometry{{a, b, b + by, a + by}}.is_degenerate()) flat.push_back(edge(border.side));
+  }
+  if (flat.empty()) return {};
+  return {{Rule::degenerate, flat}};
+}
+
+OpEffect Extrude::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  return raise(edit, Region(edit.mesh(), faces), movement(edit.mesh()));
+}
+
+}  // namespace ryosen

@@ -1,0 +1,281 @@
+#include "ryosen/ops/extrude_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/bridges.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/rules/attach_face.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/edge_sides.h"
+#include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/pinch.h"
+
+namespace ryosen {
+
+namespace {
+
+glm::dvec3 normal_of(const Mesh& m, Face f) {
+  FacePolygon polygon;
+  polygon.read(m, f);
+  return polygon.is_finite() ? polygon_normal(polygon.keyhole_walk()) : glm::dvec3(0);
+}
+
+// The sum of the ways out of faces across their sides, each in the plane of its face and as long as the side.
+glm::dvec3 way_out(const Mesh& m, std::span<const Halfedge> sides) {
+  std::unordered_map<Face, glm::dvec3> normals;
+  glm::dvec3 sum(0);
+  for (Halfedge side : sides) {
+    if (m.is_outside(side)) continue;
+    const auto [normal, is_new] = normals.try_emplace(m.face(side));
+    if (is_new) normal->second = normal_of(m, m.face(side));
+    sum += glm::cross(m.position(m.to(side)) - m.position(m.from(side)), normal->second);
+  }
+  return sum;
+}
+
+// The vector area of the loop that edges make when they run like this; of an open chain, with its ends joined.
+glm::dvec3 area_of_loop(const Mesh& m, std::span<const Halfedge> sides) {
+  std::set<Vertex> ends;
+  for (Halfedge h : sides) ends.insert(point(m, m.to(h)));
+  const auto first =
+      std::find_if(sides.begin(), sides.end(), [&](Halfedge h) { return !ends.contains(point(m, m.from(h))); });
+  const glm::dvec3 about = m.position(m.from(first == sides.end() ? sides[0] : *first));
+  glm::dvec3 sum(0);
+  for (Halfedge h : sides) sum += glm::cross(m.position(m.from(h)) - about, m.position(m.to(h)) - about);
+  return 0.5 * sum;
+}
+
+glm::dvec3 unit_or_zero(const glm::dvec3& vector, double least) {
+  const double length = glm::length(vector);
+  return length > least ? vector / length : glm::dvec3(0);
+}
+
+bool has_face(const Mesh& m, Vertex p) {
+  return any_of_copies(m, p, [&](Vertex copy) {
+    for (Face f : faces_around(m, copy))
+      if (f) return true;
+    return false;
+  });
+}
+
+// Quads are put on the free sides of edges and of each other where there are any, else beside them on vertices of their
+// own: which of these belong together is found when all are there.
+class ExtrudedEdges {
+ public:
+  ExtrudedEdges(Edit& edit, std::span<const Halfedge> sides, const glm::dvec3& by)
+      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit), corners_(edit), attributes_(corner_attributes(m_)) {
+    for (Halfedge side : sides) named_.push_back({side, end_at(m_.from(side)), end_at(m_.to(side))});
+  }
+
+  OpEffect run() {
+    for (const Named& named : named_) make_quad(named);
+    std::vector<Vertex> points;
+    for (auto& each : beside_) {
+      std::vector<Vertex>& copies = each.second;
+      for_each_copy(m_, each.first, [&](Vertex copy) { copies.push_back(copy); });
+      link_copies(edit_, copies);
+    }
+    for (const auto& [p, top] : tops_) points.insert(points.end(), {p, top});
+    std::sort(points.begin(), points.end());
+    sheets_.settle(points);
+    return sheets_.finish();
+  }
+
+ private:
+  struct End {
+    Vertex point, top;
+  };
+  struct Named {
+    Halfedge side;
+    End from, to;
+  };
+
+  End end_at(Vertex v) {
+    const Vertex p = point(m_, v);
+    const auto [at, is_new] = tops_.try_emplace(p);
+    if (is_new) {
+      const glm::dvec3 moved = m_.position(v) + by_;
+      at->second = edit_.add_vertex(is_finite(moved) ? moved : m_.position(v));
+      blend_vertex_values(edit_, v, v, 0, at->second);
+    }
+    return {p, at->second};
+  }
+
+  void make_quad(const Named& named) {
+    const Face face = m_.face(named.side);
+    const std::array<std::vector<std::uint32_t>, 2> values = values_at(named.side);
+    const auto& [side, a, b] = named;
+    std::array<Vertex, 4> corners{b.point, a.point, a.top, b.top};
+    if (!face) corners = {a.point, b.point, b.top, a.top};
+    const bool is_free = !is_shared(side) && !has_quad(corners[1], corners[2]) && !has_quad(corners[3], corners[0]);
+    if (is_free) rises_.insert({{corners[1], corners[2]}, {corners[3], corners[0]}});
+    const Face quad = is_free ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
+    if (face) copy_face_values(edit_, face, quad);
+    std::size_t corner = 0;
+    for (Halfedge h : halfedges_around(m_, quad)) {
+      const bool is_at_b = corner == 0 || corner == 3;
+      set_values(h, values[is_at_b]);
+      ++corner;
+    }
+  }
+  // Whether several faces have an edge on points.
+  bool is_shared(Halfedge side) const { return point_edge(m_, side).faces() > 1; }
+  // Whether one of those on free sides runs up or down there.
+  bool has_quad(Vertex from, Vertex to) const { return rises_.contains({from, to}); }
+
+  Face put_beside(Halfedge side, std::array<Vertex, 4> corners) {
+    const std::array<Vertex, 2> of_wire{m_.from(side), m_.to(side)};
+    const bool is_wire = m_.is_wire(edge(side));
+    if (is_wire) sheets_.remove_edge(side);
+    for (std::size_t i = 0; i < 4; ++i)
+      corners[i] = is_wire && i < 2 && m_.is_isolated(of_wire[i]) ? of_wire[i] : vertex_without_edges(corners[i]);
+    std::array<Halfedge, 4> sides;
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
+    const Face quad = edit_.add_face(sides[0]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Halfedge h = sides[i], after = sides[(i + 1) % 4];
+      edit_.connect(h, after);
+      edit_.connect(twin(after), twin(h));
+      edit_.set_face(h, quad);
+      edit_.set_halfedge(corners[(i + 1) % 4], twin(h));
+    }
+    sheets_.changed(quad);
+    return quad;
+  }
+  // To be a copy of the point, where it is another.
+  Vertex vertex_without_edges(Vertex p) {
+    if (m_.is_isolated(p)) return p;
+    const Vertex copy = edit_.add_vertex(m_.position(p));
+    blend_vertex_values(edit_, p, p, 0, copy);
+    beside_[p].push_back(copy);
+    return copy;
+  }
+
+  // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old surface.
+  std::array<std::vector<std::uint32_t>, 2> values_at(Halfedge side) {
+    std::array<std::vector<std::uint32_t>, 2> values;
+    for (std::size_t k = 0; k < attributes_.size(); ++k) {
+      const bool has_none = m_.is_outside(side) ||
+                            m_.attributes()[attributes_[k].index_column].name == std::string(attribute_names::normal);
+      values[0].push_back(has_none ? no_index : corners_.index(k, side));
+      values[1].push_back(has_none ? no_index : corners_.index(k, m_.next(side)));
+    }
+    return values;
+  }
+  void set_values(Halfedge corner, const std::vector<std::uint32_t>& values) {
+    for (std::size_t k = 0; k < values.size(); ++k) corners_.set(k, corner, values[k]);
+  }
+
+  Edit& edit_;
+  const Mesh& m_;
+  const glm::dvec3 by_;
+  Sheets sheets_;
+  CornerWriter corners_;
+  const std::vector<CornerAttribute> attributes_;
+  std::unordered_map<Vertex, Vertex> tops_;  // by point
+  std::vector<Named> named_;
+  std::set<std::pair<Vertex, Vertex>> rises_;
+  std::map<Vertex, std::vector<Vertex>> beside_;  // by point, to be its copies
+};
+
+}  // namespace
+
+Parsed<ExtrudeEdges> ExtrudeEdges::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  ExtrudeEdges op;
+  const auto is_movement = [&] {
+    return in.peek().find(',') != std::string::npos || in.peek().find('-', 1) == std::string::npos ||
+           parse_double(in.peek());
+  };
+  do op.edges.push_back(in.halfedge());
+  while (!in.failed() && !in.at_end() && !is_movement());
+  const std::string argument(in.peek());
+  if (argument.find(',') != std::string::npos)
+    op.offset = in.place();
+  else if (!in.at_end())
+    op.distance = in.number();
+  Parsed<ExtrudeEdges> out = in.result(op);
+  if (!out.op || argument.empty()) return out;
+  const glm::dvec3 by = op.movement(mesh);
+  for (Halfedge h : op.edges)
+    for (Vertex v : {mesh.from(h), mesh.to(h)})
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return malformed_argument<ExtrudeEdges>(
+            argument, {"a movement that leaves the edge at a finite place", "稜線の座標が有限になる移動量を"});
+  return out;
+}
+
+std::string ExtrudeEdges::command(const Mesh& mesh) const {
+  std::string text(info.id);
+  for (Halfedge h : edges) text += " " + (is_there(mesh, h) ? name_to_choose(mesh, h) : name_of(mesh, h));
+  if (offset) return text + " " + format_place(*offset);
+  if (distance) text += " " + format_double(*distance);
+  return text;
+}
+
+glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
+  if (offset) return *offset;
+  if (distance == 0.0) return glm::dvec3(0);
+  const std::vector<Halfedge> sides = sides_of(mesh, edges);
+  // Places in files have few digits, so that ways that cancel out leave more than the rounding of doubles.
+  constexpr double of_files = 1e-5, rounding = 1e-12;
+  const glm::dvec3 out = way_out(mesh, sides);
+  double length = 0;
+  for (Halfedge side : sides) length += glm::distance(mesh.position(mesh.from(side)), mesh.position(mesh.to(side)));
+  if (!is_finite(out) || !(length > 0) || !is_finite(glm::dvec3(length))) return glm::dvec3(0);
+  glm::dvec3 direction = unit_or_zero(out, of_files * length);
+  if (direction == glm::dvec3(0)) direction = unit_or_zero(area_of_loop(mesh, sides), rounding * length * length);
+  const glm::dvec3 by = distance.value_or(length / static_cast<double>(sides.size())) * direction;
+  return is_finite(by) ? by : glm::dvec3(0);
+}
+
+Verdict ExtrudeEdges::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (edges.empty()) verdict.refuse(Rule::deleted, {Edge()});
+  for (Halfedge h : edges)
+    if (is_gone(mesh, h, verdict)) return verdict;
+  if (!verdict.legal()) return verdict;
+  for (Halfedge side : sides_of(mesh, edges))
+    for (Halfedge sheet : sheets_between(mesh, mesh.from(side), mesh.to(side)))
+      if (is_bridge(mesh, sheet)) verdict.refuse(Rule::same_face, {edge(sheet), mesh.face(sheet)});
+  return verdict;
+}
+
+std::vector<Reason> ExtrudeEdges::warnings(const Mesh& mesh) const {
+  const glm::dvec3 by = movement(mesh);
+  std::vector<Element> flat;
+  std::map<Vertex, bool> is_beside_face;  // by point
+  for (Halfedge side : sides_of(mesh, edges)) {
+    const glm::dvec3 &a = mesh.position(mesh.from(side)), &b = mesh.position(mesh.to(side));
+    if (FaceGeometry{{a, b, b + by, a + by}}.is_degenerate()) flat.push_back(edge(side));
+    for (Vertex v : {mesh.from(side), mesh.to(side)}) is_beside_face[point(mesh, v)] |= !mesh.is_outside(side);
+  }
+  // Quads at wires alone are a fan of their own.
+  std::vector<Vertex> pinched;
+  for (const auto& [p, is_beside] : is_beside_face)
+    if (!is_beside && has_face(mesh, p)) pinched.push_back(p);
+  std::vector<Reason> reasons;
+  if (!flat.empty()) reasons.push_back({Rule::degenerate, flat});
+  warn_of_pinch(pinched, reasons);
+  return reasons;
+}
+
+OpEffect ExtrudeEdges::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  return ExtrudedEdges(edit, sides_of(edit.mesh(), edges), movement(edit.mesh())).run();
+}
+
+}  // namespace ryosen

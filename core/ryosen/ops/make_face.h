@@ -1,0 +1,48 @@
+// Make face: makes a face on three or more vertices.
+//
+//        d     c                d-----c
+//              |                |  f  |       sides that exist must be free on their left, others are made
+//              |       =>       |     |
+//        a-----b                a-----b
+//
+// polygon list: the face (A, B, C, ...) is appended. A wire pair that is one of its sides is removed.
+// needs: no point twice; no face on the same points; no face along any side A -> B, and at most one along B -> A; a
+//        corner between two new sides is isolated or has a gap.
+// changes: F + 1, E + the new sides; V stays unless copies are merged. B, S and G follow from the Euler-Poincare
+//          formula: on a cycle of existing edges B - 1.
+// inverse: delete of the face, if no side was a wire and no corner isolated.
+#pragma once
+
+#include <vector>
+
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+struct MakeFace {
+  std::vector<Vertex> corners;
+
+  static constexpr OpInfo info{"make_face",
+                               "Make face",
+                               "面生成",
+                               "A B C ...",
+                               "makes a face on three or more vertices, counter-clockwise",
+                               "三つ以上の頂点に反時計回りに面を張る",
+                               '\0',
+                               OpTargetKind::selection,
+                               OpGroup::fill,
+                               "",
+                               Topology::may_change,
+                               Subject::edge,
+                               OnSelection::all};
+
+  static Parsed<MakeFace> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static MakeFace at(const Mesh&, const OpTarget&) { return {}; }
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

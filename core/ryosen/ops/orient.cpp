@@ -1,0 +1,169 @@
+#include "ryosen/ops/orient.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/analysis/problem_kinds.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/rules/shorten_seam.h"
+#include "ryosen/ops/rules/turn_faces.h"
+
+namespace ryosen {
+
+namespace {
+
+// The adjacent face across a side, and whether the two are consistently oriented; none unless the edge has exactly two
+// faces.
+struct Neighbour {
+  Face face;
+  bool agrees = true;
+};
+
+struct OrderedNeighbour {
+  Face face;
+  Vertex smaller, larger;  // the points of the shared edge
+  bool agrees;
+  friend auto operator<=>(const OrderedNeighbour&, const OrderedNeighbour&) = default;
+};
+
+Neighbour across(Neighbourhood& around, Halfedge side) {
+  const Mesh& m = around.mesh();
+  if (around.is_single_sheet(side)) return {m.face(twin(side)), true};
+  const Halfedge other = around.across(side);
+  if (!other) return {};
+  return {m.face(other), !around.run_alike(side, other)};
+}
+
+// In an order that is invariant under flipping, so that orient is idempotent.
+std::vector<OrderedNeighbour> neighbours_in_order(Neighbourhood& around, Face f) {
+  const Mesh& m = around.mesh();
+  std::vector<OrderedNeighbour> found;
+  for (Halfedge side : halfedges_around(m, f)) {
+    const Neighbour next = across(around, side);
+    if (!next.face) continue;
+    const auto [smaller, larger] = std::minmax({around.point(m.from(side)), around.point(m.to(side))});
+    found.push_back({next.face, smaller, larger, next.agrees});
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// Chooses the faces to flip.
+class Choice {
+ public:
+  explicit Choice(const Mesh& m)
+      : m_(m),
+        around_(m, Neighbourhood::Reach::whole),
+        seen_(m.face_slots(), false),
+        turned_(m.face_slots(), false),
+        place_(m.face_slots(), 0) {}
+
+  std::vector<bool> choose() {
+    for (std::uint32_t start = 0; start < m_.face_slots(); ++start) {
+      if (!m_.is_alive(Face(start)) || seen_[start]) continue;
+      if (!flood(Face(start))) shorten_the_seam();
+      keep_majority();
+    }
+    return std::move(turned_);
+  }
+
+ private:
+  // Collects the component breadth-first and orients each face like the one it is reached from. Returns whether all
+  // other neighbours then agree too.
+  bool flood(Face start) {
+    bool all_agree = true;
+    component_.assign(1, start);
+    seen_[start.index] = true;
+    for (std::size_t i = 0; i < component_.size(); ++i) {
+      const Face f = component_[i];
+      place_[f.index] = static_cast<std::uint32_t>(i);
+      for (const OrderedNeighbour& next : neighbours_in_order(around_, f)) {
+        const bool turns = turned_[f.index] != !next.agrees;
+        if (!seen_[next.face.index]) {
+          seen_[next.face.index] = true;
+          turned_[next.face.index] = turns;
+          component_.push_back(next.face);
+        } else if (turned_[next.face.index] != turns) {
+          all_agree = false;
+        }
+      }
+    }
+    return all_agree;
+  }
+
+  FaceGraph graph_of_component() {
+    FaceGraph graph;
+    for (Face f : component_) {
+      for (const OrderedNeighbour& next : neighbours_in_order(around_, f))
+        if (next.face != f) graph.sides.push_back({place_[next.face.index], next.agrees});
+      graph.offsets.push_back(static_cast<std::uint32_t>(graph.sides.size()));
+    }
+    return graph;
+  }
+
+  // For a non-orientable component: shortens the seam starting from the current orientation and from the flood, and
+  // takes the shorter result if it is shorter than the current seam.
+  void shorten_the_seam() {
+    const FaceGraph graph = graph_of_component();
+    std::vector<bool> flooded;
+    for (Face f : component_) flooded.push_back(turned_[f.index]);
+    Seam own(graph, std::vector<bool>(component_.size(), false)), other(graph, std::move(flooded));
+    const std::size_t before = own.size();
+    own.shorten();
+    other.shorten();
+    const Seam& best = other.size() < own.size() ? other : own;
+    const bool is_shorter = best.size() < before;
+    for (std::size_t i = 0; i < component_.size(); ++i) turned_[component_[i].index] = is_shorter && best.turned()[i];
+  }
+
+  // Flips the smaller of the two sets.
+  void keep_majority() {
+    const auto is_degenerate = row_of(ProblemKind::degenerate_area).face;
+    std::size_t all = 0, count = 0;
+    for (Face f : component_) {
+      if (is_degenerate(around_, f)) continue;
+      ++all;
+      count += turned_[f.index];
+    }
+    if (all == 0)
+      for (Face f : component_) ++all, count += turned_[f.index];
+    const bool is_even = 2 * count == all;
+    if (2 * count < all || (is_even && !turned_[component_[0].index])) return;
+    for (Face f : component_) turned_[f.index] = !turned_[f.index];
+  }
+
+  const Mesh& m_;
+  Neighbourhood around_;
+  std::vector<bool> seen_, turned_;
+  std::vector<std::uint32_t> place_;  // index of each face in its component
+  std::vector<Face> component_;       // the lowest face first
+};
+
+}  // namespace
+
+std::vector<bool> turned_by_orient(const Mesh& mesh) { return Choice(mesh).choose(); }
+
+Parsed<Orient> Orient::parse(const Mesh&, std::span<const std::string_view> arguments) {
+  if (!arguments.empty()) return malformed_argument<Orient>(arguments[0]);
+  Parsed<Orient> out;
+  out.op = Orient{};
+  return out;
+}
+
+Verdict Orient::check(const Mesh& mesh) const {
+  Verdict verdict;
+  const std::vector<bool> turned = turned_by_orient(mesh);
+  if (std::find(turned.begin(), turned.end(), true) == turned.end()) verdict.refuse(Rule::oriented, {});
+  return verdict;
+}
+
+OpEffect Orient::apply(Edit& edit) const {
+  TurnedMesh turned = turn_faces(edit.mesh(), turned_by_orient(edit.mesh()));
+  assert(!turned.effect.changed.empty());
+  edit.replace(std::move(turned.columns));
+  return turned.effect;
+}
+
+}  // namespace ryosen

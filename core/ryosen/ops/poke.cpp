@@ -1,0 +1,116 @@
+#include "ryosen/ops/poke.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/op_series.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/equal_face_index.h"
+#include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/face_lists.h"
+
+namespace ryosen {
+
+Parsed<Poke> Poke::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
+  ArgumentReader in(mesh, arguments, info.syntax);
+  Poke op{in.face()};
+  if (!in.at_end()) op.target = in.place();
+  return in.result(op);
+}
+
+std::string Poke::command(const Mesh& mesh) const {
+  return "poke " + name_of(mesh, face) + (target ? " " + format_place(*target) : "");
+}
+
+glm::dvec3 Poke::position(const Mesh& mesh) const {
+  if (target) return *target;
+  std::vector<glm::dvec3> places;
+  for (Vertex v : vertices_around(mesh, face))
+    if (is_finite(mesh.position(v))) places.push_back(mesh.position(v));
+  glm::dvec3 mean{};
+  for (const glm::dvec3& p : places) mean += p / static_cast<double>(places.size());
+  return mean;
+}
+
+Verdict Poke::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, face, verdict)) return verdict;
+  refuse_rings(mesh, face, verdict);
+  if (const Face other = equal_face(mesh, face)) verdict.refuse(Rule::loses_duplicate, {face, other});
+  return verdict;
+}
+
+std::vector<Reason> Poke::warnings(const Mesh& mesh) const {
+  const glm::dvec3 p = position(mesh);
+  const FacePolygon polygon(mesh, face);
+  const std::vector<glm::dvec3>& places = polygon.places();
+  std::vector<FaceGeometry> parts;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    parts.push_back(FaceGeometry({places[i], places[(i + 1) % places.size()], p}));
+  return warnings_of_parts(face, FaceGeometry(places), parts);
+}
+
+OpEffect Poke::apply(Edit& edit) const {
+  const Mesh& m = edit.mesh();
+  assert(check(m).legal());
+  const FacePolygon polygon(m, face);
+  const std::vector<Halfedge>& sides = polygon.corners();
+  const std::size_t n = sides.size();
+  OpEffect effect;
+  const Vertex centre = edit.add_vertex(position(m));
+  effect.created.push_back(centre);
+  std::vector<Vertex> around;
+  for (Halfedge h : sides) around.push_back(m.from(h));
+  mean_vertex_values(edit, around, centre);
+
+  std::vector<Halfedge> spokes;  // from corner i to the centre
+  for (Halfedge h : sides) spokes.push_back(edit.add_edge(m.from(h), centre));
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    const std::uint32_t mean = corners.mean(k, sides);
+    for (std::size_t i = 0; i < n; ++i) {
+      corners.set(k, spokes[i], corners.index(k, sides[i]));
+      corners.set(k, twin(spokes[i]), mean);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Face f = i == 0 ? face : edit.add_face(sides[i]);
+    const Halfedge in = spokes[(i + 1) % n], out = twin(spokes[i]);
+    if (i > 0) copy_face_values(edit, face, f);
+    edit.connect(sides[i], in);
+    edit.connect(in, out);
+    edit.connect(out, sides[i]);
+    for (Halfedge h : {sides[i], in, out}) edit.set_face(h, f);
+    effect.created.push_back(edge(spokes[i]));
+    if (i > 0) effect.created.push_back(f);
+    effect.changed.push_back(f);
+  }
+  edit.set_halfedge(centre, twin(spokes[0]));
+  return effect;
+}
+
+namespace {
+
+class Pokes : public OneByOne {
+ public:
+  explicit Pokes(Edit& edit) : OneByOne(edit), equal_(edit.mesh()) {}
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Face f = std::get<Poke>(op).face;
+    Verdict verdict;
+    if (!is_gone(edit_.mesh(), f, verdict)) refuse_rings(edit_.mesh(), f, verdict);
+    if (!verdict.legal()) return verdict.reasons[0].rule;
+    return equal_.has_equal(f) ? std::optional(Rule::loses_duplicate) : std::nullopt;
+  }
+
+ private:
+  EqualFaceIndex equal_;
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> pokes_in_series(Edit& edit) { return std::make_unique<Pokes>(edit); }
+
+}  // namespace ryosen

@@ -1,0 +1,23 @@
+// Parsing of two corners of one face for separate_loop and unite_ring: A B [fN] [P-A] [Q-B].
+#pragma once
+
+#include <string>
+
+#include "ryosen/base/verdict.h"
+#include "ryosen/ops/lines/arguments.h"
+
+namespace ryosen {
+
+// The sides of the face that end at the two corners.
+struct FaceCorners {
+  Halfedge into_a, into_b;
+};
+
+// The face may be omitted if only one has both corners, the incoming sides if the face visits each point once.
+FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in);
+std::string face_corners_text(const Mesh& mesh, const FaceCorners& corners);
+
+// Refuses deleted elements, corners of no face or of different faces, and equal points.
+bool are_corners_of_one_face(const Mesh& mesh, const FaceCorners& corners, Verdict& verdict);
+
+}  // namespace ryosen

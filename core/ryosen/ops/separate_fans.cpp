@@ -1,0 +1,38 @@
+#include "ryosen/ops/separate_fans.h"
+
+#include <cassert>
+
+#include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/sheets.h"
+
+namespace ryosen {
+
+namespace {
+
+std::vector<Vertex> with_several_fans(const Mesh& mesh, Vertex v) {
+  std::vector<Vertex> found;
+  for_each_copy(mesh, v, [&](Vertex copy) {
+    if (fans_at(mesh, copy).size() > 1) found.push_back(copy);
+  });
+  return found;
+}
+
+}  // namespace
+
+Verdict SeparateFans::check(const Mesh& mesh) const {
+  Verdict verdict;
+  if (is_gone(mesh, vertex, verdict)) return verdict;
+  if (with_several_fans(mesh, vertex).empty()) verdict.refuse(Rule::one_fan, {point(mesh, vertex)});
+  return verdict;
+}
+
+OpEffect SeparateFans::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  Sheets sheets(edit);
+  for (Vertex v : with_several_fans(edit.mesh(), vertex)) sheets.separate(v);
+  const Vertex touched[] = {vertex};
+  sheets.settle(touched);
+  return sheets.finish();
+}
+
+}  // namespace ryosen

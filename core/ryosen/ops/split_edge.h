@@ -1,0 +1,68 @@
+// Split: inserts a vertex on an edge and cuts the triangles at it.
+//
+//        c                     c
+//       / \                   /|\                                                          .
+//      /   \                 / | \                                                         .
+//     a --> b       =>      a--m--b        each side for itself: a triangle is cut in two, another face gets a corner
+//      \   /                 \ | /
+//       \ /                   \|/
+//        d                     d
+//
+// polygon list: every face with the side a-b gets m there; a triangle (a, b, c) becomes (a, m, c) and (m, b, c). The
+//               part with A keeps the old number; new faces are numbered starting with the one left of A-B.
+// needs: the triangles to be cut have different third points; the edge is no bridge.
+// changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented edge
+//          is split in all its faces at once, and the new point has one copy per face.
+// at a place that is not on the edge values are blended as at the point of the edge that is nearest to it.
+// inverse: collapse m-b end.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+struct SplitEdge {
+  Halfedge halfedge;
+  double along = 0.5;                    // position A + along (B - A)
+  std::optional<glm::dvec3> place = {};  // instead; finite
+
+  static constexpr OpInfo info{"split",
+                               "Split edge",
+                               "辺細分",
+                               "A-B [t|X,Y,Z]",
+                               "puts a vertex at A + t (B - A), 0.5 without t, or at a place",
+                               "A + t(B − A)（t を省くと 0.5）、または指定の座標に頂点を置く",
+                               'D',
+                               OpTargetKind::edge,
+                               OpGroup::refine,
+                               "",
+                               Topology::kept,
+                               Subject::points};
+
+  static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, target.snapped_along()}; }
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+
+  // Where the new vertex comes, and the share of the way along the edge by which values are blended. O(1).
+  glm::dvec3 position(const Mesh& mesh) const;
+  double blend(const Mesh& mesh) const;
+};
+
+// Warns of a number that does not lie between 0 and 1.
+void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);
+
+// Inserts a point into all sheets of an edge, with or without cutting the triangles there. Shared by split and
+// separate_edge.
+enum class CutTriangles { no, yes };
+void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect);
+// The same at another place, with the values of that point of the edge.
+void put_point_into(Edit& edit, Halfedge h, double along, const glm::dvec3& place, CutTriangles cut, OpEffect& effect);
+
+}  // namespace ryosen

@@ -1,0 +1,53 @@
+// Triangulate: cuts a face, or every face, into triangles.
+//
+//        d-------c                d-------c
+//        |       |                |  f' / |       the triangle at the face's first side keeps the number, the others get
+//        |   f   |       =>       |   /   |       the next ones
+//        |       |                | /  f  |
+//        a-------b                a-------b
+//
+// polygon list: a face of n corners and h rings becomes n + 2h - 2 triangles on its corners: the drawn ones if no new
+//               side is already an edge, else others (face_triangles.h).
+// needs: a face of more than three corners without a duplicate, and a triangulation that creates no existing edge.
+// changes: E + n + 3h - 3, F + n + 2h - 3, H - h; V stays. Without a face: every face for which this is legal, in
+//          ascending order; the others are unchanged.
+// inverse: dissolve the new edges.
+#pragma once
+
+#include "ryosen/ops/op.h"
+
+namespace ryosen {
+
+// See rules/equal_face_index.h.
+std::unique_ptr<OpSeries> triangulations_in_series(Edit& edit);
+
+struct Triangulate {
+  Face face;  // none: all faces
+
+  static constexpr OpInfo info{"triangulate",
+                               "Triangulate",
+                               "三角形分割",
+                               "[fN]",
+                               "cuts a face, or all faces, into triangles",
+                               "面（省くとすべての面）を三角形に分割する",
+                               '\0',
+                               OpTargetKind::face,
+                               OpGroup::refine,
+                               "",
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               triangulations_in_series};
+
+  static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
+  static Triangulate at(const Mesh&, const OpTarget& target) { return {target.face}; }
+  std::string command(const Mesh& mesh) const;
+
+  Verdict check(const Mesh& mesh) const;
+  std::vector<Reason> warnings(const Mesh& mesh) const;
+  OpEffect apply(Edit& edit) const;
+};
+
+}  // namespace ryosen

@@ -56,6 +56,7 @@ class EditRun {
         console_(console),
         session_(std::move(document)) {
     session_.strict = strict;
+    session_.shown.has_view = false;
     session_.files = files_.of_run;
     session_.quit = [this] { stopped_ = true; };
   }
@@ -69,7 +70,7 @@ class EditRun {
       if (!stopped_) take(step);
       report(step);
     }
-    session_.end_trial();
+    session_.shown.end();
     // Before the file is there: after it the run is to end soon.
     const LastState last{totals(), counts_on_points(session_.mesh()),
                          console_.json ? hash_text(session_.mesh()) : std::string()};
@@ -85,8 +86,9 @@ class EditRun {
   bool may_write() const { return code_ == ExitCode::done || (code_ == ExitCode::found_problems && !failed_); }
 
   void take(Step& step) {
-    // Warnings name elements as before the operator. Nobody sees what is shown here: it stands in no edit's way.
-    if (const auto call = call_of(step.line.text); call && !call->row.keeps_trial) session_.end_trial();
+    // Warnings name elements of the document, as before the operator.
+    if (const auto call = call_of(step.line.text); call && session_.shown.response(call->row.effect) != Response::keep)
+      session_.shown.end();
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
     if (parsed.op && console_.json)

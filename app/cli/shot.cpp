@@ -32,7 +32,7 @@ class Shot {
     session_.language = console_.language;
     if (options_.preferences && !read_preferences()) return finish();
     if (options_.has_language) session_.language = console_.language;
-    if (options_.shown) session_.shown = *options_.shown;
+    if (options_.shown) session_.shown_highlights = *options_.shown;
     headless_.place_view(session_);
     steps();
     // Malformed lines and names produce no picture; refusals and failed expectations do.

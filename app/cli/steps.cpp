@@ -160,8 +160,8 @@ std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::
   find_view_switch("numbers")->set(session, numbers);
   const Outcome begun = begin_playing(session, words);
   if (!begun.done()) return make_failure(begun.exit_code, code_of(begun), begun.sentence);
-  session.player->go_to(session.document(), at);
-  if (const steps::Step* const step = session.player->step(); step && !step->marks.empty())
+  session.shown.go_to_step(at);
+  if (const steps::Step* const step = session.shown.player()->step(); step && !step->marks.empty())
     if (const Element about = step->marks[0].element; is_alive(session.mesh(), about)) keep_in_sight(session, about);
   const Status written = write_png((*headless)->picture(session), path);
   return written ? std::nullopt : std::optional(written.failure());

@@ -100,7 +100,7 @@ void Gui::follow_covered(Session& session, Size window) {
   if (!session.is_framed()) return;
   if (std::exchange(framed_, session.camera) != session.camera) is_framed_beside_ = before != glm::dvec2(0);
   const bool is_free_again = covered == glm::dvec2(0) && is_framed_beside_;
-  if (covered == before || !(session.player || is_free_again)) return;
+  if (covered == before || !(session.shown.player() || is_free_again)) return;
   session.frame_all();
   framed_ = session.camera;
   is_framed_beside_ = covered != glm::dvec2(0);
@@ -207,7 +207,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
 // Whatever panels are shown; they and the view are to show the same step.
 void Gui::play_on(Session& session) {
   constexpr double seconds_per_step = 0.8;
-  if (!session.player || !session.player->is_running) return next_step_at_.reset();
+  if (!session.shown.player() || !session.shown.player()->is_running) return next_step_at_.reset();
   const double now = ImGui::GetTime();
   if (!next_step_at_) next_step_at_ = now + seconds_per_step;
   if (now < *next_step_at_) return;

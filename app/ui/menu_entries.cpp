@@ -79,7 +79,7 @@ void key_items(PanelContext& context, KeyMenu menu) {
 
 void draw_edit_menu(PanelContext& context) {
   const Document& document = context.session.document();
-  item(context, UiText::undo, "undo", document.position() > 0 || shows_level(context.session));
+  item(context, UiText::undo, "undo", document.position() > 0 || context.session.shown.response(Effect::steps) == Response::instead);
   item(context, UiText::redo, "redo", document.position() < document.history().size());
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {

@@ -51,7 +51,7 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
   if (!takes_elements) return entered;
   ImGui::SameLine();
   if (ImGui::Button((of_selection + ("##selection_" + id)).c_str())) {
-    context.session.end_trial();  // what is shown before it is run has no selection
+    context.session.shown.end();  // what is shown before it is run has no selection
     text = context.session.selection.empty() ? "" : selection_word;
   }
   return entered;

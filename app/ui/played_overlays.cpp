@@ -46,15 +46,15 @@ Overlay question_overlay(const Session& session, Theme theme) {
 
 Overlay step_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  if (!session.player || !session.player->is_shown(session.document()) || !session.player->step()) return overlay;
+  if (!session.shown.shows(ShownBy::step) || !session.shown.player()->step()) return overlay;
   // The first mark of an element is what it is above all: it is drawn last.
-  const std::vector<steps::Mark>& marks = session.player->step()->marks;
+  const std::vector<steps::Mark>& marks = session.shown.player()->step()->marks;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
     Painter painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
     draw_beside_twin(painter, session, mark->element);
   }
-  for (const steps::Gone& gone : session.player->step()->gone) {
+  for (const steps::Gone& gone : session.shown.player()->step()->gone) {
     const Style looks = style(steps::row_of(gone.role).look, theme);
     for (std::size_t i = 1; i < gone.places.size(); ++i)
       overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});

@@ -64,7 +64,7 @@ void draw_row_text(const ImVec4& colour, const std::string& text) {
 // Why no repair can be pressed; empty where they can.
 Text RepairRows::why_off(const Session& session, bool is_mended) {
   if (is_mended) return {"Nothing is left to mend.", "直すものは残っていません。"};
-  if (!shows_another_mesh(session)) return {};
+  if (session.shown.response(Effect::edits) != Response::refuse) return {};
   return {"Repairs are done on the mesh that is open; Esc shows it.",
           "修復は開いているメッシュに行います。Esc でその表示に戻ります。"};
 }

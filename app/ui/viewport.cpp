@@ -65,7 +65,7 @@ class FaceTints {
     for (const HighlightRow& row : highlight_table()) {
       if (!row.tint) continue;
       ++number;
-      if (!session.shown.contains(std::string(row.id))) continue;
+      if (!session.shown_highlights.contains(std::string(row.id))) continue;
       for_each_mark(row, [&](Mark mark) {
         if (mark.sort == Element::Kind::face) shown_.push_back({&sets.of(mark), number});
       });
@@ -237,7 +237,7 @@ void Viewport::follow_mesh(Session& session) {
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
                     drawn_shading_ != session.settings.shading || drawn_colouring_ != session.colouring ||
                     drawn_file_colours_ != session.settings.file_colours || drawn_crease_deg_ != session.crease_deg;
-  const bool other_highlights = shown_ != session.shown || changes.searched;
+  const bool other_highlights = shown_ != session.shown_highlights || changes.searched;
   if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
       mesh_revision_ == session.document().revision())
     return;
@@ -262,7 +262,7 @@ void Viewport::follow_mesh(Session& session) {
   drawn_colouring_ = session.colouring;
   drawn_file_colours_ = session.settings.file_colours;
   drawn_crease_deg_ = session.crease_deg;
-  shown_ = session.shown;
+  shown_ = session.shown_highlights;
   normal_lines_.note(session, changes, anew);
   if (anew || changes.hiding) verdict_layer_.forget();
   marked_ = std::move(changes.marks);
@@ -309,7 +309,7 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
 
 void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark) {
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
-  const bool is_shown = session.shown.contains(std::string(row.id));
+  const bool is_shown = session.shown_highlights.contains(std::string(row.id));
   std::vector<std::uint32_t> blocks;
   const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
   const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(session, mark) : drawn.room;
@@ -351,7 +351,7 @@ void Viewport::follow_overlays(Session& session) {
   if (selection_stale_ || measures_ != session.measures)
     view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
   measures_ = session.measures;
-  const Player* const player = session.player.get();
+  const Player* const player = session.shown.player().get();
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
   step_ = step;

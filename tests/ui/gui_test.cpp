@@ -146,10 +146,10 @@ TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
 
 TEST(gui, a_highlight_is_switched_in_its_panel) {
   Laid laid("fin.obj");
-  ASSERT_TRUE(laid.session.shown.contains("boundary"));
+  ASSERT_TRUE(laid.session.shown_highlights.contains("boundary"));
   laid.click({16, test::DrawnText(laid.gui).place("Boundary").y});
-  EXPECT_FALSE(laid.session.shown.contains("boundary"));
-  EXPECT_TRUE(laid.session.shown.contains("nonmanifold"));
+  EXPECT_FALSE(laid.session.shown_highlights.contains("boundary"));
+  EXPECT_TRUE(laid.session.shown_highlights.contains("nonmanifold"));
 }
 
 TEST(gui, an_open_panel_takes_the_pointer_and_escape_gives_it_back) {

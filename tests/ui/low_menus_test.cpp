@@ -66,7 +66,7 @@ TEST_F(LowMenus, of_help_show_the_names_of_all_exercises_and_figures) {
   input_.press(MouseButton::left, {drawn.place("Atriangularpyramid")});
   input_.release(MouseButton::left, {drawn.place("Atriangularpyramid")});
   frames(5);
-  ASSERT_TRUE(session.player);
+  ASSERT_TRUE(session.shown.player());
 }
 
 TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {

@@ -169,7 +169,7 @@ TEST_P(MonkeyTest, breaks_nothing_and_all_is_undone) {
       if (i % 100 == 0) check();
     }
     EXPECT_EQ(headless_->picture(*session_).size.width, test::window.width);
-    session_->end_trial();  // of a level, a step, or values that are being written
+    session_->shown.end();  // of a level, a step, or values that are being written
     session_->document().go_to(0);
     check();
     EXPECT_EQ(session_->mesh().hash(), first);

@@ -199,8 +199,8 @@ TEST(help_menu, plays_the_exercises_and_the_figures) {
     EXPECT_GT(test::DrawnText(laid.gui).count(name), 0) << name;
   }
   take("Acubewithonethrough-hole");
-  ASSERT_TRUE(laid.session.player);
-  EXPECT_EQ(laid.session.player->call(), "script cube_with_hole");
+  ASSERT_TRUE(laid.session.shown.player());
+  EXPECT_EQ(laid.session.shown.player()->call(), "script cube_with_hole");
 }
 
 // Where there is no room for a row of the list, none is drawn, and nothing breaks.

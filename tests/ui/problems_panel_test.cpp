@@ -71,7 +71,7 @@ TEST_F(ProblemsPanel, nothing_is_repaired_while_another_mesh_is_shown) {
   EXPECT_TRUE(is_drawn("Repairsaredoneonthemesh"));
   click(all);
   frames(3);
-  ASSERT_TRUE(session.player);
+  ASSERT_TRUE(session.shown.player());
   EXPECT_EQ(gui.said().en, "") << "the button is off";
   EXPECT_EQ(session.run("repair").exit_code, ExitCode::refused);
   ASSERT_TRUE(session.run("steps close").done());

@@ -177,8 +177,10 @@ class Stage {
     const Session& s = *session_;
     const Document& d = s.document();
     std::string text = sizes_of(s.mesh()) + " " + short_hash(s.mesh()) + (d.is_on_trial() ? " trial" : "");
-    if (s.player) text += " step " + std::to_string(s.player->position()) + (s.player->is_shown(d) ? " shown" : "");
-    if (s.levels) text += " level " + std::to_string(s.levels->faces()) + (s.levels->is_shown(d) ? " shown" : "");
+    if (s.shown.player())
+      text += " step " + std::to_string(s.shown.player()->position()) + (s.shown.shows(ShownBy::step) ? " shown" : "");
+    if (s.shown.levels())
+      text += " level " + std::to_string(s.shown.levels()->faces()) + (s.shown.shows(ShownBy::level) ? " shown" : "");
     if (s.gesture()) text += " gesture";
     text += " | " + std::to_string(d.position()) + "/" + std::to_string(d.history().size());
     if (!d.history().empty()) text += " " + d.history().back().command;

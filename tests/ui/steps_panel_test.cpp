@@ -51,9 +51,9 @@ TEST_F(StepsPanelTest, no_gap_stands_where_no_cell_changes) {
   ASSERT_TRUE(say("panel steps").done());
   ASSERT_TRUE(say("steps collapse 0-1").done());
   int without = 0;
-  for (std::size_t i = 1; i <= session.player->size() && without < 3; ++i) {
+  for (std::size_t i = 1; i <= session.shown.player()->size() && without < 3; ++i) {
     ASSERT_TRUE(say("steps at " + std::to_string(i)).done());
-    const steps::Step& step = *session.player->step();
+    const steps::Step& step = *session.shown.player()->step();
     if (!step.rows.empty() || !step.source || step.marks.empty()) continue;
     ++without;
     const test::DrawnText drawn(gui);
@@ -85,11 +85,11 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
   EXPECT_LT(glm::length(session.camera.eye - before.eye), 1e-9);
   say("new");
   say("steps script cube");
-  ASSERT_FALSE(session.player->places_at_end.empty());
+  ASSERT_FALSE(session.shown.player()->places_at_end.empty());
   for (const char* const line : {"steps at 12", "frame all", "steps last", "panel steps flyout"}) {
     say(line);
-    EXPECT_TRUE(shows_all_of(session.player->places_at_end)) << line;
-    for (const glm::dvec3& place : session.player->places_at_end)
+    EXPECT_TRUE(shows_all_of(session.shown.player()->places_at_end)) << line;
+    for (const glm::dvec3& place : session.shown.player()->places_at_end)
       EXPECT_GT(project(session.camera, session.view, place)->pixel.y, caption_px(session)) << line;
   }
   say("panel none");
@@ -140,12 +140,12 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   const std::uint64_t hash = session.mesh().hash();
   const auto expect_playing = [&](const std::string& call) {
     ASSERT_TRUE(say("steps " + call).done()) << call;
-    ASSERT_TRUE(session.player);
-    EXPECT_EQ(session.player->position(), 0u);
+    ASSERT_TRUE(session.shown.player());
+    EXPECT_EQ(session.shown.player()->position(), 0u);
     ASSERT_TRUE(say("steps last").done());
-    EXPECT_EQ(session.player->position(), session.player->size());
-    EXPECT_TRUE(session.player->is_shown(session.document()));
-    while (session.player->position() > 0) ASSERT_TRUE(session.run("steps back").done());
+    EXPECT_EQ(session.shown.player()->position(), session.shown.player()->size());
+    EXPECT_TRUE(session.shown.shows(ShownBy::step));
+    while (session.shown.player()->position() > 0) ASSERT_TRUE(session.run("steps back").done());
     EXPECT_EQ(say("steps close").kind, Outcome::Kind::done);
     EXPECT_EQ(session.mesh().hash(), hash) << call;
     EXPECT_TRUE(session.document().history().empty()) << "it is no edit";
@@ -174,7 +174,7 @@ TEST_F(StepsPanelTest, the_panel_leads_through_and_says_what_changes) {
   EXPECT_TRUE(has("MakeEdge,figure4"));
   EXPECT_EQ(session.mesh().live().edges, 1u) << "the view shows the state";
   take("Thetriangleof");
-  EXPECT_FALSE(session.player);
+  EXPECT_FALSE(session.shown.player());
   EXPECT_EQ(session.mesh().live().faces, 6u) << "the fan is back";
 }
 
@@ -186,7 +186,7 @@ TEST_F(StepsPanelTest, calls_are_told_by_name_in_the_language_of_the_window) {
     std::string call(row.id);
     for (const std::string& argument : choices.front()) call += " " + argument;
     ASSERT_TRUE(say("steps " + call).done());
-    EXPECT_TRUE(session.player->name().ja.starts_with(row.ja)) << session.player->name().ja;
+    EXPECT_TRUE(session.shown.player()->name().ja.starts_with(row.ja)) << session.shown.player()->name().ja;
     EXPECT_FALSE(has(row.id)) << row.id;
     EXPECT_EQ(leave_playing(session).sentence.ja, "「" + name_of_played(split(call)).ja + "」の再生を終えました。");
   }
@@ -195,30 +195,30 @@ TEST_F(StepsPanelTest, calls_are_told_by_name_in_the_language_of_the_window) {
 TEST_F(StepsPanelTest, keys_lead_through) {
   ASSERT_TRUE(say("steps walk v0").done());
   EXPECT_TRUE(input_.key("Alt+Right").done());
-  EXPECT_EQ(session.player->position(), 1u);
+  EXPECT_EQ(session.shown.player()->position(), 1u);
   EXPECT_TRUE(input_.key("Alt+End").done());
-  EXPECT_EQ(session.player->position(), session.player->size());
+  EXPECT_EQ(session.shown.player()->position(), session.shown.player()->size());
   EXPECT_TRUE(input_.key("Alt+Left").done());
-  EXPECT_EQ(session.player->position(), session.player->size() - 1);
+  EXPECT_EQ(session.shown.player()->position(), session.shown.player()->size() - 1);
   EXPECT_TRUE(input_.key("Alt+Home").done());
-  EXPECT_EQ(session.player->position(), 0u);
+  EXPECT_EQ(session.shown.player()->position(), 0u);
 }
 
 TEST_F(StepsPanelTest, it_plays_by_itself_and_stops_at_the_end) {
   ASSERT_TRUE(say("steps loop f0").done());
   ASSERT_TRUE(say("steps play").done());
-  EXPECT_TRUE(session.player->is_running);
+  EXPECT_TRUE(session.shown.player()->is_running);
   frames(30);
-  EXPECT_EQ(session.player->position(), 0u) << "not yet: frames are a fiftieth of a second";
+  EXPECT_EQ(session.shown.player()->position(), 0u) << "not yet: frames are a fiftieth of a second";
   for (int i = 0; i < 30; ++i) {
     frames(1);
-    const std::string at = std::to_string(session.player->position()) + "/" + std::to_string(session.player->size());
+    const std::string at = std::to_string(session.shown.player()->position()) + "/" + std::to_string(session.shown.player()->size());
     ASSERT_TRUE(has(at)) << "the panel shows the step that the view shows: " << at;
   }
-  EXPECT_GE(session.player->position(), 1u);
+  EXPECT_GE(session.shown.player()->position(), 1u);
   frames(400);
-  EXPECT_EQ(session.player->position(), session.player->size());
-  EXPECT_FALSE(session.player->is_running);
+  EXPECT_EQ(session.shown.player()->position(), session.shown.player()->size());
+  EXPECT_FALSE(session.shown.player()->is_running);
 }
 
 TEST_F(StepsPanelTest, marks_and_labels_are_in_the_view) {
@@ -248,17 +248,17 @@ TEST_F(StepsPanelTest, the_words_of_a_step_have_lines_that_fit) {
       EXPECT_LT(scale * (7.8 * static_cast<double>(label.text.size()) + label.shift_px.x), session.view.width)
           << label.text;
     }
-    EXPECT_NE(all.find(session.player->step()->caption.en), std::string::npos) << all;
+    EXPECT_NE(all.find(session.shown.player()->step()->caption.en), std::string::npos) << all;
   }
 }
 
 TEST_F(StepsPanelTest, a_halfedge_is_an_arrow_in_its_face_and_not_its_edge) {
   ASSERT_TRUE(say("steps walk v0").done());
   std::size_t arrows = 0;
-  while (session.player->position() < session.player->size()) {
+  while (session.shown.player()->position() < session.shown.player()->size()) {
     ASSERT_TRUE(session.run("steps forward").done());
     std::size_t marked = 0;
-    for (const steps::Mark& mark : session.player->step()->marks)
+    for (const steps::Mark& mark : session.shown.player()->step()->marks)
       marked += mark.element.kind == Element::Kind::halfedge ? 1 : 0;
     std::size_t drawn = 0;
     for (const Line& line : step_overlay(session, Theme::dark).lines) {
@@ -281,13 +281,13 @@ TEST_F(StepsPanelTest, the_history_is_a_script_too) {
   ASSERT_TRUE(say("poke f0").done());
   const std::uint64_t hash = session.mesh().hash();
   ASSERT_TRUE(say("steps script history").done());
-  EXPECT_EQ(session.player->size(), 2u);
+  EXPECT_EQ(session.shown.player()->size(), 2u);
   EXPECT_EQ(session.mesh().live().vertices, 7u) << "as it was read";
   ASSERT_TRUE(say("steps last").done());
   EXPECT_EQ(session.mesh().hash(), hash);
   ASSERT_TRUE(say("steps first").done());
   ASSERT_TRUE(say("undo").done());
-  ASSERT_TRUE(session.player) << "undo takes the edit back and nothing else";
+  ASSERT_TRUE(session.shown.player()) << "undo takes the edit back and nothing else";
   EXPECT_EQ(session.mesh().live().vertices, 8u) << "what it has taken back is seen";
   ASSERT_TRUE(say("steps first").done());
   EXPECT_EQ(session.mesh().live().vertices, 7u) << "as it was read";
@@ -306,9 +306,9 @@ TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
   for (const auto& [chord, position] : {std::pair("Ctrl+Z", 0u), {"Ctrl+Z", 0u}, {"Ctrl+Y", 1u}, {"Ctrl+Z", 0u}}) {
     input_.key(chord);
     EXPECT_EQ(session.document().position(), position) << chord;
-    ASSERT_TRUE(session.player) << chord;
-    EXPECT_EQ(session.player->position(), 12u);
-    EXPECT_FALSE(session.shows_step()) << chord;
+    ASSERT_TRUE(session.shown.player()) << chord;
+    EXPECT_EQ(session.shown.player()->position(), 12u);
+    EXPECT_FALSE(session.shown.is_replaced()) << chord;
     EXPECT_EQ(session.mesh().live().vertices, vertices - 1 + position) << chord;
     EXPECT_NE(session.camera, camera) << "as the mesh was looked at before";
   }
@@ -328,14 +328,14 @@ TEST_F(StepsPanelTest, undo_beneath_what_is_about_the_mesh) {
   ASSERT_TRUE(say("steps walk v0").done());
   ASSERT_TRUE(say("steps at 2").done());
   ASSERT_TRUE(say("undo").done());
-  ASSERT_TRUE(session.player);
-  EXPECT_EQ(session.player->position(), 2u);
-  EXPECT_TRUE(session.player->is_shown(session.document()));
+  ASSERT_TRUE(session.shown.player());
+  EXPECT_EQ(session.shown.player()->position(), 2u);
+  EXPECT_TRUE(session.shown.shows(ShownBy::step));
   ASSERT_TRUE(say("redo").done());
   ASSERT_TRUE(say("steps walk v7").done());
   const Outcome outcome = say("undo");
   EXPECT_TRUE(outcome.done());
-  EXPECT_FALSE(session.player);
+  EXPECT_FALSE(session.shown.player());
   EXPECT_EQ(session.document().position(), 0u);
   EXPECT_NE(outcome.sentence.en.find("one-ring v7"), std::string::npos) << outcome.sentence.en;
 }
@@ -372,16 +372,16 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
   EXPECT_EQ(session.selection.size(), 1u);
   escape();
   EXPECT_TRUE(session.selection.empty());
-  ASSERT_TRUE(session.player);
+  ASSERT_TRUE(session.shown.player());
   escape();
-  EXPECT_FALSE(session.player);
+  EXPECT_FALSE(session.shown.player());
   // What is selected of the mesh beneath a step is not to be seen.
   ASSERT_TRUE(say("select v1").done());
   const std::uint64_t hash = session.mesh().hash();
   ASSERT_TRUE(say("steps script cube").done());
   ASSERT_TRUE(say("steps at 9").done());
   escape();
-  EXPECT_FALSE(session.player);
+  EXPECT_FALSE(session.shown.player());
   EXPECT_EQ(session.mesh().hash(), hash);
   EXPECT_EQ(session.selection.size(), 1u);
 }
@@ -398,8 +398,8 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
         std::string("repair"), std::string("key Enter"), std::string("select v99"), std::string("split 0-1"),
         std::string("key O"), std::string("cube")}) {
     const Outcome outcome = say(line);
-    ASSERT_TRUE(session.player) << line << ": " << outcome.sentence.en;
-    EXPECT_EQ(session.player->position(), 9u) << line;
+    ASSERT_TRUE(session.shown.player()) << line << ": " << outcome.sentence.en;
+    EXPECT_EQ(session.shown.player()->position(), 9u) << line;
     EXPECT_EQ(session.mesh().hash(), shown) << line;
     EXPECT_EQ(session.camera, camera) << line;
     EXPECT_TRUE(session.is_framed()) << line;
@@ -417,7 +417,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
   EXPECT_EQ(say("split 0-1").exit_code, ExitCode::refused) << "what it would be done to is not seen";
   ASSERT_TRUE(say("select v0").done());
   const Outcome outcome = say("split 0-1");
-  EXPECT_FALSE(session.player);
+  EXPECT_FALSE(session.shown.player());
   EXPECT_EQ(session.mesh().live().vertices, 8u);
   EXPECT_NE(outcome.sentence.en.find("The steps of 'A cube' are left."), std::string::npos) << outcome.sentence.en;
   EXPECT_NE(outcome.sentence.ja.find("「立方体」の再生を終えました。"), std::string::npos) << outcome.sentence.ja;
@@ -428,8 +428,8 @@ TEST_F(StepsPanelTest, a_script_may_have_a_name_with_blanks) {
   const std::string file = folder.write("two words.ryosen", "split 0-1\n");
   for (const std::string& line : {"steps script " + file, "steps script \"" + file + "\""}) {
     ASSERT_TRUE(say(line).done()) << line;
-    EXPECT_EQ(session.player->size(), 1u);
-    ASSERT_TRUE(say("steps " + session.player->call()).done()) << "the call is a line that does it again";
+    EXPECT_EQ(session.shown.player()->size(), 1u);
+    ASSERT_TRUE(say("steps " + session.shown.player()->call()).done()) << "the call is a line that does it again";
   }
   EXPECT_FALSE(session.files.may_write(file, FileRole::picture)) << "no picture takes its place";
 }
@@ -443,7 +443,7 @@ TEST_F(StepsPanelTest, plays_on_without_its_panel) {
   ASSERT_TRUE(gui.seconds_to_step());
   EXPECT_LE(*gui.seconds_to_step(), 0.8);
   frames(60);
-  EXPECT_GE(session.player->position(), 1u);
+  EXPECT_GE(session.shown.player()->position(), 1u);
   EXPECT_FALSE(gui.wants_frames()) << "between the steps nothing is to be laid out";
   ASSERT_TRUE(say("steps pause").done());
   frames(1);
@@ -458,7 +458,7 @@ TEST_F(StepsPanelTest, refuses_what_is_not_there) {
   EXPECT_EQ(say("steps at 99").exit_code, ExitCode::usage);
   EXPECT_EQ(say("steps at x").exit_code, ExitCode::usage);
   ASSERT_TRUE(say("steps at 2").done());
-  EXPECT_EQ(session.player->position(), 2u);
+  EXPECT_EQ(session.shown.player()->position(), 2u);
 }
 
 }  // namespace

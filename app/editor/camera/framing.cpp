@@ -90,7 +90,7 @@ Covered covered_view(const Session& session) {
     covered.left = session.covered_px.x;
     covered.right = session.covered_px.y;
   }
-  if (session.player) covered.above = caption_px(session);
+  if (session.shown.player()) covered.above = caption_px(session);
   return covered;
 }
 
@@ -163,9 +163,8 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
 
 Camera framing_of(const Session& session, const Mesh* beside, const Camera& from) {
   const Covered covered = covered_view(session);
-  const Player* const player = session.player.get();
-  if (player && player->is_shown(session.document()) && !player->places_at_end.empty())
-    return fitted_beside(covered, from, player->places_at_end, session.view);
+  if (session.shown.shows(ShownBy::step) && !session.shown.player()->places_at_end.empty())
+    return fitted_beside(covered, from, session.shown.player()->places_at_end, session.view);
   if (beside) return framing({&session.mesh(), beside}, from, session.view, covered);
   return framing({&session.mesh()}, from, session.view, covered);
 }

@@ -294,9 +294,8 @@ CommandRow row_of(const ViewSwitch& given) {
           .syntax = (given.toggles() ? "toggle|" : "") + ids_of(given.values),
           .help_en = given.help_en,
           .help_ja = given.help_ja,
-          .effect = Effect::none,
-          .run = run,
-          .keeps_trial = true};
+          .effect = Effect::view,
+          .run = run};
 }
 
 ScopedViewSwitch::ScopedViewSwitch(ViewSwitch row) {

@@ -15,20 +15,12 @@
 #include <vector>
 
 #include "app/editor/session/session.h"
+#include "app/editor/shown/effect.h"
 #include "ryosen/selection/selectors.h"
 
 namespace ryosen {
 
 using Words = std::span<const std::string_view>;
-
-// What a command does to the document. All but `none` goes into the log.
-enum class Effect {
-  none,      // also where it sends another command, which has an effect of its own
-  edits,     // an entry of the history
-  steps,     // through the history
-  replaces,  // another document takes its place: unsaved changes would be lost
-  writes,    // it to a file
-};
 
 // What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
 // any other a picture; `writes_part` is a mesh that does
@@ -44,7 +36,7 @@ struct CommandRow {
   std::string_view id;
   std::string syntax;
   std::string_view help_en, help_ja;
-  Effect effect;
+  Effect effect;  // with most words; effect_of() knows those of a call
   // Does it; `whole` is all of the text behind the id. What it performed is the line that does the same; for one that
   // edits or steps, where it is left empty, the line that was said.
   std::function<Outcome(Session& session, Words arguments, std::string_view whole)> run;
@@ -52,9 +44,6 @@ struct CommandRow {
   std::string_view aliases = "";                     // further ids, separated by blanks
   bool is_long = false;                              // may take long: the window first shows that it is at work
   bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
-  bool keeps_trial = false;     // needs no element of the document: what is on trial stays (Session::end_trial)
-  bool leaves_level = false;    // where a level of detail is shown, that is left and nothing else done
-  bool leads_to_edits = false;  // what it begins or sends ends in lines that edit
   bool prepares_edits = false;  // in the log it says what the next line works on
   bool reads_again = false;     // replaces the mesh by what is in its file now
   bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it
@@ -62,7 +51,7 @@ struct CommandRow {
   // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
   // session, so a command has one that touches anything outside of its session, or that needs a mesh or its elements.
   std::function<std::optional<Text>(Words arguments, const std::string& line)> fault = {};
-  // With these arguments it only tells something: no effect, and not long.
+  // With these arguments it only tells something: it needs no element, and is not long.
   bool (*only_tells)(Words arguments) = nullptr;
   // It works on `selected`, or on so many elements of any kind that are named, or pointed at; 0: on none.
   std::size_t most_elements = 0;
@@ -71,6 +60,9 @@ struct CommandRow {
   std::string (*ids)() = nullptr;  // what ID in the syntax stands for, where the help names it
   std::vector<NamedCall> named = {};
 };
+
+// The effect with these words.
+Effect effect_of(const CommandRow& row, Words arguments);
 
 // All commands: operators, those of the editor, and algorithms.
 std::vector<CommandRow> command_table();

@@ -111,7 +111,6 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   if (const auto fault = fault_of_selected(row, given_words)) return usage_error(behind(row.id, *fault));
   if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
     return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
-  session.document().end_trial();  // a preview of it has what it would add, and is larger
   std::vector<std::string> names;
   if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selected_names();
   const std::vector<std::string> meant = with_names(given_words, names);

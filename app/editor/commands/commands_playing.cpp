@@ -59,15 +59,15 @@ Outcome refused_step(const Player& player) {
 
 // Goes there, or tells that the mesh is another one by now.
 Outcome go_to_step(Session& session, std::size_t position) {
-  Player& player = *session.player;
-  if (!player.fits(session.document())) {
+  Player& player = *session.shown.player();
+  if (!session.shown.fits()) {
     const std::string call = player.call();
-    session.player.reset();
+    session.shown.end_steps();
     return failed(ExitCode::refused, {"the mesh has changed since; play it again: steps " + call,
                                       "再生を始めた後にメッシュが変わりました。もう一度：steps " + call});
   }
-  const bool returns = !player.is_shown(session.document()) && player.camera_before;
-  player.go_to(session.document(), position);
+  const bool returns = !session.shown.shows(ShownBy::step) && player.camera_before;
+  session.shown.go_to_step(position);
   if (returns) session.frame_all();  // the mesh beneath was looked at meanwhile
   if (player.position() == player.size()) player.is_running = false;
   Outcome outcome;
@@ -115,12 +115,12 @@ Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
     Outcome outcome = begin_playing(session, called_words(session, arguments, whole));
     if (!outcome.done()) return outcome;
     session.show(panel_opened_by(PanelOpener::played), true);
-    outcome.sentence = session.player->remark();
-    if (session.levels) outcome.say(leave_level(session).sentence);
+    outcome.sentence = session.shown.player()->remark();
+    if (session.shown.levels()) outcome.say(leave_level(session).sentence);
     return outcome;
   }
-  if (!session.player) return nothing_played();
-  Player& player = *session.player;
+  if (!session.shown.player()) return nothing_played();
+  Player& player = *session.shown.player();
   if (!way) {
     const std::size_t number = *step_number(arguments[1]);
     return number > player.size() ? refused_step(player) : go_to_step(session, number);

@@ -33,7 +33,7 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
   const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
-  if (session.shows_step()) return not_on_a_step(session);
+  if (session.shown.is_replaced()) return session.shown.refusal();
   if (session.preparing())
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});

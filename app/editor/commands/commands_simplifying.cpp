@@ -42,9 +42,9 @@ ParameterValues as_of_simplify(const ParameterValues& given) {
 Outcome begin_levels(Session& session, Words words) {
   const ReadValues given = read_values(level_parameters(), words);
   if (!given.values) return usage_error(behind("levels", given.sentence));
-  const Text left = session.player ? leave_playing(session).sentence : Text();
-  end_levels(session);
-  session.end_trial();
+  const Text left = session.shown.player() ? leave_playing(session).sentence : Text();
+  session.shown.end_levels();
+  session.shown.end();
   const ParameterValues values = as_of_simplify(*given.values);
   const ReadValues found = values.on(session.mesh());
   const auto telling = [&](Outcome outcome) {
@@ -57,25 +57,25 @@ Outcome begin_levels(Session& session, Words words) {
   BuiltLevels built = build_levels(session.mesh(), {.values = *found.values, .on_lines = on_lines}, progress);
   if (built.refused) return telling(failed(ExitCode::refused, behind("levels", *built.refused)));
   if (!built.levels) return telling(cancelled());
-  session.levels = std::make_shared<ShownLevels>(std::move(built.levels), values, session.document());
-  session.levels->go_to(session.document(), 0);
+  session.shown.begin(std::make_shared<ShownLevels>(std::move(built.levels), values, session.document()));
+  session.shown.go_to_level(0);
   session.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
-  const std::string least = std::to_string(session.levels->faces(session.levels->levels().last()));
+  const std::string least = std::to_string(session.shown.levels()->faces(session.shown.levels()->levels().last()));
   outcome.sentence =
-      told(*session.levels) + Text{" The last level has " + least + ".", "最も粗い段階は " + least + " 枚。"};
+      told(*session.shown.levels()) + Text{" The last level has " + least + ".", "最も粗い段階は " + least + " 枚。"};
   return telling(std::move(outcome));
 }
 
 Outcome go_to_level(Session& session, std::size_t faces) {
-  if (!session.levels->fits(session.document())) {
-    session.levels.reset();
+  if (!session.shown.fits()) {
+    session.shown.end_levels();
     return failed(ExitCode::refused, {"the mesh has changed since; begin again with levels",
                                       "その後メッシュが変わりました。もう一度 levels で始めてください"});
   }
-  session.levels->go_to(session.document(), session.levels->level_of(faces));
+  session.shown.go_to_level(session.shown.levels()->level_of(faces));
   Outcome outcome;
-  outcome.sentence = told(*session.levels);
+  outcome.sentence = told(*session.shown.levels());
   return outcome;
 }
 
@@ -115,13 +115,13 @@ Outcome run_levels(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_levels(arguments, {})) return usage_error(*fault);
   const std::string_view word = arguments.empty() ? std::string_view() : arguments[0];
   if (word == "close") {
-    end_levels(session);
+    session.shown.end_levels();
     return {};
   }
   if (word != "at" && word != "keep") return begin_levels(session, arguments);
-  if (!session.levels) return no_levels();
+  if (!session.shown.levels()) return no_levels();
   if (word == "at") return go_to_level(session, *face_count(arguments[1]));
-  const std::string line = session.levels->line();
+  const std::string line = session.shown.levels()->line();
   return session.run(line);  // which ends them
 }
 

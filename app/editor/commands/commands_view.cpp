@@ -80,9 +80,9 @@ Outcome run_show(Session& session, Words arguments, std::string_view) {
     known.emplace_back(row.id);
     if (arguments[0] != row.id && arguments[0] != "all") continue;
     if (on)
-      session.shown.insert(known.back());
+      session.shown_highlights.insert(known.back());
     else
-      session.shown.erase(known.back());
+      session.shown_highlights.erase(known.back());
   }
   if (arguments[0] == "all" || std::find(known.begin(), known.end(), arguments[0]) != known.end()) return {};
   const std::string wrong(arguments[0]);

@@ -142,11 +142,11 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
     return {};
   }
   if (!session.tool.empty()) return session.run("tool none");
-  if (!session.shows_step() && !session.selection.empty()) return session.run("select none");
-  if (session.player) return leave_playing(session);
-  if (shows_level(session)) return leave_level(session);
+  if (!session.shown.is_replaced() && !session.selection.empty()) return session.run("select none");
+  if (session.shown.player()) return leave_playing(session);
+  if (session.shown.by() == ShownBy::level) return leave_level(session);
   if (asked_element(session)) return leave_question(session);
-  return session.shows_step() ? Outcome() : session.run("select none");
+  return session.shown.is_replaced() ? Outcome() : session.run("select none");
 }
 
 Outcome run_quit(Session& session, Words arguments, std::string_view) {

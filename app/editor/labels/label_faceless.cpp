@@ -8,7 +8,7 @@ namespace ryosen {
 
 bool is_faceless(const Session& session) {
   const ElementCounts live = session.mesh().live();
-  return live.faces == 0 && live.edges == 0 && !session.awaits_file && !session.player &&
+  return live.faces == 0 && live.edges == 0 && !session.awaits_file && !session.shown.player() &&
          !session.document().path().empty();
 }
 

@@ -7,7 +7,7 @@
 namespace ryosen {
 
 void add_step(Session& session, std::vector<Label>& labels) {
-  const Player& player = *session.player;
+  const Player& player = *session.shown.player();
   const steps::Step* const step = player.step();
   const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";

@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-bool is_step_shown(const Session& session) { return session.player && session.player->is_shown(session.document()); }
+bool is_step_shown(const Session& session) { return session.shown.shows(ShownBy::step); }
 
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},

@@ -8,14 +8,12 @@
 #include "app/editor/camera/framing.h"
 #include "app/editor/input/view_input.h"
 #include "app/editor/recovery/autosave.h"
-#include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
 
 namespace ryosen {
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
-    if (row.is_shown_at_first()) shown.insert(std::string(row.id));
+    if (row.is_shown_at_first()) shown_highlights.insert(std::string(row.id));
   for (const PanelRow& row : panel_list())
     if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
   set_document(std::move(document));
@@ -66,7 +64,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   camera = framed_ = camera_then;
-  aside_.reset();
+  shown.forget();
   forget_derived();
   file_normals_ = FileNormals();
   remedy_line_.clear();
@@ -75,15 +73,12 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   colouring.reset();
   measures.clear();
   links.forget_trail();
-  player.reset();
-  levels.reset();
   cut.reset();
   log_.clear();
 }
 
 void Session::forget_derived() {
-  if (aside_) selection = std::move(aside_->selection);
-  aside_.reset();
+  shown.forget_aside();
   map_values_.reset();
   preparation_.reset();  // it builds the tree of the picker
   hidden_ = HiddenElements();
@@ -113,7 +108,11 @@ void Session::follow(const Journal& journal, std::size_t transaction, Document::
 
 void Session::update_derived(const Journal& journal, std::size_t transaction, Document::Change change) {
   const Mesh& m = mesh();
-  if (change == Document::Change::tried) set_aside();
+  if (change == Document::Change::tried) {  // nothing is pointed at meanwhile: a preview would touch the trial
+    release_verdict();
+    hover_.reset();
+    shown.set_aside();
+  }
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
@@ -189,34 +188,12 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     measures.clear();
   }
   if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
-  if (change == Document::Change::trial_ended) bring_back();
+  if (change == Document::Change::trial_ended) shown.bring_back();
   drop_hidden(selection.changed());
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
     point_at(hover_->pixel, hover_->modifiers);
-}
-
-// Nothing is pointed at meanwhile: a preview would end the trial.
-void Session::set_aside() {
-  release_verdict();
-  hover_.reset();
-  Aside& aside = aside_.emplace(Aside{selection, measures, hidden_.elements(), {}, {}, {}});
-  const bool is_of_now = highlights_ && searched_ && searched_->document == document_->serial() &&
-                         searched_->revision + 1 == document_->revision();
-  if (!is_of_now) return;
-  aside.searched = searched_->kind;
-  aside.findings = highlights_->of(searched_->kind).to_vector();
-  aside.pairs = searched_->pairs;
-}
-
-void Session::bring_back() {
-  if (!aside_) return;
-  Aside aside = *std::exchange(aside_, std::nullopt);
-  selection = aside.selection;
-  measures = aside.measures;
-  if (!aside.hidden.empty()) hide(aside.hidden);
-  if (aside.searched) put_findings(*aside.searched, aside.findings, std::move(aside.pairs));
 }
 
 bool Session::look_at_disk() {

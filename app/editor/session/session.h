@@ -25,6 +25,7 @@
 #include "app/editor/session/preparation.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/selection_memory.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/shown/transform_gesture.h"
 #include "app/editor/textbook/asked_question.h"
 #include "ryosen/algo/measure/other_surface.h"
@@ -52,9 +53,8 @@ struct Colouring {
   friend bool operator==(const Colouring&, const Colouring&) = default;
 };
 
-class Player;
-class ShownLevels;
 struct EdgeAccount;
+
 // Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
 struct Cut {
   ClipWay way = ClipWay::off;
@@ -94,6 +94,9 @@ class Session {
   // The command lines executed so far: a script that reproduces the state.
   const std::vector<std::string>& log() const { return log_; }
 
+  // Which mesh the view shows.
+  Shown shown{*this};
+
   // State changed by commands.
   Camera camera;
   OrbitAbout orbit_about = OrbitAbout::point;
@@ -109,15 +112,13 @@ class Session {
   std::string tool;  // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
   std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
-  std::set<std::string> shown;  // ids of the highlight table
+  std::set<std::string> shown_highlights;  // ids of the highlight table
   // Each entry of the history remembers what was selected around it, and brings it back.
   Selection selection;
   SelectionMemory selections;
   std::optional<Colouring> colouring;
   DrawnLinks links;                     // as arrows in the view
   std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
-  std::shared_ptr<Player> player;       // of what is played step by step (playing.h); null for nothing
-  std::shared_ptr<ShownLevels> levels;  // of detail, that are gone through (levels.h); null for none
   std::optional<AskedQuestion> asked_question;
   // User interface state changed by commands; stored without effect if there is no UI.
   Language language = Language::english;
@@ -247,11 +248,6 @@ class Session {
   Outcome give_up_gesture();  // says what it leaves
   void cancel_gesture();
 
-  // Ends what is on trial, of a gesture or of what is played: from then on the mesh is the document's, with what of it was
-  // selected, hidden, measured and found. Each command line begins with that, unless its row keeps trials.
-  void end_trial();
-  // The mesh is that of a step that is played, not the document's: nothing of it is picked or selected.
-  bool shows_step() const { return document_->is_on_trial() && !gesturing_; }
   // The places of vertices as they are drawn, those of the mesh but for a gesture; the step goes up with it.
   std::span<const glm::dvec3> drawn_positions() const;
   std::uint64_t gesture_step() const { return gesture_step_; }
@@ -358,6 +354,8 @@ class Session {
   DrawnChanges take_drawn_changes();
 
  private:
+  friend class Shown;  // keeps what is found while another mesh is shown, and forgets it where memory runs out
+
   Outcome run_line(const std::string& line);
   // The log has room for it.
   void log_line(Outcome& outcome, std::string line);
@@ -367,8 +365,6 @@ class Session {
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
-  void set_aside();
-  void bring_back();
   bool needs_corner_normals() const {
     return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
   }
@@ -419,16 +415,6 @@ class Session {
     std::vector<FacePair> pairs;
   };
   std::optional<Searched> searched_;
-  // What names elements of the document, while another mesh is on trial.
-  struct Aside {
-    Elements selection;
-    std::vector<Elements> measures;
-    Elements hidden;
-    std::optional<ProblemKind> searched;
-    std::vector<std::uint32_t> findings;
-    std::vector<FacePair> pairs;
-  };
-  std::optional<Aside> aside_;
   Camera framed_;
   std::optional<MapValues> map_values_;
   std::optional<MapRange> map_extent_;  // while the values are the same

@@ -35,7 +35,7 @@ Session* Session::beside() {
   other.camera = camera;
   other.settings = settings;
   other.language = language;
-  other.shown = shown;
+  other.shown_highlights = shown_highlights;
   other.colouring = colouring;
   other.crease_deg = crease_deg;
   other.ui_scale = ui_scale;

@@ -91,7 +91,7 @@ const CornerNormals& Session::corner_normals() {
 
 void Session::forget_hidden() {
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && !shown.contains(std::string(row.id))) highlights_->forget(row);
+    if (row.has_predicate() && !shown_highlights.contains(std::string(row.id))) highlights_->forget(row);
 }
 
 const HighlightSets& Session::highlights() {
@@ -102,7 +102,7 @@ const HighlightSets& Session::highlights() {
   }
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {
-    if (highlights_->keeps(row) || !shown.contains(std::string(row.id))) continue;
+    if (highlights_->keeps(row) || !shown_highlights.contains(std::string(row.id))) continue;
     highlights_->keep(mesh(), row);
     drawn_changes_.searched = true;
   }
@@ -163,7 +163,7 @@ void Session::prepare() {
   Preparation::Beside beside{
       vertices_on_lines(document_->file(), mesh().file_vertices()), totals_of(document_->file()).lines, {}};
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && shown.contains(std::string(row.id))) beside.shown.push_back(&row);
+    if (row.has_predicate() && shown_highlights.contains(std::string(row.id))) beside.shown.push_back(&row);
   preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
 }
 

@@ -99,7 +99,7 @@ std::span<const Face> Session::spoilt_by_gesture() const {
 }
 
 Outcome Session::begin_gesture(PointTransform::Kind kind) {
-  end_trial();
+  shown.end();
   cancel_gesture();
   if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   begin_gesture_with(kind, selection);
@@ -278,17 +278,8 @@ void Session::forget_gesture() {
 }
 
 void Session::cancel_gesture() {
-  if (gesturing_) end_trial();  // that of one that pulls
+  if (gesturing_) shown.end();  // what it makes
   forget_gesture();
-}
-
-void Session::end_trial() {
-  try {
-    document_->end_trial();  // which forgets the gesture that it was for
-  } catch (const std::bad_alloc&) {
-    forget_derived();
-    document_->take_back(document_->position());
-  }
 }
 
 void Session::GesturingDeleter::operator()(Gesturing* gesturing) const { delete gesturing; }

@@ -40,7 +40,7 @@ Text name_of(const OpInfo& op) { return {std::string(op.name_en), std::string(op
 
 // The copy lies on the original, on trial; in the end it is one duplicate that is moved already, or none.
 Outcome Session::begin_copy() {
-  end_trial();
+  shown.end();
   cancel_gesture();
   if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   const AlgorithmRow& row = *find_algorithm("duplicate");
@@ -50,11 +50,11 @@ Outcome Session::begin_copy() {
   if (!found.values) return no_element(document(), std::string(row.id), found.error, found.sentence);
   const FirstSlots before(mesh());
   const std::uint32_t vertices_before = mesh().vertex_slots();
-  const auto tried = document_->try_out(row, *found.values, on_progress);
+  const auto tried = shown.try_out(ShownBy::gesture, row, *found.values, on_progress);
   if (!tried) return cancelled();
   const Elements copy = before.added_to(mesh());
   if (copy.empty()) {
-    end_trial();
+    shown.end();
     return failed(ExitCode::refused, tried->text);
   }
   begin_gesture_with(PointTransform::Kind::move, copy);
@@ -74,7 +74,7 @@ Outcome Session::begin_copy() {
 
 // Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
 Outcome Session::begin_pull() {
-  end_trial();
+  shown.end();
   cancel_gesture();
   Elements faces, edges;
   for (const Element& e : selection) {
@@ -93,7 +93,7 @@ Outcome Session::begin_pull() {
   const Parsed<AnyOp> extrusion = parse_op(mesh(), id, arguments);
   if (!extrusion.op) return no_element(document(), line + "0", extrusion.error, extrusion.sentence);
   const ColumnLengths before = mesh().lengths();
-  const Outcome outcome = document_->try_out(*extrusion.op);
+  const Outcome outcome = shown.try_out(ShownBy::gesture, *extrusion.op);
   if (!outcome.done()) return outcome;
   const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
   begin_gesture_with(PointTransform::Kind::move, faces.empty() ? made : faces);
@@ -120,7 +120,7 @@ Outcome Session::begin_pull() {
 // Where the pointer is on the edge, else in its middle; from there the new vertex follows the pointer.
 Outcome Session::begin_split() {
   const std::optional<Hover> pointed = hover_;
-  end_trial();
+  shown.end();
   cancel_gesture();
   OpTarget target;
   if (pointed && pointed->op && pointed->picked.element.kind == Element::Kind::edge)
@@ -135,7 +135,7 @@ Outcome Session::begin_split() {
   const Vertex end = mesh().to(split.halfedge);
   const glm::dvec3 place = split.position(mesh());
   const std::string line = "split " + name_to_choose(mesh(), split.halfedge) + " ";
-  const Outcome outcome = document_->try_out(split);
+  const Outcome outcome = shown.try_out(ShownBy::gesture, split);
   if (!outcome.done()) return outcome;
   const Halfedge h = split.halfedge;
   const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);

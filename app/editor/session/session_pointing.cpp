@@ -6,7 +6,6 @@
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
@@ -74,7 +73,7 @@ void Session::point_away() {
 }
 
 std::optional<Gizmo> Session::gizmo() const {
-  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band || shows_step())
+  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band || shown.is_replaced())
     return std::nullopt;
   if (middle_.document != document_->serial() || middle_.revision != document_->revision() ||
       middle_.selection != selection.stamp())
@@ -114,7 +113,7 @@ void Session::ask_held_verdict_again() {
 // The arrow that a click would select, whatever the mode; null where it would not select one.
 const LinkArrow* Session::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
   const bool selects = !info && asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
-  if (!selects || preparing() || document_->is_on_trial()) return nullptr;
+  if (!selects || preparing() || shown.by() != ShownBy::document) return nullptr;
   return links.at(*this, pixel - view_origin);
 }
 
@@ -166,7 +165,7 @@ ToolVerdicts* Session::tool_verdicts() {
     tool_verdicts_.reset();
     return nullptr;
   }
-  if (gesturing_ || document_->is_on_trial()) return nullptr;
+  if (gesturing_ || shown.by() != ShownBy::document) return nullptr;
   const PickMode pointed = pick_mode(info, mode);
   const Element::Kind sort = pointed == PickMode::vertex ? Element::Kind::vertex
                              : pointed == PickMode::face ? Element::Kind::face
@@ -219,7 +218,7 @@ Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers
   release_verdict();
   if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, camera));
   if (Session& part = part_at(pixel); &part != this) return only_looked_at(part);
-  if (shows_step()) return not_on_a_step(*this);
+  if (shown.is_replaced()) return shown.refusal();
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
   const OpInfo* info = find_op(with_tool);
   if (!info && click_selects(modifiers) != ClickSelects::element) return select_along(pixel, modifiers);
@@ -255,7 +254,7 @@ void Session::select_for_menu(glm::dvec2 pixel) {
 }
 
 std::optional<Picked> Session::pick(glm::dvec2 pixel, PickMode what) {
-  return document_->is_on_trial() ? std::nullopt : pick_drawn(pixel, what);
+  return shown.by() == ShownBy::document ? pick_drawn(pixel, what) : std::nullopt;
 }
 
 std::optional<Picked> Session::pick_to_select(glm::dvec2 pixel, PickMode what) {

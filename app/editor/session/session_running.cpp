@@ -1,15 +1,12 @@
 // A command line is carried out, and kept in the log.
 #include <cassert>
 #include <new>
-#include <optional>
 #include <utility>
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
-#include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
 #include "ryosen/base/out_of_memory.h"
 
 namespace ryosen {
@@ -21,6 +18,7 @@ Outcome Session::run(const std::string& line) {
     return run_line(line);
   } catch (const std::bad_alloc&) {
     running_.clear();
+    shown.forget();
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
@@ -36,20 +34,11 @@ Outcome Session::run_line(const std::string& line) {
   const auto row = find_command_row(words[0]);
   if (!row) return unknown_command(words[0]);
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
-  if (row->leaves_level && shows_level(*this)) return leave_level(*this);
-  // What is seen is not what would be edited. A level is made to what it was made of.
-  const bool makes_level = shows_level(*this) && without_blanks(line) == levels->line();
-  const bool edits = (row->effect == Effect::edits || row->leads_to_edits) && !makes_level;
-  if (edits && shows_another_mesh(*this)) return not_on_a_step(*this);
-  std::optional<PlayerAside> played;
-  std::optional<LevelAside> level;
-  const bool needs_elements = row->effect == Effect::none && !row->keeps_trial;
-  if (row->effect != Effect::none) cancel_gesture();
-  if (row->effect != Effect::none || (needs_elements && document_->is_on_trial())) {
-    played.emplace(*this, row->effect);
-    level.emplace(*this, row->effect);
-  }
-  if (needs_elements) end_trial();
+  const Words arguments = Words(words).subspan(1);
+  const Effect effect = effect_of(*row, arguments);
+  Shown::Passage passage(shown, effect, line);
+  if (passage.answered) return *std::move(passage.answered);
+  if (is_logged(effect)) cancel_gesture();
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position();
   [[maybe_unused]] const std::size_t entries = document_->history().size();
@@ -57,19 +46,18 @@ Outcome Session::run_line(const std::string& line) {
   [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
   // What is needed once the command is done is made before.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
-  std::string entry, usual = row->effect == Effect::none ? std::string() : std::string(without_blanks(line));
+  std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);
   const std::string outer = std::exchange(running_, std::string(row->id));
-  Outcome outcome = row->run(*this, Words(words).subspan(1), std::string_view(line).substr(after_id));
+  Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
   running_ = outer;
-  if (played) played->bring_back(outcome);
-  if (level) level->bring_back(outcome);
-  // A row that says `none` of a command that changes the mesh would leave it out of the log; what is on trial is in none.
-  assert(row->effect != Effect::none || lines_logged_ > logged ||
+  passage.finish(outcome);
+  // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.
+  assert(is_logged(effect) || lines_logged_ > logged ||
          (document_->position() == position && document_->history().size() == entries &&
           (document_->serial() == serial || was_on_trial || document_->is_on_trial())));
-  if (!outcome.done() || row->effect == Effect::none) return outcome;
-  if (row->effect == Effect::edits || row->effect == Effect::steps)
+  if (!outcome.done() || !is_logged(effect)) return outcome;
+  if (effect == Effect::edits || effect == Effect::steps)
     if (outcome.performed.empty()) outcome.performed = std::move(usual);
   if (outcome.performed.empty()) return outcome;
   if (!outcome.selecting.empty()) log_line(outcome, std::move(outcome.selecting));

@@ -48,22 +48,17 @@ class ComingPlaces {
 
 }  // namespace
 
-bool AlgorithmPreview::is_shown(const Session& session) const {
-  const Document& document = session.document();
-  return serial_ == document.serial() && revision_ == document.revision();
-}
-
 bool AlgorithmPreview::is_offered(const Session& session) const {
-  if (session.document().is_on_trial()) return is_shown(session);
+  if (session.shown.by() != ShownBy::document) return session.shown.by() == ShownBy::preview;
   return !session.is_dear_to_try() && session.mesh().live().vertices > 0 && !session.preparing();
 }
 
 void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
   const std::string line = line_of(row, values);
-  if (line == line_ && is_shown(session)) return;
-  Document& document = session.document();
+  const Document& document = session.document();
+  if (line == line_ && serial_ == document.serial() && revision_ == document.revision()) return;
   take_back(session);
-  document.end_trial();
+  session.shown.end();
   line_ = line;
   told_ = {};
   const ComingPlaces coming(session.mesh(), row);
@@ -71,8 +66,9 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
     const PreviewClock::time_point until = PreviewClock::now() + patience;
     // A picture is the same however long it takes.
     const bool is_patient = !session.trials().in_background;
-    const auto result =
-        document.try_out(row, *found.values, [&](double) { return is_patient || PreviewClock::now() < until; });
+    const auto result = session.shown.try_out(ShownBy::preview, row, *found.values, [&](double) {
+      return is_patient || PreviewClock::now() < until;
+    });
     if (!result)
       told_ = {"It takes too long to be shown beforehand.", "時間がかかるため、事前には表示しません。"};
     else
@@ -98,7 +94,7 @@ void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dv
 
 // With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
 void AlgorithmPreview::take_back(Session& session) {
-  if (is_shown(session)) session.document().end_trial();
+  if (session.shown.shows(ShownBy::preview)) session.shown.end();
   if (serial_ != session.document().serial()) before_.reset();
   if (!before_) return;
   is_left_alone_ = !session.is_framed();

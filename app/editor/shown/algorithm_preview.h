@@ -11,7 +11,7 @@
 
 namespace ryosen {
 
-// On trial, beside the history. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
+// The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
 // longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought into
 // view where it is not in it, until it goes or somebody moves the camera.
 class AlgorithmPreview {
@@ -27,12 +27,11 @@ class AlgorithmPreview {
   const Text& told() const { return told_; }
 
  private:
-  bool is_shown(const Session& session) const;
   void take_back(Session& session);
   void bring_into_view(Session& session, std::span<const glm::dvec3> places);
 
-  std::string line_;                         // that is shown
-  std::uint64_t serial_ = 0, revision_ = 0;  // of the document, with that on trial
+  std::string line_;                         // that was shown last
+  std::uint64_t serial_ = 0, revision_ = 0;  // of the document then
   Text told_;
   struct CameraBefore {
     Camera camera;

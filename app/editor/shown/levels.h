@@ -16,8 +16,8 @@ class Session;
 // What may be said of a simplification to all levels: its parameters but for a number or a share of faces.
 std::span<const ParameterRow> level_parameters();
 
-// The mesh of a level is shown on trial, beside the history, so that nothing of the document changes; whatever edits it
-// ends this.
+// The mesh of a level is shown in place of the document's, beside the history (Shown), so that nothing of the document
+// changes; whatever edits it ends this.
 class ShownLevels {
  public:
   // The values are those of the simplification that the levels were built with.
@@ -30,47 +30,19 @@ class ShownLevels {
   // The first level that has at most so many.
   std::size_t level_of(std::size_t faces) const;
 
-  // Whether the document is the one that they were built for, at the same place of its history; and whether it shows the
-  // level that this is on.
-  bool fits(const Document& document) const;
-  bool is_shown(const Document& document) const { return fits(document) && document.revision() == revision_; }
-  // Must fit. level <= levels().last().
-  void go_to(Document& document, std::size_t level);
-  // Takes back what is on trial.
-  void end(Document& document) const;
+  // level <= levels().last().
+  void go_to(std::size_t level) { levels_->go_to(level); }
   // The line that simplifies to the level as an entry of the history.
   std::string line() const;
 
  private:
   std::unique_ptr<DetailLevels> levels_;
   ParameterValues values_;
-  std::size_t quarantined_, history_position_;
-  std::uint64_t serial_, revision_;
+  std::size_t quarantined_;
 };
 
-void end_levels(Session& session);
-// Whether a level is shown, in place of the mesh of the document; and the way back, told.
-bool shows_level(const Session& session);
+// The way back, told.
 Outcome leave_level(Session& session);
-
-enum class Effect;
-
-// Takes the level that is shown out of the way of a command line that is about the mesh beneath, and shows it again; an edit
-// of that ends the levels. What is about elements shows the mesh beneath until another level is asked for; only then is it
-// edited (Session::run). The outcome says so.
-class LevelAside {
- public:
-  LevelAside(Session& session, Effect effect);
-  ~LevelAside();  // without an outcome, the levels are kept
-  void bring_back(Outcome& outcome);
-
- private:
-  Session& session_;
-  std::shared_ptr<ShownLevels> levels_;
-  bool was_shown_;
-  Effect effect_;
-  std::uint64_t revision_ = 0;
-};
 
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
 // one of the history. Empty where there is none.

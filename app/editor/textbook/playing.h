@@ -33,16 +33,12 @@ Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, s
 
 // What the words call, told: "A cube", "edge collapse 0-1".
 Text name_of_played(std::span<const std::string> words);
-// What the view shows, with a star where there are edits that are not saved: a file, or what is played or a level of detail
-// in its place, and beneath that the file, where that is to be told: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
-std::string shown_name(const Session& session, bool with_beneath = true);
-
-// Plays a sequence on the document of a session. The mesh of a state is shown on trial, beside the history, so that
+// Goes through a sequence. The mesh of a state is shown in place of the document's, beside the history (Shown), so that
 // nothing of the document changes; an edit ends the player.
 class Player {
  public:
-  // Of the words that call it. Before the first step.
-  Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Document& document);
+  // Before the first step, by the words that call it. The mesh is that of the document.
+  Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Mesh& mesh);
 
   // Unique among those of this process; never 0.
   std::uint64_t serial() const { return player_serial_; }
@@ -69,14 +65,10 @@ class Player {
   bool was_framed = false;                // and nobody had moved that: it may need another size by now
   std::vector<glm::dvec3> places_at_end;  // that are framed instead of those of a step
 
-  // Whether the document is the one that it was made for, at the same place of its history.
-  bool fits(const Document& document) const;
-  // Whether the document also shows the state that the player is in: then the marks of the step are its elements.
-  bool is_shown(const Document& document) const { return fits(document) && document.revision() == revision_; }
-  // Must fit. position <= size().
-  void go_to(Document& document, std::size_t position);
-  // Takes back what is on trial.
-  void end(Document& document) const;
+  // position <= size().
+  void go_to(std::size_t position);
+  // The mesh of this state; null where it is that of the document.
+  const Mesh* other_mesh() const;
 
  private:
   std::uint64_t player_serial_;
@@ -86,11 +78,8 @@ class Player {
   steps::TablesAlong tables_;
   std::size_t position_ = 0;
   std::optional<steps::Step> step_;
-  std::uint64_t serial_, revision_, hash_;  // of the document; the hash without a trial
-  std::size_t history_position_;
+  std::uint64_t hash_;  // of the document's mesh
 };
-
-enum class Effect;
 
 // Begins to play in place of what is played.
 Outcome begin_playing(Session& session, std::span<const std::string> words);
@@ -98,31 +87,8 @@ void end_playing(Session& session);
 // The same as somebody asks for it, told.
 Outcome leave_playing(Session& session);
 
-// Takes what is played out of the way of a command that is about the mesh beneath, and shows it again at the same step,
-// unless the command has begun to play something else. What is about elements or goes through the history shows the mesh
-// beneath until the next step; only then is that edited (Session::run). Where it was made of another mesh than it is then
-// it is made anew, or ends. The outcome says so.
-class PlayerAside {
- public:
-  PlayerAside(Session& session, Effect effect);
-  ~PlayerAside();  // without an outcome, it is kept, and shows its step when it is told to
-  void bring_back(Outcome& outcome);
-
- private:
-  void show_beneath(Outcome& outcome);
-  void make_anew(Outcome& outcome);
-
-  Session& session_;
-  std::shared_ptr<Player> player_;
-  Camera camera_;
-  std::uint64_t document_serial_;
-  bool was_shown_, is_back_ = false;
-  Effect effect_;
-};
-
-// Whether the view shows a step or a level of detail in place of the mesh that is open.
-bool shows_another_mesh(const Session& session);
-// The refusal of what points into the view, or would edit the mesh beneath, while that is so.
-Outcome not_on_a_step(const Session& session);
+// Looks from where somebody looked before it was played.
+void look_as_before(Session& session, const Player& player);
+Text end_of(const Player& player);
 
 }  // namespace ryosen

@@ -25,7 +25,7 @@ void HistoryPanel::draw(PanelContext& context) {
   Session& session = context.session;
   const std::size_t position = session.document().position(), size = session.document().history().size();
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  ImGui::BeginDisabled(position == 0 && !shows_level(session));
+  ImGui::BeginDisabled(position == 0 && session.shown.response(Effect::steps) != Response::instead);
   if (ImGui::Button(context.text(UiText::undo), {width, 0})) context.run("undo");
   tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"),
       ImGuiHoveredFlags_AllowWhenDisabled);

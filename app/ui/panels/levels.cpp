@@ -15,7 +15,7 @@ void draw_slider(PanelContext& context, const ShownLevels& levels) {
   const auto least = static_cast<int>(levels.faces(levels.levels().last()));
   const auto most = static_cast<int>(levels.faces(0));
   auto faces = static_cast<int>(levels.faces());
-  const bool is_shown = levels.is_shown(context.session.document());
+  const bool is_shown = context.session.shown.shows(ShownBy::level);
   ImGui::TextUnformatted(
       (grouped(faces) + context.text(" faces", " 面") + (is_shown ? "" : context.text(", not shown", "（非表示）")))
           .c_str());
@@ -71,8 +71,8 @@ void draw_asking(PanelContext& context) {
 }
 
 void draw_levels(PanelContext& context) {
-  const std::shared_ptr<ShownLevels> levels = context.session.levels;  // a press may take it away
-  if (levels && levels->fits(context.session.document())) {
+  const std::shared_ptr<ShownLevels> levels = context.session.shown.levels();  // a press may take it away
+  if (levels && context.session.shown.fits()) {
     draw_slider(context, *levels);
   } else {
     if (ImGui::Button(context.text("All levels of this mesh", "全段階を作る"), {-1, 0})) context.run("levels");

@@ -226,7 +226,7 @@ void StepsPanel::draw_step(PanelContext& context, Player& player) {
 }
 
 void StepsPanel::draw(PanelContext& context) {
-  const std::shared_ptr<Player> player = context.session.player;
+  const std::shared_ptr<Player> player = context.session.shown.player();
   if (!player) return draw_choice(context);
   const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
   const std::string name = player->name().in(context.language());
@@ -234,7 +234,7 @@ void StepsPanel::draw(PanelContext& context) {
   tip(name + "\n" +
       context.text("A click ends it, and shows what else there is to play.",
                    "クリックすると終わり、ほかに再生できるものを表示します。"));
-  if (!player->fits(context.session.document()))
+  if (!context.session.shown.fits())
     coloured_text(context.colours().warning,
                   context.text("The mesh has changed since; play it again.",
                                "再生を始めた後にメッシュが変わりました。再生し直してください。"));

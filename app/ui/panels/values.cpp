@@ -90,7 +90,7 @@ void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
   algorithm_ = row.id;
   const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
   selected_.clear();
-  context.session.end_trial();  // what another one shows has no selection, and is another mesh
+  context.session.shown.end();  // what another one shows has no selection, and is another mesh
   if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
     selected_ = context.session.selected_names();
   texts_.clear();

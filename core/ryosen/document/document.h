@@ -79,10 +79,10 @@ class Document {
   Text append(MeshFile file, std::string command);
   // What part_of() takes of these elements, as a file of its own. Nothing is on trial.
   MeshFile part(std::span<const Element> elements) const;
-  // The verdict and the ghost of the result. The document is unchanged.
-  Preview preview(const AnyOp& op) { return ryosen::preview(writable(), journal_, op); }
+  // The verdict and the ghost of the result, on the mesh with what is on trial. The document is unchanged.
+  Preview preview(const AnyOp& op) { return ryosen::preview(touchable(), journal_, op); }
   // Script lines after which the refused operator of `line` is legal; empty if none were found.
-  std::vector<std::string> remedy(const std::string& line) { return RemedySearch(writable()).find(line); }
+  std::vector<std::string> remedy(const std::string& line) { return RemedySearch(touchable()).find(line); }
 
   // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as if
   // it had been applied. Undo, redo and what is saved stay as they are.
@@ -164,10 +164,13 @@ class Document {
  private:
   Mesh without_trial() const;
   Mesh before_last_entry();
-  Mesh& writable() {
-    end_trial();
+  Mesh& touchable() {
     if (before_writing) before_writing();
     return mesh_;
+  }
+  Mesh& writable() {
+    end_trial();
+    return touchable();
   }
   Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
   // An algorithm in an edit of this mesh, with what it has to know of the file.

@@ -110,9 +110,9 @@ TEST(framing, shows_all_where_nothing_of_it_lies_below_what_is_kept_off) {
 TEST(framing, named_views_show_what_all_is_framed_by) {
   Session playing(std::make_unique<Document>());
   ASSERT_TRUE(playing.run("steps script cube").done() && playing.run("steps at 1").done());
-  ASSERT_FALSE(playing.player->places_at_end.empty());
+  ASSERT_FALSE(playing.shown.player()->places_at_end.empty());
   ASSERT_TRUE(playing.run("view front").done());
-  EXPECT_TRUE(shows_all(playing.camera, playing.view, covered_view(playing), playing.player->places_at_end));
+  EXPECT_TRUE(shows_all(playing.camera, playing.view, covered_view(playing), playing.shown.player()->places_at_end));
 
   const test::TemporaryFolder folder;
   Session far_off(std::make_unique<Document>());

@@ -38,8 +38,8 @@ TEST(commands, a_line_has_the_properties_that_its_arguments_give_it) {
   EXPECT_EQ(effect("flip 0-1"), Effect::edits) << "an alias";
   EXPECT_EQ(effect("undo 2"), Effect::steps);
   EXPECT_EQ(effect("recover 1"), Effect::replaces);
-  EXPECT_EQ(effect("recover list"), Effect::none);
-  EXPECT_EQ(effect("recover discard 1"), Effect::none);
+  EXPECT_EQ(effect("recover list"), Effect::view);
+  EXPECT_EQ(effect("recover discard 1"), Effect::view);
   EXPECT_TRUE(call_of("recover 1")->row.is_long);
   EXPECT_FALSE(call_of("recover")->row.is_long);
   EXPECT_EQ(effect("key Ctrl+Z"), Effect::steps) << "what the key sends";

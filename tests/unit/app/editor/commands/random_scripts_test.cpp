@@ -57,7 +57,7 @@ void run_script(std::uint64_t seed, const std::vector<std::string>& ids) {
   }
   const auto broken = check_invariants(session.mesh());
   ASSERT_FALSE(broken) << broken->sentence << "\nseed " << seed << "\n" << script;
-  session.end_trial();
+  session.shown.end();
   Document& document = session.document();
   document.go_to(document.history().size());
   const std::uint64_t last = session.mesh().hash();

@@ -37,7 +37,7 @@ TEST_F(LevelsTest, are_shown_beside_the_history_forward_and_back) {
   const std::size_t all = faces();
   EXPECT_EQ(say("levels at 10").exit_code, ExitCode::refused) << "there are none yet";
   ASSERT_TRUE(say("levels").done());
-  ASSERT_TRUE(session_.levels);
+  ASSERT_TRUE(session_.shown.levels());
   EXPECT_TRUE(session_.is_shown(panel_opened_by(PanelOpener::levelled)));
   EXPECT_EQ(faces(), all);
   for (const std::size_t wanted : {all / 2, all / 4, all / 3, std::size_t{0}, all}) {
@@ -55,7 +55,7 @@ TEST_F(LevelsTest, are_shown_beside_the_history_forward_and_back) {
   EXPECT_TRUE(session_.log().empty());
   ASSERT_TRUE(say("levels close").done());
   EXPECT_EQ(session_.mesh().hash(), hash);
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
 }
 
 TEST_F(LevelsTest, are_kept_as_one_edit_that_a_script_does_again) {
@@ -65,7 +65,7 @@ TEST_F(LevelsTest, are_kept_as_one_edit_that_a_script_does_again) {
   const std::uint64_t shown = session_.mesh().hash();
   ASSERT_TRUE(say("levels keep").done());
   EXPECT_EQ(session_.mesh().hash(), shown) << "what was shown is what is made";
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   ASSERT_EQ(session_.log().size(), 1u);
   ASSERT_EQ(session_.document().position(), 1u);
   EXPECT_EQ(session_.log()[0].find("simplify faces=100 "), 0u) << session_.log()[0];
@@ -85,13 +85,13 @@ TEST_F(LevelsTest, undo_and_escape_leave_what_is_shown_of_them_and_take_back_no_
   const Outcome left = say("key Ctrl+Z");
   EXPECT_TRUE(left.done());
   EXPECT_NE(left.sentence.en.find("levels of detail are left"), std::string::npos) << left.sentence.en;
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   EXPECT_EQ(session_.mesh().hash(), hash);
   EXPECT_EQ(session_.document().position(), 1u);
   EXPECT_EQ(session_.log(), log) << "nothing to replay";
   ASSERT_TRUE(say("levels").done());
   EXPECT_TRUE(say("key Escape").done());
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   EXPECT_EQ(session_.mesh().hash(), hash);
   ASSERT_TRUE(say("key Ctrl+Z").done());
   EXPECT_EQ(session_.document().position(), 0u);
@@ -108,7 +108,7 @@ TEST_F(LevelsTest, end_with_any_edit_of_the_mesh_once_that_is_seen) {
   ASSERT_TRUE(say("select f0").done());
   const Outcome outcome = say("poke f0");
   ASSERT_TRUE(outcome.done());
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   EXPECT_GT(faces(), 20u) << "the whole mesh was poked";
   EXPECT_EQ(session_.document().history().size(), entries + 1);
   EXPECT_EQ(say("levels at 20").exit_code, ExitCode::refused);
@@ -119,7 +119,7 @@ TEST_F(LevelsTest, stay_where_nothing_is_edited) {
   ASSERT_TRUE(say("levels").done());
   ASSERT_TRUE(say("levels at 20").done());
   const auto is_at_level = [&] {
-    return session_.levels && session_.levels->is_shown(session_.document()) && faces() <= 20;
+    return session_.shown.levels() && session_.shown.shows(ShownBy::level) && faces() <= 20;
   };
   const std::string file = folder_.at("saved.ply");
   for (const std::string& line : {std::string("collapse 0-0"), "open " + file, "save " + file}) {
@@ -153,7 +153,7 @@ TEST_F(LevelsTest, undo_and_redo_of_any_number_leave_them_and_do_nothing_else) {
     const Outcome outcome = say(line);
     ASSERT_TRUE(outcome.done()) << line;
     EXPECT_NE(outcome.sentence.en.find("levels of detail are left"), std::string::npos) << outcome.sentence.en;
-    EXPECT_FALSE(session_.levels) << line;
+    EXPECT_FALSE(session_.shown.levels()) << line;
     EXPECT_EQ(session_.document().position(), 1u) << line;
   }
 }
@@ -164,7 +164,7 @@ TEST_F(LevelsTest, are_not_spoken_of_where_another_mesh_is_opened) {
   ASSERT_TRUE(say("levels at 20").done());
   const Outcome outcome = say("open " + file_argument(asset("cube.obj")));
   ASSERT_TRUE(outcome.done());
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   EXPECT_EQ(outcome.sentence.en.find("before its levels of detail"), std::string::npos) << outcome.sentence.en;
 }
 
@@ -173,7 +173,7 @@ TEST_F(LevelsTest, refuse_words_that_no_mesh_makes_right) {
        {"levels at", "levels at x", "levels at 1 2", "levels keep 3", "levels faces=3", "levels ratio=0.5",
         "levels max_turn=0", "levels nothing", "account nothing", "account free free"})
     EXPECT_EQ(say(line).exit_code, ExitCode::usage) << line;
-  EXPECT_FALSE(session_.levels);
+  EXPECT_FALSE(session_.shown.levels());
   Session empty(std::make_unique<Document>());
   EXPECT_EQ(empty.run("levels").exit_code, ExitCode::refused) << "there are no faces";
 }
@@ -222,7 +222,7 @@ TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   EXPECT_FALSE(session_.account());
   const Outcome of_level = say("account");
   ASSERT_TRUE(of_level.done()) << of_level.sentence.en;
-  ASSERT_TRUE(session_.levels) << "they stay";
+  ASSERT_TRUE(session_.shown.levels()) << "they stay";
   EXPECT_LE(faces(), 200u) << "the level stays in the view";
   ASSERT_TRUE(session_.account());
   const std::vector<std::uint8_t> rules = session_.account()->rules;

@@ -47,11 +47,11 @@ TEST(playing, lines_about_elements_see_the_document_and_the_player_goes_on) {
   const auto session = playing_session("cube.obj");
   do_all(*session, {"steps script square", "steps at 5", "expect V 8", "select v7", "measure v0 v7", "expect F 6"});
   EXPECT_EQ(session->selection, Elements{Vertex(7)});
-  ASSERT_TRUE(session->player);
-  EXPECT_FALSE(session->player->is_shown(session->document()));
+  ASSERT_TRUE(session->shown.player());
+  EXPECT_FALSE(session->shown.shows(ShownBy::step));
   do_all(*session, {"steps forward"});
-  EXPECT_EQ(session->player->position(), 6u);
-  EXPECT_TRUE(session->player->is_shown(session->document()));
+  EXPECT_EQ(session->shown.player()->position(), 6u);
+  EXPECT_TRUE(session->shown.shows(ShownBy::step));
   EXPECT_TRUE(session->selection.empty());
 }
 
@@ -75,7 +75,7 @@ TEST(playing, a_tool_in_hand_that_is_refused_does_not_end_what_begins_to_be_show
   over_the_view(*session, [&](glm::dvec2 pixel) { session->point_at(pixel); });
   session->point_at({640, 360});
   do_all(*session, {"steps script square", "steps last"});
-  EXPECT_TRUE(session->shows_step());
+  EXPECT_TRUE(session->shown.is_replaced());
 }
 
 TEST(playing, clicks_leave_the_step_and_select_nothing) {
@@ -102,7 +102,7 @@ TEST(playing, the_mesh_beneath_is_not_edited) {
   for (const char* const shows : {"steps script square", "levels"}) {
     do_all(*session, {"mode face", "select f0", shows});
     do_all(*session, {std::string(shows) == "levels" ? "levels at 4" : "steps last"});
-    ASSERT_TRUE(session->shows_step()) << shows;
+    ASSERT_TRUE(session->shown.is_replaced()) << shows;
     const std::uint64_t shown = session->mesh().hash();
     for (const char* const line : {"delete selected", "weld selected mid", "duplicate elements=selected",
                                    "either extrude selected | extrude_edges selected", "delete f1", "cube", "repair",
@@ -126,9 +126,9 @@ TEST(playing, a_gesture_beneath_that_is_given_up_ends_nothing) {
   for (const bool is_level : {false, true}) {
     do_all(*session, {"select f0", is_level ? "levels" : "steps script square"});
     do_all(*session, {is_level ? "levels at 4" : "steps last", "select f0"});
-    ASSERT_FALSE(session->shows_step()) << "the mesh beneath is seen";
+    ASSERT_FALSE(session->shown.is_replaced()) << "the mesh beneath is seen";
     do_all(*session, {"gesture extrude", "key Escape", is_level ? "levels at 4" : "steps last"});
-    EXPECT_TRUE(session->shows_step());
+    EXPECT_TRUE(session->shown.is_replaced());
     EXPECT_TRUE(session->document().history().empty());
   }
 }
@@ -140,13 +140,13 @@ TEST(playing, steps_end_levels_and_levels_end_steps) {
   const Outcome played = session->run("steps script square");
   ASSERT_TRUE(played.done());
   EXPECT_NE(played.sentence.en.find("levels of detail are left"), std::string::npos) << played.sentence.en;
-  EXPECT_FALSE(session->levels);
+  EXPECT_FALSE(session->shown.levels());
   do_all(*session, {"steps last"});
-  EXPECT_TRUE(session->shows_step());
+  EXPECT_TRUE(session->shown.is_replaced());
   const Outcome levelled = session->run("levels");
   ASSERT_TRUE(levelled.done());
   EXPECT_NE(levelled.sentence.en.find("The steps of 'A square' are left."), std::string::npos) << levelled.sentence.en;
-  EXPECT_FALSE(session->player);
+  EXPECT_FALSE(session->shown.player());
   do_all(*session, {"levels at 4"});
   EXPECT_EQ(session->mesh().live().faces, 4u);
 }
@@ -164,11 +164,11 @@ TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {
   do_all(*session, {"mode face", "select f0", "hide f3", "measure f0", "self_intersections", "steps collapse 0-1"});
   const std::vector<std::uint32_t> found = session->highlights().of(ProblemKind::self_intersection).to_vector();
   do_all(*session, {"steps last"});
-  ASSERT_TRUE(session->shows_step());
+  ASSERT_TRUE(session->shown.is_replaced());
   EXPECT_TRUE(session->selection.empty());
   EXPECT_TRUE(session->hidden().empty());
   do_all(*session, {"steps first"});
-  EXPECT_FALSE(session->shows_step());
+  EXPECT_FALSE(session->shown.is_replaced());
   EXPECT_EQ(session->selection, Elements{Face(0)});
   do_all(*session, {"steps last", "steps close"});
   EXPECT_EQ(session->selection, Elements{Face(0)});
@@ -203,9 +203,9 @@ TEST(playing, a_mesh_that_is_pulled_is_not_written_and_not_asked) {
 TEST(playing, players_differ_though_one_takes_the_place_of_the_other) {
   const auto session = playing_session("cube.obj");
   do_all(*session, {"steps walk v0"});
-  const std::uint64_t first = session->player->serial();
+  const std::uint64_t first = session->shown.player()->serial();
   do_all(*session, {"steps walk v5"});
-  EXPECT_NE(session->player->serial(), first);
+  EXPECT_NE(session->shown.player()->serial(), first);
 }
 
 TEST(playing, what_begins_with_nothing_is_seen_whole_whatever_was_looked_at) {

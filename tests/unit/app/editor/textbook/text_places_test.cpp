@@ -33,9 +33,9 @@ TEST(text_places, are_each_shown_by_their_lines) {
       EXPECT_TRUE(outcome.done()) << line.text << ": " << outcome.sentence.en;
       plays |= line.text.starts_with("steps ");
     }
-    ASSERT_EQ(session.player != nullptr, plays) << place.lines;
+    ASSERT_EQ(session.shown.player() != nullptr, plays) << place.lines;
     if (plays) {
-      EXPECT_GT(session.player->size(), 0u);
+      EXPECT_GT(session.shown.player()->size(), 0u);
     }
     EXPECT_TRUE(place.lines.empty() || plays || session.mesh().live().faces > 0) << place.lines;
   }

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen {
@@ -20,7 +21,9 @@ std::string first_selected(const Session& session) {
   return session.selection.empty() ? "-" : name_of(session.mesh(), session.selection[0]);
 }
 
-std::string over_the_view(const Session& session) { return session.open_panel.empty() ? "-" : session.open_panel; }
+std::string over_the_view(const Session& session) {
+  return session.layout.open_panel.empty() ? "-" : session.layout.open_panel;
+}
 
 std::string in_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
@@ -53,8 +56,8 @@ void FrameLog::frame(const Session& session, const Text& said, std::int64_t pixe
   log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
        << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
-       << " eye " << words_of(session.camera.eye) << " first " << first_selected(session) << " panel "
-       << over_the_view(session) << " target " << words_of(session.camera.target) << " gesture "
+       << " eye " << words_of(session.view.camera.eye) << " first " << first_selected(session) << " panel "
+       << over_the_view(session) << " target " << words_of(session.view.camera.target) << " gesture "
        << (session.gesture() != nullptr) << " said " << in_one_line(said.en) << std::endl;
 }
 

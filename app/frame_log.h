@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/editor/session/session.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen {
 
+class Session;
 class FrameLog {
  public:
   FrameLog();

@@ -11,6 +11,7 @@
 #include "app/editor/preferences/user_files.h"
 #include "app/editor/preferences/user_folders.h"
 #include "app/editor/recovery/autosave.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/frame_log.h"
 #include "app/glfw_window.h"
@@ -37,24 +38,24 @@ class Editor {
         canvas_(std::move(canvas)),
         gui_(window.scale()),
         user_files_(user_folder(UserFolder::config), options.preferences) {
-    session_.display_scale = window.scale();
+    session_.preferences.display_scale = window.scale();
     begin_as_window(session_);
-    session_.language = options.usual_language;
+    session_.preferences.language = options.usual_language;
     const Text said = user_files_.begin(session_);
-    if (options.language) session_.language = *options.language;
+    if (options.language) session_.preferences.language = *options.language;
     user_files_.take_as_given(session_);
-    session_.quit = [this] { gui_.leave(session_, {true, {}}); };
-    session_.take_picture = [this](const std::filesystem::path& path) {
+    session_.frontend.quit = [this] { gui_.leave(session_, {true, {}}); };
+    session_.frontend.take_picture = [this](const std::filesystem::path& path) {
       draw_whole();
       return write_png(canvas_->read_pixels(), path);
     };
     session_.trials().in_background = true;
-    session_.asks_in_slices = true;
-    session_.read_document = [this](const std::filesystem::path& file) {
+    session_.frontend.asks_in_slices = true;
+    session_.frontend.read_document = [this](const std::filesystem::path& file) {
       return is_long_to_read(file) && !gui_.is_laying_out() ? read_beside(file) : Document::open(file);
     };
-    session_.turns_to_solids = true;
-    session_.on_progress = [this](double share) { return show_progress(share); };
+    session_.frontend.turns_to_solids = true;
+    session_.frontend.on_progress = [this](double share) { return show_progress(share); };
     gui_.set_clipboard(
         window.handle(), [](void* w) { return glfw().get_clipboard_string(static_cast<GLFWwindow*>(w)); },
         [](void* w, const char* text) { glfw().set_clipboard_string(static_cast<GLFWwindow*>(w), text); });
@@ -63,7 +64,7 @@ class Editor {
     resize();
     session_.frame_all();
     viewport_->prepare_refining(session_);
-    session_.autosave = &autosave_;
+    session_.frontend.autosave = &autosave_;
     autosave_.begin(session_.document());
   }
 
@@ -111,7 +112,7 @@ class Editor {
   void offer_recovery() {
     // Why the folder cannot be read is said to whoever asks for the list.
     if (list_lost_sessions(session_) && !session_.lost.empty())
-      session_.show(panel_opened_by(PanelOpener::lost_sessions), true);
+      session_.layout.show(panel_opened_by(PanelOpener::lost_sessions), true);
   }
 
   // True when there is something to say about it.
@@ -153,7 +154,7 @@ class Editor {
       case WindowEvent::Kind::unfocused:
         return input_.let_go();
       case WindowEvent::Kind::close_asked:
-        return session_.quit();
+        return session_.frontend.quit();
       case WindowEvent::Kind::moved:
         return input_.move(event.at);
       case WindowEvent::Kind::left:
@@ -204,7 +205,7 @@ class Editor {
     const bool frames_anew = size != canvas_->size() && session_.is_framed();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
-    session_.display_scale = window_.scale();
+    session_.preferences.display_scale = window_.scale();
     gui_.place_view(session_, size);
     if (frames_anew) session_.frame_all();
     input_.resize(size);
@@ -248,7 +249,7 @@ class Editor {
   void show_work(const WorkShown& work) {
     glfw().poll_events();
     while (const std::optional<WindowEvent> event = window_.take_event()) handle_at_work(*event);
-    if (gui_.progress_frame(session_.language, canvas_->size(), 0.05, work)) cancel_work();
+    if (gui_.progress_frame(session_.preferences.language, canvas_->size(), 0.05, work)) cancel_work();
     canvas_->draw_over(gui_.draw_data());
     canvas_->present(0);
     glfw().swap_buffers(window_.handle());
@@ -324,9 +325,9 @@ class Editor {
   // What is shown may be a part of it. Between frames only: a panel that is being laid out has nothing to be drawn.
   void draw_whole() {
     if (gui_.is_laying_out()) return;
-    session_.asks_in_slices = false;
+    session_.frontend.asks_in_slices = false;
     viewport_->follow(session_);
-    session_.asks_in_slices = true;
+    session_.frontend.asks_in_slices = true;
     viewport_->hurry();
     while (!viewport_->is_finished()) compose();
   }

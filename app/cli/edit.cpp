@@ -12,6 +12,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"
 #include "app/editor/document/file_findings.h"
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/mesh/copies.h"
 
@@ -58,7 +59,7 @@ class EditRun {
     session_.strict = strict;
     session_.shown.has_view = false;
     session_.files = files_.of_run;
-    session_.quit = [this] { stopped_ = true; };
+    session_.frontend.quit = [this] { stopped_ = true; };
   }
 
   ExitCode run() {

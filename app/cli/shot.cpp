@@ -9,6 +9,7 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
 #include "app/editor/preferences/user_files.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/resource_limits.h"
 #include "ryosen/io/safe_write.h"
@@ -25,14 +26,14 @@ class Shot {
       : options_(options), session_(session), headless_(headless), console_(console) {}
 
   ExitCode run() {
-    session_.take_picture = [this](const std::filesystem::path& path) {
+    session_.frontend.take_picture = [this](const std::filesystem::path& path) {
       return write_png(headless_.picture(session_), path);
     };
     session_.files = options_.files;
-    session_.language = console_.language;
+    session_.preferences.language = console_.language;
     if (options_.preferences && !read_preferences()) return finish();
-    if (options_.has_language) session_.language = console_.language;
-    if (options_.shown) session_.shown_highlights = *options_.shown;
+    if (options_.has_language) session_.preferences.language = console_.language;
+    if (options_.shown) session_.view.highlights = *options_.shown;
     headless_.place_view(session_);
     steps();
     // Malformed lines and names produce no picture; refusals and failed expectations do.

@@ -9,6 +9,7 @@
 #include "app/cli/subcommands.h"
 #include "app/editor/camera/fly.h"
 #include "app/editor/camera/view_switches.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/headless.h"
 #include "ryosen/mesh/find_element.h"
@@ -155,7 +156,7 @@ std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::
   const auto headless = Headless::make({.size = {1280, 720}});
   if (!headless) return headless.failure();
   Session session(std::move(document));
-  session.language = console.language;
+  session.preferences.language = console.language;
   (*headless)->place_view(session);
   find_view_switch("numbers")->set(session, numbers);
   const Outcome begun = begin_playing(session, words);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/editor/input/axis_letters.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -12,7 +13,10 @@ namespace {
 class CornerPainter {
  public:
   CornerPainter(const Session& session, const CornerAxes& corner, Theme theme)
-      : session_(session), corner_(corner), theme_(theme), depth_(depth_of(session.camera, session.camera.target)) {}
+      : session_(session),
+        corner_(corner),
+        theme_(theme),
+        depth_(depth_of(session.view.camera, session.view.camera.target)) {}
 
   Overlay drawn() {
     for (const PlacedAxisEnd& placed : corner_.ends) draw(placed);
@@ -40,10 +44,11 @@ class CornerPainter {
 
   // A line without length is as round as it is wide.
   void disc(const PlacedAxisEnd& placed, double share, Rgba colour) {
-    line(placed.pixel, placed.pixel, colour, static_cast<float>(2 * share * placed.radius_px / session_.size_scale()));
+    line(placed.pixel, placed.pixel, colour,
+         static_cast<float>(2 * share * placed.radius_px / session_.preferences.size_scale()));
   }
   void line(glm::dvec2 a, glm::dvec2 b, Rgba colour, float width_px) {
-    const auto at = [&](glm::dvec2 pixel) { return place_at(session_.camera, session_.view, pixel, depth_); };
+    const auto at = [&](glm::dvec2 pixel) { return place_at(session_.view.camera, session_.view.size, pixel, depth_); };
     overlay_.lines.push_back({at(a), at(b), colour, LineStyle::solid, width_px, 1});
   }
 

@@ -5,6 +5,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/operator_selection.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
@@ -157,18 +158,18 @@ void draw_element_menu(PanelContext& context) {
 }
 
 void draw_band(PanelContext& context) {
-  if (!context.session.band) return;
-  const Band& band = *context.session.band;
+  if (!context.session.view.band) return;
+  const Band& band = *context.session.view.band;
   std::vector<ImVec2> corners;
   for (const glm::dvec2& p : band.path) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
   if (band.gesture == Gesture::box)
     corners = {
         corners.front(), {corners.back().x, corners.front().y}, corners.back(), {corners.front().x, corners.back().y}};
   const Session& session = context.session;
-  const ImVec2 low{static_cast<float>(session.view_origin.x), static_cast<float>(session.view_origin.y)};
+  const ImVec2 low{static_cast<float>(session.view.origin.x), static_cast<float>(session.view.origin.y)};
   ImDrawList* const draw = ImGui::GetBackgroundDrawList();
-  draw->PushClipRect(low,
-                     {low.x + static_cast<float>(session.view.width), low.y + static_cast<float>(session.view.height)});
+  draw->PushClipRect(
+      low, {low.x + static_cast<float>(session.view.size.width), low.y + static_cast<float>(session.view.size.height)});
   const ImVec4 colour = to_imgui(style(Role::selected, context.theme).colour);
   if (band.gesture == Gesture::box)
     draw->AddRectFilled(corners[0], corners[2], ImGui::GetColorU32({colour.x, colour.y, colour.z, 0.12f}));

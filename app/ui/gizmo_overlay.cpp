@@ -1,4 +1,5 @@
 #include "app/ui/gizmo_overlay.h"
+#include "app/editor/session/session.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -54,9 +55,10 @@ class Guides {
  public:
   Guides(const Session& session, const TransformGesture& gesture, Theme theme, Overlay& overlay)
       : session_(session), gesture_(gesture), theme_(theme), overlay_(overlay) {
-    const Camera& camera = session.camera;
+    const Camera& camera = session.view.camera;
     const double depth = depth_of(camera, gesture.middle());
-    reach_ = 2 * units_per_pixel(camera, session.view, depth) * (session.view.width + session.view.height);
+    reach_ =
+        2 * units_per_pixel(camera, session.view.size, depth) * (session.view.size.width + session.view.size.height);
   }
 
   void draw() {
@@ -93,7 +95,7 @@ class Guides {
   // As far as it reaches in the plane of the view.
   void draw_falloff() {
     constexpr int sides = 64;
-    const CameraAxes camera = axes(session_.camera);
+    const CameraAxes camera = axes(session_.view.camera);
     const auto corner = [&](int i) {
       const double angle = 2 * std::numbers::pi * (i % sides) / sides;
       return gesture_.middle() + gesture_.falloff() * (std::cos(angle) * camera.right + std::sin(angle) * camera.up);

@@ -1,11 +1,12 @@
 // How the handles of the selection are drawn, and what guides the eye while it is moved, turned or scaled.
 #pragma once
 
-#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 
 namespace ryosen {
+
+class Session;
 
 // The handles, with the one under the pointer marked; or while a gesture lasts the axis or plane that it is bound to, the
 // reach of its falloff, and what it snaps to.

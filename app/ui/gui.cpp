@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/widgets.h"
 
@@ -19,8 +20,8 @@ namespace {
 // What is framed goes beside it.
 void cover_view(Session& session, const OwnPanel& own) {
   if (!own.panel->leaves_view()) return;
-  const double end = session.view_origin.x + session.view.width;
-  session.covered_px.y = std::max(session.covered_px.y, end - own.begins_px);
+  const double end = session.view.origin.x + session.view.size.width;
+  session.view.covered_px.y = std::max(session.view.covered_px.y, end - own.begins_px);
 }
 
 void draw_over(PanelContext& context, OwnPanel& own) {
@@ -84,39 +85,40 @@ void Gui::place_view(Session& session, Size window) const {
 
 // One that nobody has moved is framed anew where its size has changed.
 void Gui::follow_view(Session& session, Size window) const {
-  const Size before = session.view;
+  const Size before = session.view.size;
   const bool is_framed = session.is_framed();
   place_view(session, window);
-  if (is_framed && session.view != before) session.frame_all();
+  if (is_framed && session.view.size != before) session.frame_all();
 }
 
 // What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
 // again when it is closed. Else nothing moves under who opens a tab.
 void Gui::follow_covered(Session& session, Size window) {
-  const glm::dvec2 before = std::exchange(session.covered_px, columns_.covered_px(view_area(window, session.layout)));
+  const glm::dvec2 before =
+      std::exchange(session.view.covered_px, columns_.covered_px(view_area(window, session.layout)));
   for (const OwnPanel& own : panels_)
     if (own.was_over) cover_view(session, own);
-  const glm::dvec2 covered = session.covered_px;
+  const glm::dvec2 covered = session.view.covered_px;
   if (!session.is_framed()) return;
-  if (std::exchange(framed_, session.camera) != session.camera) is_framed_beside_ = before != glm::dvec2(0);
+  if (std::exchange(framed_, session.view.camera) != session.view.camera) is_framed_beside_ = before != glm::dvec2(0);
   const bool is_free_again = covered == glm::dvec2(0) && is_framed_beside_;
   if (covered == before || !(session.shown.player() || is_free_again)) return;
   session.frame_all();
-  framed_ = session.camera;
+  framed_ = session.view.camera;
   is_framed_beside_ = covered != glm::dvec2(0);
 }
 
 PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
-  if (session.language == Language::japanese) fonts.bold = fonts.normal;
-  return {session, state_, fonts, session.settings.theme, size_.scale, size_.of_columns()};
+  if (session.preferences.language == Language::japanese) fonts.bold = fonts.normal;
+  return {session, state_, fonts, session.view.settings.theme, size_.scale, size_.of_columns()};
 }
 
 bool Gui::prepare(const Session& session) {
   ImGui::SetCurrentContext(imgui_);
-  const Theme theme = session.settings.theme;
-  size_ = {display_scale_ * static_cast<float>(session.ui_scale), session.font_size_px};
+  const Theme theme = session.view.settings.theme;
+  size_ = {display_scale_ * static_cast<float>(session.preferences.ui_scale), session.preferences.font_size_px};
   has_fonts_ = has_fonts_ && size_ == styled_;
   if (theme != theme_ || size_ != styled_) apply_style(theme, size_.scale);
   theme_ = theme;
@@ -127,7 +129,7 @@ bool Gui::prepare(const Session& session) {
                        [](const LostSession& lost) { return needs_japanese(lost.file.c_str()); });
   };
   const bool japanese =
-      has_japanese_ || state_.shows_japanese || session.language == Language::japanese || names_need_it();
+      has_japanese_ || state_.shows_japanese || session.preferences.language == Language::japanese || names_need_it();
   if (has_fonts_ && japanese == has_japanese_) return false;
   fonts_ = load_fonts(*ImGui::GetIO().Fonts, std::round(static_cast<float>(size_.font_px) * size_.scale), japanese);
   unsigned char* alpha = nullptr;
@@ -176,7 +178,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
   state_.unsettled_frames = std::max(state_.unsettled_frames - 1, 0);
   state_.waits_for_work = false;
   state_.is_laying_out = true;
-  laid_out_panel_ = session.open_panel;
+  laid_out_panel_ = session.layout.open_panel;
   if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
@@ -297,13 +299,13 @@ bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) co
     return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
   };
   return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) ||
-         std::any_of(state_.notes.begin(), state_.notes.end(), is_in) || !session.open_panel.empty() ||
+         std::any_of(state_.notes.begin(), state_.notes.end(), is_in) || !session.layout.open_panel.empty() ||
          ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 bool Gui::has_menu(const Session& session) const {
   ImGui::SetCurrentContext(imgui_);
-  return session.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  return session.layout.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 bool Gui::take_chord(const Session& session, const std::string& chord) {
@@ -320,7 +322,8 @@ void Gui::close_menus() {
 }
 
 bool Gui::awaits_frame(const Session& session) const {
-  return !unseen_keys_.empty() || session.asked_menu || session.open_panel != laid_out_panel_ || wants_frames();
+  return !unseen_keys_.empty() || session.layout.asked_menu || session.layout.open_panel != laid_out_panel_ ||
+         wants_frames();
 }
 
 bool Gui::owns_keys() const {

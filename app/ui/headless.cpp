@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/ui/gui.h"
 #include "app/ui/window_input.h"
 #include "render/canvas.h"
@@ -52,12 +53,12 @@ Result<std::unique_ptr<Headless>> Headless::make(const Options& options, std::ui
 
 void Headless::place_view(Session& session) {
   session.place_view(options_.size, {0, 0});
-  session.frontend_input.reset();
+  session.frontend.input.reset();
   if (window_) {
     window_->gui.place_view(session, options_.size);
     window_->input = std::make_shared<WindowInput>(window_->gui, session, [this, &session] { lay_out(session); });
     window_->input->resize(options_.size);
-    session.frontend_input = window_->input;
+    session.frontend.input = window_->input;
     lay_out(session);
   }
   session.frame_all();

@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "app/editor/session/session.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
 
@@ -49,8 +50,8 @@ class Ghost {
     for (const GhostFace& face : preview.faces) {
       const std::vector<glm::dvec3>& places = face.polygon.places();
       for (std::uint32_t i = 0; i < places.size() && longest_px < large_px; ++i) {
-        const auto a = project(session_.camera, session_.view, places[i]);
-        const auto b = project(session_.camera, session_.view, places[face.polygon.next(i)]);
+        const auto a = project(session_.view.camera, session_.view.size, places[i]);
+        const auto b = project(session_.view.camera, session_.view.size, places[face.polygon.next(i)]);
         if (a && b) longest_px = std::max(longest_px, glm::length(a->pixel - b->pixel));
       }
     }
@@ -102,9 +103,9 @@ bool are_many_in_view(const Session& session, std::span<const Face> faces) {
   std::size_t seen = 0;
   for (std::size_t i = 0; i < faces.size() && seen <= most; ++i) {
     const Vertex v = session.mesh().from(session.mesh().halfedge(faces[i]));
-    const auto at = project(session.camera, session.view, session.drawn_positions()[v.index]);
-    seen += at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session.view.width &&
-            at->pixel.y < session.view.height;
+    const auto at = project(session.view.camera, session.view.size, session.drawn_positions()[v.index]);
+    seen += at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session.view.size.width &&
+            at->pixel.y < session.view.size.height;
   }
   return seen > most;
 }

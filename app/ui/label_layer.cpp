@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/session/session.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
 #include "render/palette.h"
@@ -50,7 +51,7 @@ void LabelLayer::follow(Session& session, View& view) {
       placed = place();
     }
   }
-  const Palette& colours = palette(session.settings.theme);
+  const Palette& colours = palette(session.view.settings.theme);
   std::vector<DrawnLabel> texts;
   for (const PlacedLabel& label : placed) {
     DrawnLabel& text =

@@ -6,6 +6,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/ui/panels.h"
@@ -32,7 +33,7 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
 // and stand together in the menu of the view.
 void panel_items(PanelContext& context, PanelMenu menu) {
   for (const PanelRow& row : panel_list()) {
-    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.is_shown(row);
+    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.layout.is_shown(row);
     if (row.menu != menu && (menu != PanelMenu::view || is_over)) continue;
     const std::string name = std::string(context.title(row)) + (is_over ? "..." : "");
     const char* const switched = is_over ? "" : is_ticked ? " off" : " on";
@@ -41,8 +42,10 @@ void panel_items(PanelContext& context, PanelMenu menu) {
 }
 
 void draw_recent_menu(PanelContext& context) {
-  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.session.recent.empty())) return;
-  for (const std::string& file : context.session.recent) item(context, file.c_str(), "open " + file_argument(file));
+  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.session.preferences.recent.empty()))
+    return;
+  for (const std::string& file : context.session.preferences.recent)
+    item(context, file.c_str(), "open " + file_argument(file));
   ImGui::EndMenu();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/session/session.h"
 #include "render/palette.h"
 #include "ryosen/analysis/mean_edge.h"
 #include "ryosen/base/sort_unique.h"
@@ -89,7 +90,7 @@ Overlay NormalLines::block(Session& session, std::uint32_t number) const {
 }
 
 void NormalLines::follow(Session& session, View& view) {
-  const ViewSettings& settings = session.settings;
+  const ViewSettings& settings = session.view.settings;
   all_stale_ |= drawn_ != settings.normals || theme_ != settings.theme;
   if (all_stale_) {
     if (drawn_ != Normals::off || settings.normals != Normals::off) view.set_overlay(Layer::normals, {});

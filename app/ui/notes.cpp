@@ -1,6 +1,7 @@
 // What lies over the view and waits for an answer, without keeping anybody from working.
 #include <cmath>
 
+#include "app/editor/session/session.h"
 #include "app/editor/texts/hidden_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -73,7 +74,7 @@ void draw_names(PanelContext& context) {
   for (const Session* const one : {static_cast<const Session*>(&session), other}) {
     const std::string name = name_beside(context, *one);
     const float margin = 8 * context.scale, gap = 3 * context.scale;
-    const ImVec2 at{static_cast<float>(one->view_origin.x) + margin, static_cast<float>(one->view_origin.y) + margin};
+    const ImVec2 at{static_cast<float>(one->view.origin.x) + margin, static_cast<float>(one->view.origin.y) + margin};
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled({at.x - gap, at.y - gap}, {at.x + size.x + gap, at.y + size.y + gap},
@@ -94,10 +95,10 @@ void draw_way_on(PanelContext& context) {
           context.language()),
       context.text(UiText::or_drop)};
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
-  const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);
-  float y = static_cast<float>(session.view_origin.y) + height / 2 - pitch;
+  const auto width = static_cast<float>(session.view.size.width), height = static_cast<float>(session.view.size.height);
+  float y = static_cast<float>(session.view.origin.y) + height / 2 - pitch;
   for (const std::string& line : lines) {
-    const float x = static_cast<float>(session.view_origin.x) + (width - ImGui::CalcTextSize(line.c_str()).x) / 2;
+    const float x = static_cast<float>(session.view.origin.x) + (width - ImGui::CalcTextSize(line.c_str()).x) / 2;
     ImGui::GetBackgroundDrawList()->AddText({std::round(x), std::round(y)}, ImGui::GetColorU32(context.colours().dim),
                                             line.c_str());
     y += pitch;
@@ -111,8 +112,8 @@ void draw_notes(PanelContext& context) {
   draw_names(context);
   draw_way_on(context);
   const Session& session = context.session;
-  const auto left = static_cast<float>(session.view_origin.x), top = static_cast<float>(session.view_origin.y);
-  const auto width = static_cast<float>(session.view.width), height = static_cast<float>(session.view.height);
+  const auto left = static_cast<float>(session.view.origin.x), top = static_cast<float>(session.view.origin.y);
+  const auto width = static_cast<float>(session.view.size.width), height = static_cast<float>(session.view.size.height);
   const float margin = 12 * context.scale;
   draw_hidden(context, {left + width / 2, top + height - margin});
   draw_change_on_disk(context, {left + width / 2, top + margin});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/end_dots.h"
 #include "app/ui/overlay_painter.h"
@@ -64,7 +65,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   constexpr std::size_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   const bool has_outlines = session.selection.count(Element::Kind::face) <= most_outlines;
-  const bool has_arrow = session.links.is_on(session);  // of the selected halfedge, in its face
+  const bool has_arrow = session.view.links.is_on(session);  // of the selected halfedge, in its face
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&
            !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selection.back()) &&
@@ -142,7 +143,7 @@ std::uint32_t colour_of(EdgeRule rule, Theme theme) {
 Overlay account_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   const EdgeAccount* const account = session.account();
-  if (!account || !session.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
+  if (!account || !session.layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
   for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
     const Edge e(i);
     if (account->rules[i] == no_rule || rule_looks[account->rules[i]].width_px == 0) continue;

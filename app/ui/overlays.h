@@ -1,12 +1,15 @@
 // The overlays of the view's layers: highlights, selection, hovered element and preview.
 #pragma once
 
-#include "app/editor/session/session.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/ops/outlook/tool_verdicts.h"
 
 namespace ryosen {
+
+class Session;
 
 // The members of a mark of a highlight with slot numbers from first to before end.
 // Points have so much room, see Point. With dots the ends of edges are drawn over them, where vertices are drawn.

@@ -1,5 +1,6 @@
 #include "app/ui/panel_frame.h"
 
+#include "app/editor/session/session.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

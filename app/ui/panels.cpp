@@ -6,6 +6,7 @@
 #include "app/editor/commands/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/recovery/autosave.h"
+#include "app/editor/session/session.h"
 #include "ryosen/algo/repair/report.h"
 
 namespace ryosen {
@@ -121,7 +122,7 @@ void show_made(PanelContext& context, const std::string& lines) {
   for (const ScriptLine& line : split_script(lines))
     if (!context.keep(session.run(line.text)).done()) return;
   session.document().count_as_made();
-  if (session.autosave) session.autosave->note_document(session.document());
+  if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
 }
 
 }  // namespace
@@ -134,15 +135,15 @@ Outcome PanelContext::run(const std::string& line, const std::string& panel_id) 
 }
 
 Outcome PanelContext::run_from(const std::string& line, const std::string& panel_id) {
-  const std::string own = panel_id;  // it may be session.open_panel itself
-  if (!own.empty()) session.open_panel.clear();
+  const std::string own = panel_id;  // it may be session.layout.open_panel itself
+  if (!own.empty()) session.layout.open_panel.clear();
   if (const auto frames = state.is_laying_out ? frames_to_wait(line) : std::nullopt) {
     state.waiting.push_back({line, *frames, own});
     return {};
   }
   Outcome outcome = keep(session.run(line));
   const bool asks_again = !own.empty() && !outcome.done() && outcome.exit_code != ExitCode::cancelled;
-  if (asks_again && session.open_panel.empty()) session.open_panel = own;
+  if (asks_again && session.layout.open_panel.empty()) session.layout.open_panel = own;
   return outcome;
 }
 
@@ -188,7 +189,7 @@ void PanelContext::leave(PendingLeave where) {
 void PanelContext::go(PendingLeave where) {
   state.pending.reset();
   state.unsettle();
-  session.open_panel.clear();
+  session.layout.open_panel.clear();
   if (where.quits)
     state.wants_quit = true;
   else if (!where.command.empty() && !call_of(where.command))

@@ -76,10 +76,10 @@ struct PanelContext {
   float scale;
   float column_scale;  // of the width of columns and panels, which grow with the letters
 
-  Language language() const { return session.language; }
-  const char* text(UiText id) const { return ryosen::text(id, session.language); }
+  Language language() const { return session.preferences.language; }
+  const char* text(UiText id) const { return ryosen::text(id, session.preferences.language); }
   const char* text(std::string_view en, std::string_view ja) const {
-    return session.language == Language::japanese ? ja.data() : en.data();
+    return session.preferences.language == Language::japanese ? ja.data() : en.data();
   }
   const char* title(const PanelRow& row) const { return text(row.title_en, row.title_ja); }
   const char* short_title(const PanelRow& row) const {

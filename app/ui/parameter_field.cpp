@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/ui/widgets.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it

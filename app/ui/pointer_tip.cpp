@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "app/editor/texts/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -33,9 +34,9 @@ std::vector<TipPart> parts_of_tip(PanelContext& context, const Preview& preview)
 // Where the pointer is; of a verdict that is held where its element is, which the camera may have moved.
 std::optional<glm::dvec2> place_of_tip(const Session& session) {
   if (!session.is_verdict_held()) return session.hover()->pixel;
-  const auto place = project(session.camera, session.view, session.hover()->picked.place);
+  const auto place = project(session.view.camera, session.view.size, session.hover()->picked.place);
   if (!place) return std::nullopt;
-  return place->pixel + session.view_origin;
+  return place->pixel + session.view.origin;
 }
 
 ImVec2 size_of_tip(const std::vector<TipPart>& parts, float width) {
@@ -64,7 +65,7 @@ void draw_pointer_tip(PanelContext& context) {
   const float width = 21 * ImGui::GetFontSize();
   const ImVec2 offset{18 * context.scale, 16 * context.scale}, all = ImGui::GetIO().DisplaySize;
   const ImVec2 at{static_cast<float>(pixel->x), static_cast<float>(pixel->y)};
-  const double right = session.view_origin.x + session.view.width;
+  const double right = session.view.origin.x + session.view.size.width;
   const bool leftwards = at.x + offset.x + width > static_cast<float>(right);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::SetNextWindowSize(size_of_tip(parts, width));

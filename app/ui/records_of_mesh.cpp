@@ -1,3 +1,4 @@
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -5,6 +5,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/document/repair_call.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"

@@ -1,4 +1,5 @@
 #include "app/ui/side_columns.h"
+#include "app/editor/session/session.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,8 @@ SeenPart seen_part(const ColumnNames& of, float covered_px) {
 }
 
 bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) {
-  return row.place != PanelPlace::over && context.session.layout.side_of(row) == side && context.session.is_shown(row);
+  return row.place != PanelPlace::over && context.session.layout.side_of(row) == side &&
+         context.session.layout.is_shown(row);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
 #include "app/ui/widgets.h"
@@ -29,7 +30,7 @@ void heading(PanelContext& context, const char* text) {
 
 // The drag that does this in the preset, alone if there is one.
 std::string drag_for(const PanelContext& context, Gesture gesture) {
-  const InputPreset& preset = input_presets()[context.session.input_preset];
+  const InputPreset& preset = input_presets()[context.session.preferences.input_preset];
   const auto row = std::find_if(preset.drags.begin(), preset.drags.end(), [&](const DragRow& drag) {
     return drag.gesture == gesture && !drag.shift && !drag.ctrl;
   });
@@ -99,7 +100,7 @@ void StartPage::look_for_recent(const std::vector<std::string>& files) {
 }
 
 void StartPage::draw_recent(PanelContext& context, std::size_t most) {
-  look_for_recent(context.session.recent);
+  look_for_recent(context.session.preferences.recent);
   if (recent_.empty() || most == 0) return;
   heading(context, context.text("Recent files", "最近のファイル"));
   for (const auto& [file, is_there] : std::span(recent_).first(std::min(most, recent_.size()))) {
@@ -260,11 +261,11 @@ void StartPage::draw(PanelContext& context) {
     return;
   }
   const float margin = 8 * context.scale;
-  const ImVec2 room(static_cast<float>(session.view.width) - 2 * margin,
-                    static_cast<float>(session.view.height) - 2 * margin);
+  const ImVec2 room(static_cast<float>(session.view.size.width) - 2 * margin,
+                    static_cast<float>(session.view.size.height) - 2 * margin);
   const float width = std::min(room.x, 40 * ImGui::GetFontSize());
-  ImGui::SetNextWindowPos({static_cast<float>(session.view_origin.x) + margin + room.x / 2,
-                           static_cast<float>(session.view_origin.y) + margin + room.y / 2},
+  ImGui::SetNextWindowPos({static_cast<float>(session.view.origin.x) + margin + room.x / 2,
+                           static_cast<float>(session.view.origin.y) + margin + room.y / 2},
                           0, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room.y});
   ImGui::Begin("##start", nullptr,
@@ -273,7 +274,7 @@ void StartPage::draw(PanelContext& context) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
   entries_.clear();
   taken_.clear();
-  const Measured now{width, ImGui::GetFontSize(), context.language(), session.recent.size()};
+  const Measured now{width, ImGui::GetFontSize(), context.language(), session.preferences.recent.size()};
   const bool is_known = measured_ == now;
   heading(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
   if (is_known && whole_height_ > room.y)

@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/words.h"
 #include "app/editor/session/asking.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/base/count_text.h"
@@ -56,15 +57,16 @@ Text counted(const Selection& selection) {
 
 std::vector<Hint> hints_of(const PanelContext& context) {
   if (const TransformGesture* const gesture = context.session.gesture()) return hints_of_gesture(context, *gesture);
-  if (context.session.band)
+  if (context.session.view.band)
     return {{context.text("Release", "離す"), context.text("select what is inside", "囲んだものを選択")},
             {"Esc", context.text("give up", "中止")}};
   const auto drag = [&](MouseButton button) -> std::string {
-    const auto armed = context.session.armed_gesture;
+    const auto armed = context.session.view.armed_gesture;
     if (armed && button == MouseButton::left)
       return *armed == Gesture::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
                                     : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
-    return help_of(gesture_of(input_presets()[context.session.input_preset], button, {})).in(context.language());
+    return help_of(gesture_of(input_presets()[context.session.preferences.input_preset], button, {}))
+        .in(context.language());
   };
   if (!context.session.asked_line.empty())
     return {{"", asked_text(context.session.asked_line).in(context.language())},

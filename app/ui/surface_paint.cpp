@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "render/colour.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
@@ -17,7 +18,7 @@ namespace {
 void paint_values(Session& session, TriangleSource& source) {
   const MapValues& values = session.map_values();
   const Mesh& mesh = session.mesh();
-  const Colouring& colouring = *session.colouring;
+  const Colouring& colouring = *session.view.colouring;
   constexpr std::size_t steps = 1024;
   std::vector<std::uint32_t> scale(steps);
   for (std::size_t i = 0; i < steps; ++i) {
@@ -61,7 +62,7 @@ struct ShownFileColours {
   const FaceColours* of_faces = nullptr;
 
   explicit ShownFileColours(const Session& session) {
-    const FileColours which = session.settings.file_colours;
+    const FileColours which = session.view.settings.file_colours;
     const Mesh& mesh = session.mesh();
     const int column = mesh.find_attribute(attribute_names::colour);
     const FaceColours& colours = session.document().tables().face_colours;
@@ -92,10 +93,10 @@ void paint_file(const Session& session, TriangleSource& source) {
 
 }  // namespace
 
-bool is_painted(const Session& session) { return session.colouring || !ShownFileColours(session).are_none(); }
+bool is_painted(const Session& session) { return session.view.colouring || !ShownFileColours(session).are_none(); }
 
 void paint_surface(Session& session, TriangleSource& source) {
-  if (session.colouring)
+  if (session.view.colouring)
     paint_values(session, source);
   else
     paint_file(session, source);

@@ -1,10 +1,11 @@
 // What the surface is painted with: the values of a colour map, else the colours of the file.
 #pragma once
 
-#include "app/editor/session/session.h"
 #include "render/mesh_buffers.h"
 
 namespace ryosen {
+
+class Session;
 
 // Whether the surface has colours beside its own.
 bool is_painted(const Session& session);

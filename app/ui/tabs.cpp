@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 
+#include "app/editor/session/session.h"
 #include "app/ui/side_columns.h"
 #include "app/ui/widgets.h"
 

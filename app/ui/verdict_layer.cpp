@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "app/ui/overlays.h"
 #include "app/ui/point_room.h"
 
@@ -24,7 +25,7 @@ void VerdictLayer::begin(Session& session, View& view, const ToolVerdicts* verdi
   is_stale_ = false;
   is_waiting_ = verdicts != nullptr;
   serial_ = verdicts ? verdicts->serial() : 0;
-  theme_ = session.settings.theme;
+  theme_ = session.view.settings.theme;
   drawn_ = slots_ = 0;
   if (!verdicts) return;
   view.reserve_overlay(Layer::verdicts, verdicts->all().size());
@@ -59,7 +60,7 @@ void VerdictLayer::follow(Session& session, View& view) {
   constexpr std::uint32_t most_at_once = 40;  // of a tenth of a millisecond each
   ToolVerdicts* const verdicts = session.tool_verdicts();
   if (!verdicts && serial_ == 0) return;
-  if (is_stale_ || !verdicts || serial_ != verdicts->serial() || theme_ != session.settings.theme)
+  if (is_stale_ || !verdicts || serial_ != verdicts->serial() || theme_ != session.view.settings.theme)
     begin(session, view, verdicts);
   if (!verdicts) return;
   follow_slots(view, elements_of(*verdicts));
@@ -73,7 +74,7 @@ void VerdictLayer::follow(Session& session, View& view) {
   const auto is_asked = [&](std::uint32_t block) {
     return verdicts->asked() >= std::min(slots_, (block + 1) * in_block);
   };
-  while (drawn_ < blocks && is_asked(drawn_) && (!session.asks_in_slices || drawn_ < before + most_at_once))
+  while (drawn_ < blocks && is_asked(drawn_) && (!session.frontend.asks_in_slices || drawn_ < before + most_at_once))
     draw_block(session, view, *verdicts, drawn_++);
   is_waiting_ = drawn_ < blocks || !verdicts->is_complete();
   if (drawn_ == blocks) view.show_layer(Layer::verdicts, true);

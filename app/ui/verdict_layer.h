@@ -3,10 +3,12 @@
 
 #include <cstdint>
 
-#include "app/editor/session/session.h"
 #include "render/view.h"
+#include "ryosen/ops/outlook/tool_verdicts.h"
 
 namespace ryosen {
+
+class Session;
 
 // Drawn in blocks of elements: at first so many of them in a frame as cost few milliseconds, where the session asks in
 // slices too, and shown when all are there; after an edit those with an element that was asked again.

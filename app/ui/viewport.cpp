@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/axes_overlay.h"
@@ -30,7 +31,7 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
       session.drawn_positions(), triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
-  if (session.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
+  if (session.view.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
   paint_surface(session, source);
   return source;
 }
@@ -39,7 +40,7 @@ static_assert(most_highlights < most_tints);
 
 // The tints of highlights, in the order of the table, and at last that of selected faces.
 std::vector<DrawnTint> tints_of(const Session& session) {
-  const Theme theme = session.settings.theme;
+  const Theme theme = session.view.settings.theme;
   std::vector<DrawnTint> tints;
   for (const HighlightRow& row : highlight_table())
     if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
@@ -65,7 +66,7 @@ class FaceTints {
     for (const HighlightRow& row : highlight_table()) {
       if (!row.tint) continue;
       ++number;
-      if (!session.shown_highlights.contains(std::string(row.id))) continue;
+      if (!session.view.highlights.contains(std::string(row.id))) continue;
       for_each_mark(row, [&](Mark mark) {
         if (mark.sort == Element::Kind::face) shown_.push_back({&sets.of(mark), number});
       });
@@ -162,22 +163,22 @@ void Viewport::follow_beside(Session& session) {
 }
 
 void Viewport::follow(Session& session) {
-  const int samples = std::max(supersample_, session.samples);
-  if (session.view != size_ || samples != samples_) view_->resize(session.view, samples);
-  size_ = session.view;
-  origin_ = glm::ivec2(session.view_origin);
+  const int samples = std::max(supersample_, session.preferences.samples);
+  if (session.view.size != size_ || samples != samples_) view_->resize(session.view.size, samples);
+  size_ = session.view.size;
+  origin_ = glm::ivec2(session.view.origin);
   samples_ = samples;
-  const ViewSettings before = std::exchange(settings_, session.settings);
+  const ViewSettings before = std::exchange(settings_, session.view.settings);
   if (settings_.dots == Dots::picked)
     settings_.dots = session.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
   highlights_stale_ |= settings_.theme != before.theme || settings_.dots != before.dots;
   view_->set_settings(settings_);
-  const auto scale = static_cast<float>(session.size_scale());
+  const auto scale = static_cast<float>(session.preferences.size_scale());
   view_->set_display_scale(scale);
-  labels_.set_scale(static_cast<float>(session.label_scale()));
-  view_->set_clip(session.clip_plane());
+  labels_.set_scale(static_cast<float>(session.preferences.label_scale()));
+  view_->set_clip(session.view.clip_plane());
   view_->set_tints(tints_of(session));
-  view_->set_camera(session.camera);
+  view_->set_camera(session.view.camera);
   follow_mesh(session);
   follow_overlays(session);
   labels_.follow(session, *view_);
@@ -185,7 +186,7 @@ void Viewport::follow(Session& session) {
 }
 
 void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point now) {
-  pace_.see(session.camera, now);
+  pace_.see(session.view.camera, now);
   const bool is_moving = pace_.time_to_rest(now).has_value();
   view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
   view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
@@ -235,9 +236,10 @@ void Viewport::follow_mesh(Session& session) {
   if (other_selection) follow_selected_faces(session, changes);
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
-                    drawn_shading_ != session.settings.shading || drawn_colouring_ != session.colouring ||
-                    drawn_file_colours_ != session.settings.file_colours || drawn_crease_deg_ != session.crease_deg;
-  const bool other_highlights = shown_ != session.shown_highlights || changes.searched;
+                    drawn_shading_ != session.view.settings.shading || drawn_colouring_ != session.view.colouring ||
+                    drawn_file_colours_ != session.view.settings.file_colours ||
+                    drawn_crease_deg_ != session.preferences.crease_deg;
+  const bool other_highlights = shown_ != session.view.highlights || changes.searched;
   if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
       mesh_revision_ == session.document().revision())
     return;
@@ -258,11 +260,11 @@ void Viewport::follow_mesh(Session& session) {
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
   gesture_step_ = session.gesture_step();
-  drawn_shading_ = session.settings.shading;
-  drawn_colouring_ = session.colouring;
-  drawn_file_colours_ = session.settings.file_colours;
-  drawn_crease_deg_ = session.crease_deg;
-  shown_ = session.shown_highlights;
+  drawn_shading_ = session.view.settings.shading;
+  drawn_colouring_ = session.view.colouring;
+  drawn_file_colours_ = session.view.settings.file_colours;
+  drawn_crease_deg_ = session.preferences.crease_deg;
+  shown_ = session.view.highlights;
   normal_lines_.note(session, changes, anew);
   if (anew || changes.hiding) verdict_layer_.forget();
   marked_ = std::move(changes.marks);
@@ -309,7 +311,7 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
 
 void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark) {
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
-  const bool is_shown = session.shown_highlights.contains(std::string(row.id));
+  const bool is_shown = session.view.highlights.contains(std::string(row.id));
   std::vector<std::uint32_t> blocks;
   const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
   const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(session, mark) : drawn.room;
@@ -342,8 +344,8 @@ void Viewport::follow_highlights(Session& session) {
 
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
-      highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.links.is_on(session);
-  draws_links_ = session.links.is_on(session);
+      highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.view.links.is_on(session);
+  draws_links_ = session.view.links.is_on(session);
   verdict_layer_.follow(session, *view_);
   if (!session.preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
@@ -360,7 +362,7 @@ void Viewport::follow_overlays(Session& session) {
     view_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
   asked_ = asked;
   const EdgeAccount* const account =
-      session.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.account() : nullptr;
+      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.account() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
   if (selection_stale_ || account_ != drawn)
     view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));

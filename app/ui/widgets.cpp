@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "app/ui/letters.h"
 
 namespace ryosen {
@@ -191,7 +192,7 @@ void fitted_text(const std::string& text, float width_px) {
 }
 
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view) {
-  const bool wanted = context.session.open_panel == row.id;
+  const bool wanted = context.session.layout.open_panel == row.id;
   const std::string name = context.title(row) + ("###" + std::string(row.id));
   if (!wanted && !ImGui::IsPopupOpen(name.c_str())) return false;
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
@@ -250,7 +251,7 @@ std::string chord_of(std::span<const KeyRow> keys, std::string_view command) {
 }
 
 std::string chord_of(const Session& session, std::string_view command) {
-  return chord_of(key_table(input_presets()[session.input_preset], session.bindings), command);
+  return chord_of(key_table(input_presets()[session.preferences.input_preset], session.preferences.bindings), command);
 }
 
 std::string grouped(std::int64_t n) {

@@ -57,9 +57,8 @@ std::string fitted_lines(std::string_view text, float width_px, std::size_t most
 // A line of text that fits the panel, up to a word, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
 
-// A panel over everything else, while session.open_panel names it: in the middle, or at the right where it leaves the view
-// to be seen. False when there is nothing to fill;
-// else end_over() must follow.
+// Begins a panel over everything else, while Layout::open_panel names it: in the middle, or at the right where it leaves
+// the view to be seen. False when there is nothing to fill; else end_over() must follow.
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view = false);
 void end_over();
 // Gives the keyboard to what is drawn next, marked, without pressing it.

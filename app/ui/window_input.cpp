@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -103,7 +104,7 @@ Outcome WindowInput::open_menu(const Navigation::Click& click) {
 Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
   if (catch_up_ && gui_.awaits_frame(session_)) catch_up_();
   navigation_.forget_click();
-  return press_key(chord, is_again, input_presets()[session_.input_preset]);
+  return press_key(chord, is_again, input_presets()[session_.preferences.input_preset]);
 }
 
 Outcome WindowInput::press_key(const std::string& chord, bool is_again, const InputPreset& preset) {
@@ -118,7 +119,7 @@ Outcome WindowInput::press_key(const std::string& chord, bool is_again, const In
 
 Outcome WindowInput::act_on(const std::string& chord, bool is_again, const InputPreset& preset) {
   if (gui_.take_chord(session_, chord)) return {};
-  const auto row = find_key(chord, preset, session_.bindings);
+  const auto row = find_key(chord, preset, session_.preferences.bindings);
   if (gui_.has_menu(session_)) {
     const bool opens_menus = row && row->command == find_key(lone_key, preset)->command;
     const bool is_done_behind = row && !opens_menus && is_function_key(chord);
@@ -128,7 +129,7 @@ Outcome WindowInput::act_on(const std::string& chord, bool is_again, const Input
   if (session_.gesture() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesture_key(chord));
   if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};
   if (!row || (is_again && !row->repeats)) return {};
-  if ((gui_.owns_keys() || !session_.open_panel.empty()) && !row->acts_always) return {};
+  if ((gui_.owns_keys() || !session_.layout.open_panel.empty()) && !row->acts_always) return {};
   return gui_.run(session_, row->command);
 }
 
@@ -140,13 +141,13 @@ Outcome WindowInput::let_key_go(const std::string& chord, const InputPreset& pre
 }
 
 Outcome WindowInput::key_up(const std::string& chord) {
-  return let_key_go(chord, input_presets()[session_.input_preset]);
+  return let_key_go(chord, input_presets()[session_.preferences.input_preset]);
 }
 
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
-  if (!find_key(chord, input_presets()[0], session_.bindings) && !is_panel_key(chord) && !session_.gesture() &&
-      !gui_.wants_chord(session_))
+  if (!find_key(chord, input_presets()[0], session_.preferences.bindings) && !is_panel_key(chord) &&
+      !session_.gesture() && !gui_.wants_chord(session_))
     return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
   if (Outcome then = let_key_go(chord, input_presets()[0]); chord == lone_key) outcome = std::move(then);

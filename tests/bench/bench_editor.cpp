@@ -163,7 +163,7 @@ void redraw(benchmark::State& state, Source source, Reaction reaction) {
     const glm::dvec2 pixel = pixels[i++ % pixels.size()];
     const auto start = now();
     if (reaction == Reaction::camera)
-      session->camera = orbited(session->camera, {3, 1}, session->view, session->camera.target);
+      session->view.camera = orbited(session->view.camera, {3, 1}, session->view.size, session->view.camera.target);
     if (reaction == Reaction::hover) session->point_at(pixel);
     if (reaction == Reaction::edit) session->click(pixel, "collapse");
     show();
@@ -182,7 +182,7 @@ void gesture_step(benchmark::State& state, Source source) {
   session->run("mode vertex");
   session->click(pixel, "");
   for (int i = 0; i < 20 && session->selection.size() < 90; ++i) session->run("select grow");
-  session->pointer = pixel;
+  session->view.pointer = pixel;
   session->begin_gesture(PointTransform::Kind::move);
   Viewport& viewport = *screen.viewport;
   int step = 0;
@@ -219,7 +219,7 @@ void smooth_frame(benchmark::State& state, Source source) {
   std::vector<double> times[2];
   const auto frame = [&](std::size_t which) {
     Session& session = *sessions[which];
-    session.camera = orbited(session.camera, {3, 1}, session.view, session.camera.target);
+    session.view.camera = orbited(session.view.camera, {3, 1}, session.view.size, session.view.camera.target);
     const auto start = now();
     viewports[which]->follow(session);
     viewports[which]->draw();
@@ -263,7 +263,7 @@ void refined_tile(benchmark::State& state, Source source, std::vector<std::strin
       picture = 0;
     }
     if (viewport.view().is_refined())
-      session->camera = orbited(session->camera, {3, 1}, session->view, session->camera.target);
+      session->view.camera = orbited(session->view.camera, {3, 1}, session->view.size, session->view.camera.target);
     double time = 0;
     do time = frame();
     while (viewport.view().refining_effort() == 0);  // what was not drawn at all comes first

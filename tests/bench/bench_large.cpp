@@ -77,7 +77,7 @@ class LargeScene {
   void move_camera(Costs& costs) {
     constexpr int frames = 25, first_ones = 5;  // the pace is found in those
     for (int i = 0; i < frames; ++i) {
-      session_->camera = orbited(session_->camera, {3, 1}, session_->view, session_->camera.target);
+      session_->view.camera = orbited(session_->view.camera, {3, 1}, session_->view.size, session_->view.camera.target);
       const auto begin = FramePace::Clock::now();
       const Cost cost = cost_of([&] {
         viewport_.follow(*session_);

@@ -8,6 +8,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/recovery/autosave.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/goal_algorithm.h"
 #include "tests/support/core/scatter_algorithm.h"
@@ -279,7 +280,7 @@ TEST_F(Algorithms, are_kept_for_after_a_crash) {
   {
     Session crashed(Document::open(folder_.write("loose.obj", loose)).value());
     Autosave autosave(recovery_folder());
-    crashed.autosave = &autosave;
+    crashed.frontend.autosave = &autosave;
     autosave.begin(crashed.document());
     for (const char* line :
          {"scatter distance=7% copies=2 at=f1", "weld_close distance=0.01", "fill_holes", "undo", "split 0-1"})

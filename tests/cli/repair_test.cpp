@@ -474,7 +474,7 @@ TEST(repair, cancelled_in_a_session_leaves_mesh_and_history_as_they_were) {
   Session session(std::move(document).value());
   const std::uint64_t before = session.mesh().hash();
   std::vector<double> shares;
-  session.on_progress = [&](double share) {
+  session.frontend.on_progress = [&](double share) {
     shares.push_back(share);
     return shares.size() < 3;
   };
@@ -486,7 +486,7 @@ TEST(repair, cancelled_in_a_session_leaves_mesh_and_history_as_they_were) {
   EXPECT_EQ(session.mesh().hash(), before);
   EXPECT_FALSE(session.document().is_modified());
   EXPECT_TRUE(session.log().empty());
-  session.on_progress = {};
+  session.frontend.on_progress = {};
   EXPECT_TRUE(session.run("repair remove_isolated").done()) << "goes on as if nothing had been";
 }
 

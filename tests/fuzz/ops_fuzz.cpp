@@ -2,6 +2,7 @@
 // must be sound, every refusal and every way back exact, every logged line replayable.
 #include <cmath>
 
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/invariants.h"
 #include "ryosen/geometry/is_finite.h"

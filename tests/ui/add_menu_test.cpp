@@ -6,6 +6,7 @@
 
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
+#include "app/editor/session/session.h"
 #include "ryosen/algo/algorithms.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -24,8 +25,8 @@ TEST_F(AddMenu, has_an_entry_for_each_primitive_that_asks_for_its_values) {
     if (!row.is_primitive) continue;
     click(menu);
     click(test::DrawnText(gui).place(row.name_en));
-    EXPECT_EQ(session.open_panel, "values") << row.id;
-    EXPECT_EQ(session.asked_algorithm, row.id);
+    EXPECT_EQ(session.layout.open_panel, "values") << row.id;
+    EXPECT_EQ(session.layout.asked_algorithm, row.id);
     session.run("panel none");
     frames(3);
   }
@@ -56,12 +57,12 @@ TEST_F(AddMenu, adds_what_the_fields_say_and_shows_all_of_it_where_nothing_was_b
   gui.key(ImGuiKey_Enter, false);
   frames(4);
   EXPECT_EQ(session.log(), std::vector<std::string>{"sphere radius=50 segments=32 bands=16 at=0,0,0"}) << gui.said().en;
-  const Camera shown = session.camera;
+  const Camera shown = session.view.camera;
   session.frame_all();
-  EXPECT_NEAR(glm::distance(session.camera.eye, shown.eye), 0, 1e-9);
-  session.camera = shown;
+  EXPECT_NEAR(glm::distance(session.view.camera.eye, shown.eye), 0, 1e-9);
+  session.view.camera = shown;
   ASSERT_TRUE(session.run("cube at=900,0,0").done());
-  EXPECT_EQ(session.camera, shown) << "what was looked at stays where it is";
+  EXPECT_EQ(session.view.camera, shown) << "what was looked at stays where it is";
 }
 
 TEST_F(AddMenu, keeps_values_that_were_refused_with_the_reason) {
@@ -73,7 +74,7 @@ TEST_F(AddMenu, keeps_values_that_were_refused_with_the_reason) {
   gui.key(ImGuiKey_Enter, true);
   gui.key(ImGuiKey_Enter, false);
   frames(5);
-  EXPECT_EQ(session.open_panel, "values") << "a share of nothing";
+  EXPECT_EQ(session.layout.open_panel, "values") << "a share of nothing";
   EXPECT_GE(test::DrawnText(gui).count(gui.said().en), 2u) << "the reason stands there too";
   EXPECT_GT(test::DrawnText(gui).count("50%"), test::DrawnText(gui).count(gui.said().en)) << "in its field too";
 }

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -67,11 +68,11 @@ TEST_F(ChangeOnDiskTest, can_be_replaced_where_the_window_is_closed) {
 
 TEST_F(ChangeOnDiskTest, is_read_again_with_the_view_as_it_was) {
   run("view top");
-  const Camera camera = session().camera;
+  const Camera camera = session().view.camera;
   write(square);
   run("reload");
   EXPECT_EQ(session().mesh().live().vertices, 4u);
-  EXPECT_EQ(session().camera, camera);
+  EXPECT_EQ(session().view.camera, camera);
   EXPECT_EQ(session().change_on_disk(), FileState::Change::none);
   EXPECT_EQ(session().log(), std::vector<std::string>{"open " + file_});
 }
@@ -90,7 +91,7 @@ TEST_F(ChangeOnDiskTest, is_read_again_by_a_button_after_a_question_where_edits_
   write(triangle);
   session().look_at_disk();
   press("Reload");
-  EXPECT_EQ(session().open_panel, panel_opened_by(PanelOpener::loss).id);
+  EXPECT_EQ(session().layout.open_panel, panel_opened_by(PanelOpener::loss).id);
   press("Reloadandlose1edit");
   EXPECT_EQ(session().mesh().live().vertices, 3u);
   write(square);
@@ -123,7 +124,7 @@ TEST_F(ChangeOnDiskTest, is_never_replaced_by_enter_in_the_question_about_it) {
     laid_.frames(4);
     EXPECT_EQ(is_told("Replaceit"), quits);
     press(ImGuiKey_Enter);
-    EXPECT_EQ(session().open_panel, "") << "Cancel has the keyboard";
+    EXPECT_EQ(session().layout.open_panel, "") << "Cancel has the keyboard";
     EXPECT_FALSE(laid_.gui.wants_quit());
     EXPECT_EQ(on_disk(), square);
     EXPECT_EQ(session().document().unsaved_edits(), 2u);
@@ -131,7 +132,7 @@ TEST_F(ChangeOnDiskTest, is_never_replaced_by_enter_in_the_question_about_it) {
   laid_.gui.run(session(), "reload");
   EXPECT_TRUE(is_told("Reloadandlose2edits"));
   laid_.click(DrawnText(laid_.gui).place("Saveminee"));
-  EXPECT_EQ(session().open_panel, panel_opened_by(PanelOpener::unnamed_save).id);
+  EXPECT_EQ(session().layout.open_panel, panel_opened_by(PanelOpener::unnamed_save).id);
   EXPECT_EQ(on_disk(), square);
 }
 
@@ -146,7 +147,7 @@ TEST_F(ChangeOnDiskTest, takes_the_keyboard_from_the_button_that_would_replace_i
   laid_.gui.key(ImGuiKey_Enter, true);
   laid_.frames(3);
   EXPECT_EQ(on_disk(), square);
-  EXPECT_EQ(session().open_panel, "");
+  EXPECT_EQ(session().layout.open_panel, "");
 }
 
 TEST_F(ChangeOnDiskTest, is_a_loss_where_the_file_is_gone) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

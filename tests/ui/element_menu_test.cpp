@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>  // which menus are open
 
+#include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "ryosen/mesh/middle.h"
 #include "tests/support/app/drawn_text.h"
@@ -20,9 +21,9 @@ class ElementMenu : public testing::Test, protected test::Laid {
   glm::dvec2 place_of_edge() {
     for (std::uint32_t i = 0; i < session.mesh().edge_slots(); ++i) {
       const Element edge{Edge(i)};
-      const auto seen = project(session.camera, session.view, middle_of(session.mesh(), edge));
-      const auto picked = seen ? session.pick(session.view_origin + seen->pixel, PickMode::edge) : std::nullopt;
-      if (picked && picked->element == edge) return session.view_origin + seen->pixel;
+      const auto seen = project(session.view.camera, session.view.size, middle_of(session.mesh(), edge));
+      const auto picked = seen ? session.pick(session.view.origin + seen->pixel, PickMode::edge) : std::nullopt;
+      if (picked && picked->element == edge) return session.view.origin + seen->pixel;
     }
     ADD_FAILURE() << "no edge is seen";
     return {};

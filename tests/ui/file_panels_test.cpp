@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -41,7 +42,7 @@ TEST_F(FilePanels, a_file_that_cannot_be_read_is_said_why_where_it_was_chosen) {
   show("open");
   click_on("bad.off");
   click_on(open_button);
-  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.layout.open_panel, "open");
   EXPECT_TRUE(gui.said().en.starts_with(folder_.at("bad.off") + ":5:")) << gui.said().en;
   expect_reason_in_panel();
   click_on("other.obj");
@@ -54,7 +55,7 @@ TEST_F(FilePanels, a_file_that_cannot_be_written_is_said_why_and_its_name_stays)
   for (const char c : std::string_view("x.yz")) gui.character(static_cast<unsigned>(c));
   frames(2);
   click_on(save_button);
-  EXPECT_EQ(session.open_panel, "save");
+  EXPECT_EQ(session.layout.open_panel, "save");
   expect_reason_in_panel();
   EXPECT_GE(DrawnText(gui).count("x.yz"), 1u);
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"cube.obj"});
@@ -65,7 +66,7 @@ TEST_F(FilePanels, a_name_without_an_ending_is_that_of_a_file_as_the_open_one) {
   gui.text("xyz");  // in place of the name that is offered
   frames(2);
   click_on(save_button);
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"cube.obj", "xyz.obj"}));
 }
 
@@ -78,7 +79,7 @@ TEST_F(FilePanels, the_question_before_a_loss_says_why_saving_failed) {
   frames(3);
   click_on("Save Discard");
   EXPECT_FALSE(gui.wants_quit());
-  EXPECT_EQ(session.open_panel, "unsaved");
+  EXPECT_EQ(session.layout.open_panel, "unsaved");
   expect_reason_in_panel();
 }
 
@@ -97,7 +98,7 @@ TEST_F(FilePanels, what_was_to_follow_a_save_follows_once_the_mesh_has_a_name) {
     gui.leave(session, {false, other});
     frames(4);
     press(ImGuiKey_Enter);  // Save
-    ASSERT_EQ(session.open_panel, "save");
+    ASSERT_EQ(session.layout.open_panel, "save");
     gui.text((folder_.path() / "named.obj").string());
     frames(3);
     if (is_given_up)
@@ -116,12 +117,12 @@ TEST_F(FilePanels, the_second_press_of_a_double_click_on_a_folder_is_none_on_wha
   const glm::dvec2 first_entry = DrawnText(gui).place("inner/");
   click(first_entry);
   click(first_entry);
-  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.layout.open_panel, "open");
   EXPECT_EQ(session.document().path(), file_);
   ASSERT_NE(DrawnText(gui).place("torus.off").x, -1e9) << "the folder was entered";
   frames(30);
   click(first_entry);
-  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.layout.open_panel, "open");
   click(first_entry);
   EXPECT_EQ(session.document().path(), folder_.at("inner/torus.off")) << "a double click on a file opens it";
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -13,7 +14,7 @@ class FormsPanel : public testing::Test, protected test::Laid {
   FormsPanel() : Laid("torus.off", test::tall_window) {}
 
   void press_measure() {
-    click_on(session.language == Language::english ? "Measure" : "測る");
+    click_on(session.preferences.language == Language::english ? "Measure" : "測る");
     gui.pointer({640, 1300});
     frames(2);
   }

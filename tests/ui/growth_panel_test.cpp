@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/growth_work.h"
 #include "app/ui/log_plot.h"
 #include "ryosen/forms/pairing.h"

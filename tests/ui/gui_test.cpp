@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/enum_table.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -53,7 +54,7 @@ TEST(gui, a_picture_shows_the_window_without_what_asked_for_it) {
     }
   };
   std::vector<int> pictured;
-  laid.session.take_picture = [&](const std::filesystem::path&) {
+  laid.session.frontend.take_picture = [&](const std::filesystem::path&) {
     EXPECT_FALSE(laid.gui.is_laying_out());
     pictured.push_back(drawn);
     return success();
@@ -67,7 +68,7 @@ TEST(gui, a_picture_shows_the_window_without_what_asked_for_it) {
     laid.gui.key(ImGuiKey_Enter, true);
     laid.gui.key(ImGuiKey_Enter, false);
     frames(2);
-    EXPECT_TRUE(laid.session.open_panel.empty()) << line;
+    EXPECT_TRUE(laid.session.layout.open_panel.empty()) << line;
     EXPECT_FALSE(laid.gui.wants_frames());
   }
   EXPECT_EQ(pictured, (std::vector<int>{bare, bare}));
@@ -110,7 +111,7 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
     laid.gui.button(0, true);
     laid.gui.button(0, false);  // before there was a frame
     wait();
-    EXPECT_EQ(laid.session.open_panel, "");
+    EXPECT_EQ(laid.session.layout.open_panel, "");
     const int drawn = laid.gui.draw_data().TotalVtxCount;
     laid.frames(5);
     EXPECT_EQ(laid.gui.draw_data().TotalVtxCount, drawn);
@@ -126,8 +127,8 @@ TEST(gui, frames_are_wanted_until_a_closed_panel_has_gone) {
 TEST(gui, the_view_lies_between_the_columns) {
   const Laid laid("cube.obj");
   const PixelRect area = laid.gui.view_area(window, laid.session.layout);
-  EXPECT_EQ(laid.session.view, (Size{area.width(), area.height()}));
-  EXPECT_EQ(laid.session.view_origin, glm::dvec2(area.x0, area.y0));
+  EXPECT_EQ(laid.session.view.size, (Size{area.width(), area.height()}));
+  EXPECT_EQ(laid.session.view.origin, glm::dvec2(area.x0, area.y0));
   const double y = (area.y0 + area.y1) / 2.0, x = (area.x0 + area.x1) / 2.0;
   EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {x, y}));
   EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {area.x0 / 2.0, y}));
@@ -146,10 +147,10 @@ TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
 
 TEST(gui, a_highlight_is_switched_in_its_panel) {
   Laid laid("fin.obj");
-  ASSERT_TRUE(laid.session.shown_highlights.contains("boundary"));
+  ASSERT_TRUE(laid.session.view.highlights.contains("boundary"));
   laid.click({16, test::DrawnText(laid.gui).place("Boundary").y});
-  EXPECT_FALSE(laid.session.shown_highlights.contains("boundary"));
-  EXPECT_TRUE(laid.session.shown_highlights.contains("nonmanifold"));
+  EXPECT_FALSE(laid.session.view.highlights.contains("boundary"));
+  EXPECT_TRUE(laid.session.view.highlights.contains("nonmanifold"));
 }
 
 TEST(gui, an_open_panel_takes_the_pointer_and_escape_gives_it_back) {
@@ -206,7 +207,7 @@ TEST(gui, asks_before_changes_are_lost) {
   ASSERT_TRUE(changed.session.run("split 0-1").done());
   changed.gui.leave(changed.session, {true, {}});
   EXPECT_FALSE(changed.gui.wants_quit());
-  EXPECT_EQ(changed.session.open_panel, "unsaved");
+  EXPECT_EQ(changed.session.layout.open_panel, "unsaved");
   changed.frames(2);
   changed.click_on("Discard");
   EXPECT_TRUE(changed.gui.wants_quit());
@@ -217,7 +218,7 @@ TEST(gui, the_question_before_a_loss_is_not_asked_where_nothing_would_be_lost) {
   ASSERT_TRUE(laid.gui.run(laid.session, "split 0-1").done());
   laid.gui.run(laid.session, "panel unsaved");
   laid.frames(3);
-  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(laid.session.layout.open_panel, "");
   EXPECT_EQ(laid.session.document().history().size(), 1u) << "the mesh is still there";
 }
 
@@ -237,20 +238,20 @@ TEST(gui, what_a_crash_left_is_recovered_discarded_or_left_for_later) {
   ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
   laid.frames(3);
   laid.click_on("Later");
-  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(laid.session.layout.open_panel, "");
   EXPECT_EQ(state.names().size(), 2u);
 
   ASSERT_TRUE(laid.gui.run(laid.session, "panel recover").done());
   laid.frames(3);
   ASSERT_EQ(test::DrawnText(laid.gui).count("Discard"), 2u);
   laid.click_on("Discard");  // of the second
-  EXPECT_EQ(laid.session.open_panel, "recover");
+  EXPECT_EQ(laid.session.layout.open_panel, "recover");
   EXPECT_EQ(state.names(), std::vector<std::string>{"ryosen/recovery/session-1.ryosen"});
 
   // Changes of this document are asked about first.
   ASSERT_TRUE(laid.session.run("split 0-1").done());
   laid.click_on("Recover Discard");  // Recover, which Discard follows: the title has the word too
-  EXPECT_EQ(laid.session.open_panel, "unsaved");
+  EXPECT_EQ(laid.session.layout.open_panel, "unsaved");
   laid.frames(3);
   laid.click_on("Discard");
   EXPECT_EQ(laid.session.document().path(), file);
@@ -268,10 +269,10 @@ TEST(gui, an_existing_file_is_replaced_only_on_the_second_press) {
   laid.frames(3);
   laid.click_on(save_in_dialog);
   EXPECT_EQ(test::read_file(path), before);
-  EXPECT_EQ(laid.session.open_panel, "save");
+  EXPECT_EQ(laid.session.layout.open_panel, "save");
   laid.click_on(save_in_dialog);
   EXPECT_NE(test::read_file(path), before);
-  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(laid.session.layout.open_panel, "");
 }
 
 TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
@@ -289,7 +290,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
     const int before = laid.gui.draw_data().TotalVtxCount;
     laid.click_on(language == std::string_view("language en") ? save_in_dialog : save_in_dialog_ja);
     EXPECT_FALSE(folder.has("cube.stl")) << "it only told what would be lost";
-    EXPECT_EQ(laid.session.open_panel, "save");
+    EXPECT_EQ(laid.session.layout.open_panel, "save");
     EXPECT_GT(laid.gui.draw_data().TotalVtxCount, before + 100) << "a sentence per loss and what to do";
     if (language == std::string_view("language ja")) break;
     ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
@@ -297,7 +298,7 @@ TEST(gui, what_a_format_cannot_hold_is_listed_before_it_is_written) {
   }
   laid.click_on(save_in_dialog_ja);  // which the list has moved up
   EXPECT_TRUE(folder.has("cube.stl"));
-  EXPECT_EQ(laid.session.open_panel, "");
+  EXPECT_EQ(laid.session.layout.open_panel, "");
   EXPECT_FALSE(laid.session.document().is_modified());
 }
 
@@ -323,7 +324,7 @@ TEST(gui, done_is_said_of_what_was_done_and_of_nothing_else) {
     laid.gui.run(laid.session, line);
     return laid.gui.said().en;
   };
-  laid.session.quit = [&] { laid.gui.leave(laid.session, {true, {}}); };
+  laid.session.frontend.quit = [&] { laid.gui.leave(laid.session, {true, {}}); };
   EXPECT_EQ(said("split 0-1"), "split 0-1: done");
   EXPECT_EQ(said("panel keys"), "");
   EXPECT_EQ(said("panel none"), "");
@@ -332,7 +333,7 @@ TEST(gui, done_is_said_of_what_was_done_and_of_nothing_else) {
   EXPECT_EQ(said("undo"), "undo: done");
   EXPECT_EQ(said("redo"), "redo: done");
   EXPECT_EQ(said("quit"), "") << "it only asks";
-  EXPECT_EQ(laid.session.open_panel, "unsaved");
+  EXPECT_EQ(laid.session.layout.open_panel, "unsaved");
   EXPECT_FALSE(laid.gui.wants_quit());
   EXPECT_EQ(said("cancel"), "");
   laid.gui.run(laid.session, "split 0-2");

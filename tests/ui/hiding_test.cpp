@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -75,8 +76,8 @@ TEST(hidden_note, shows_all_again_when_it_is_pressed) {
   EXPECT_TRUE(laid.session.run("hide f0 f1").done());
   laid.frames(3);
   const Session& session = laid.session;
-  const double y = session.view_origin.y + session.view.height - 28;
-  for (double x = session.view_origin.x + 20; x < session.view_origin.x + 420 && !session.hidden().empty(); x += 20)
+  const double y = session.view.origin.y + session.view.size.height - 28;
+  for (double x = session.view.origin.x + 20; x < session.view.origin.x + 420 && !session.hidden().empty(); x += 20)
     laid.click({x, y});
   EXPECT_TRUE(session.hidden().empty());
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -1,6 +1,7 @@
 // Self-intersections in the window: searched for on request, drawn, listed, and gone with the next edit.
 #include <gtest/gtest.h>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -54,7 +55,7 @@ TEST(intersections, are_forgotten_by_the_next_edit_and_by_undo) {
 
 TEST(intersections, can_be_cancelled_and_then_say_nothing) {
   Session session(crossing());
-  session.on_progress = [](double) { return false; };
+  session.frontend.on_progress = [](double) { return false; };
   EXPECT_EQ(session.run("self_intersections").exit_code, ExitCode::cancelled);
   EXPECT_FALSE(session.has_searched(ProblemKind::self_intersection));
 }

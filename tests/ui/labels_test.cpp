@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -81,7 +82,7 @@ TEST_F(LabelsTest, do_not_overlap_and_give_way_to_what_is_selected) {
     EXPECT_GT(all.size(), 10u);
     EXPECT_LE(all.size(), most_labels);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      EXPECT_EQ(intersection(rect_of(all[i]), PixelRect::all(session_.view)), rect_of(all[i]));
+      EXPECT_EQ(intersection(rect_of(all[i]), PixelRect::all(session_.view.size)), rect_of(all[i]));
       for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(rect_of(all[i]), rect_of(all[k])));
     }
   }
@@ -103,7 +104,7 @@ TEST_F(LabelsTest, are_in_a_menu_of_the_view_menu) {
   const glm::dvec2 faces = test::DrawnText(laid.gui).place("Numbers of faces");
   EXPECT_GT(faces.x, entry.x);
   laid.click(faces);
-  EXPECT_EQ(laid.session.settings.numbers, Numbers::faces);
+  EXPECT_EQ(laid.session.view.settings.numbers, Numbers::faces);
 }
 
 // What was asked for is told, at the nearest place where there is room.
@@ -113,7 +114,7 @@ TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
     session_.run(line);
   const auto size_of = [](const std::string&) { return Size{300, 14}; };
   for (const Size view : {Size{480, 360}, Size{640, 480}}) {
-    session_.view = view;
+    session_.view.size = view;
     session_.frame_all();
     ASSERT_GE(session_.measures.size(), 4u);
     const std::vector<PlacedLabel> all = placed_labels(session_, size_of, 1);
@@ -129,14 +130,14 @@ TEST_F(LabelsTest, of_measures_lie_beside_the_handles_of_the_gizmo) {
     for (const char* measured : {"v0 v1", "v0 v1 v2", "0-1"}) {
       for (const char* line : {"measure clear", "select v0 v1"}) ASSERT_TRUE(session_.run(line).done());
       ASSERT_TRUE(session_.run(std::string("measure ") + measured).done());
-      session_.gizmo_kind = kind;
+      session_.view.gizmo_kind = kind;
       const std::vector<PlacedLabel> all = placed();
       ASSERT_EQ(all.size(), 1u);
       const PixelRect rect = rect_of(all[0]);
       ASSERT_TRUE(session_.gizmo());
       for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
-          ASSERT_EQ(session_.handle_at(session_.view_origin + glm::dvec2(x, y), {}), nullptr) << measured;
+          ASSERT_EQ(session_.handle_at(session_.view.origin + glm::dvec2(x, y), {}), nullptr) << measured;
     }
 }
 
@@ -151,7 +152,7 @@ TEST_F(LabelsTest, grow_with_the_letters_that_are_preferred) {
     return changed;
   };
   const int usual = pixels_of_legend();
-  session_.font_size_px = 30;
+  session_.preferences.font_size_px = 30;
   EXPECT_GT(pixels_of_legend(), 3 * usual) << "twice as high and as wide";
 }
 
@@ -168,7 +169,7 @@ TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
     for (const PlacedLabel& label : labels) {
       int changed = 0;
       const PixelRect rect = rect_of(label);
-      const glm::ivec2 origin(session_.view_origin);
+      const glm::ivec2 origin(session_.view.origin);
       for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
           changed += with.at(x + origin.x, y + origin.y) != without.at(x + origin.x, y + origin.y);
@@ -176,9 +177,9 @@ TEST_F(LabelsTest, are_drawn_with_and_without_panels_and_leave_nothing_behind) {
     }
     // The panels beside the view may say what was run.
     const Image after = picture("numbers off");
-    const glm::ivec2 first(session_.view_origin);
-    for (int y = first.y; y < first.y + session_.view.height; ++y)
-      for (int x = first.x; x < first.x + session_.view.width; ++x) ASSERT_EQ(after.at(x, y), without.at(x, y));
+    const glm::ivec2 first(session_.view.origin);
+    for (int y = first.y; y < first.y + session_.view.size.height; ++y)
+      for (int x = first.x; x < first.x + session_.view.size.width; ++x) ASSERT_EQ(after.at(x, y), without.at(x, y));
   }
 }
 

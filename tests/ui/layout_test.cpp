@@ -5,6 +5,7 @@
 #include <imgui_internal.h>  // how far a column scrolls
 
 #include "app/editor/preferences/layout.h"
+#include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -137,8 +138,8 @@ TEST_F(LayoutTest, a_panel_has_a_menu_that_hides_it_and_puts_it_on_the_other_sid
 TEST_F(LayoutTest, a_column_without_panels_leaves_its_place_to_the_view) {
   for (const char* id : {"tools", "highlights", "totals"}) run("panel " + std::string(id) + " off");
   EXPECT_EQ(view().x0, 0);
-  EXPECT_EQ(session.view_origin.x, 0);
-  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_EQ(session.view.origin.x, 0);
+  EXPECT_EQ(session.view.size.width, view().width());
   EXPECT_FALSE(gui.owns_pointer(session, size_, {100, 360}));
   run("panel history left");
   EXPECT_GT(view().x0, 0);
@@ -149,8 +150,8 @@ TEST_F(LayoutTest, a_drag_of_its_border_makes_a_column_wider_and_the_view_follow
   drag({before.x0 - 2, 400}, {before.x0 + 98, 430});
   EXPECT_NEAR(session.layout.left_px, before.x0 + 100, 3);
   EXPECT_EQ(view().x0, session.layout.left_px);
-  EXPECT_EQ(session.view_origin.x, view().x0);
-  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_EQ(session.view.origin.x, view().x0);
+  EXPECT_EQ(session.view.size.width, view().width());
   EXPECT_TRUE(session.selection.empty());
   drag({before.x1 + 2, 400}, {before.x1 + 900, 400});
   EXPECT_EQ(session.layout.right_px, least_column_px);
@@ -181,14 +182,14 @@ TEST_F(LayoutTest, a_view_that_nobody_has_moved_is_framed_anew_with_its_size) {
     ASSERT_TRUE(session.run(line).done()) << line;
     frames(2);
     EXPECT_TRUE(session.is_framed()) << line;
-    const Camera shown = session.camera;
+    const Camera shown = session.view.camera;
     session.frame_all();
-    EXPECT_LT(glm::distance(shown.eye, session.camera.eye), 1e-9) << line;
+    EXPECT_LT(glm::distance(shown.eye, session.view.camera.eye), 1e-9) << line;
   }
-  session.camera = orbited(session.camera, {40, 20}, session.view, {0, 0, 0});
-  const Camera moved = session.camera;
+  session.view.camera = orbited(session.view.camera, {40, 20}, session.view.size, {0, 0, 0});
+  const Camera moved = session.view.camera;
   run("columns right 500");
-  EXPECT_EQ(session.camera, moved);
+  EXPECT_EQ(session.view.camera, moved);
 }
 
 TEST_F(LayoutTest, what_a_click_would_do_stays_in_view_where_its_column_is_scrolled) {
@@ -274,7 +275,7 @@ class NarrowWindow : public LayoutTest {
 
 TEST_F(NarrowWindow, leaves_most_of_its_width_to_the_view) {
   EXPECT_GE(view().width(), 0.85 * 640);
-  EXPECT_EQ(session.view.width, view().width());
+  EXPECT_EQ(session.view.size.width, view().width());
   EXPECT_TRUE(areas_of({}, {899, 600}, 1).has_tabs);
   EXPECT_FALSE(areas_of({}, {900, 600}, 1).has_tabs);
   EXPECT_TRUE(areas_of({}, {1799, 1200}, 2).has_tabs);
@@ -350,9 +351,9 @@ TEST_F(NarrowWindow, a_click_into_the_view_closes_what_a_tab_has_opened_and_does
   run("panel history flyout");
   const glm::dvec2 in_view{320, 240};
   ASSERT_TRUE(session.pick(in_view, PickMode::face));
-  const glm::dvec3 eye = session.camera.eye;
+  const glm::dvec3 eye = session.view.camera.eye;
   drag({200, 240}, {260, 240});
-  EXPECT_NE(session.camera.eye, eye);
+  EXPECT_NE(session.view.camera.eye, eye);
   EXPECT_EQ(session.layout.flyout, "history") << "a drag turns the view beside it";
   view_click(in_view);
   EXPECT_EQ(session.layout.flyout, "");

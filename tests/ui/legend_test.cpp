@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "app/editor/session/session.h"
 #include "app/ui/overlays.h"
 #include "app/ui/style.h"
 #include "app/ui/swatch.h"
@@ -22,10 +23,10 @@ std::map<std::string_view, Drawn> drawn_of_all() {
   for (const char* const name : {"three_tri_edge.off", "bow_tie.obj", "misoriented.obj", "duplicate_face.obj",
                                  "hanging_pair.obj", "isolated_vertex.obj", "collinear.obj", "cube.obj", "seam.obj"}) {
     Session session(Document::open(test::asset(name)).value());
-    for (const HighlightRow& row : highlight_table()) session.shown_highlights.insert(std::string(row.id));
+    for (const HighlightRow& row : highlight_table()) session.view.highlights.insert(std::string(row.id));
     for (const HighlightRow& row : highlight_table())
       for_each_mark(row, [&](Mark mark) {
-        const Overlay overlay = highlight_overlay(session, row, mark, 0, 1000, session.settings, 0);
+        const Overlay overlay = highlight_overlay(session, row, mark, 0, 1000, session.view.settings, 0);
         if (overlay.empty()) return;
         all[row.id].line |= !overlay.lines.empty();
         all[row.id].point |= !overlay.points.empty();

@@ -9,6 +9,7 @@
 
 #include "app/editor/commands/palette.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 #include "ryosen/mesh/circulate.h"
@@ -299,9 +300,9 @@ TEST(legible, what_is_said_beside_the_pointer_is_whole_in_the_first_frame_that_s
     ASSERT_TRUE(session.run(tool).done());
     for (std::uint32_t i = 0; i < session.mesh().edge_slots(); ++i) {
       const auto [a, b] = ends(session.mesh(), Edge(i));
-      const auto at =
-          project(session.camera, session.view, (session.mesh().position(a) + session.mesh().position(b)) / 2.0);
-      session.point_at(at->pixel + session.view_origin);
+      const auto at = project(session.view.camera, session.view.size,
+                              (session.mesh().position(a) + session.mesh().position(b)) / 2.0);
+      session.point_at(at->pixel + session.view.origin);
       laid.frames(1);
       const DrawnText first(laid.gui);
       laid.frames(3);

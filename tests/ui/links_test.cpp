@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/ui/overlays.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
@@ -18,13 +19,14 @@ class LinksTest : public testing::Test {
  protected:
   void open(const std::string& name, std::initializer_list<const char*> lines) {
     session_.set_document(Document::open(test::asset(name)).value());
-    session_.view = {900, 700};
+    session_.view.size = {900, 700};
     session_.frame_all();
     for (const char* const line : lines) ASSERT_TRUE(session_.run(line).done()) << line;
   }
-  const std::vector<LinkArrow>& arrows() { return session_.links.of(session_); }
+  const std::vector<LinkArrow>& arrows() { return session_.view.links.of(session_); }
   glm::dvec2 pixel_of(const LinkArrow& arrow) {
-    return session_.view_origin + project(session_.camera, session_.view, 0.5 * (arrow.from + arrow.to))->pixel;
+    return session_.view.origin +
+           project(session_.view.camera, session_.view.size, 0.5 * (arrow.from + arrow.to))->pixel;
   }
   const LinkArrow* find(LinkRole role, Halfedge h = {}) {
     for (const LinkArrow& arrow : arrows())
@@ -105,9 +107,9 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
   const std::vector<LinkArrow> all = arrows();
   for (const LinkArrow& arrow : all) {
     const glm::dvec3 middle = 0.5 * (arrow.from + arrow.to);
-    const ScreenPoint at = *project(session_.camera, session_.view, middle);
+    const ScreenPoint at = *project(session_.view.camera, session_.view.size, middle);
     const bool is_seen =
-        session_.picker().is_seen(session_.mesh(), session_.camera, session_.view, at, middle, arrow.on);
+        session_.picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size, at, middle, arrow.on);
     session_.selection.clear();
     session_.click(pixel_of(arrow), "");
     EXPECT_EQ(session_.selection == std::vector<Element>{arrow.halfedge}, is_seen) << "h" << arrow.halfedge.index;
@@ -135,10 +137,10 @@ TEST_F(LinksTest, are_pointed_at_as_they_are_clicked) {
 
 TEST_F(LinksTest, are_not_clicked_where_they_are_cut_off) {
   open("cube.obj", {"view iso", "links all", "xray on", "clip x"});
-  const ClipPlane plane = *session_.clip_plane();
+  const ClipPlane plane = *session_.view.clip_plane();
   std::size_t cut = 0, seen = 0;
   for (const LinkArrow& arrow : std::vector<LinkArrow>(arrows())) {
-    const LinkArrow* const at = session_.links.at(session_, pixel_of(arrow) - session_.view_origin);
+    const LinkArrow* const at = session_.view.links.at(session_, pixel_of(arrow) - session_.view.origin);
     const bool is_cut = plane.cuts(arrow.from) && plane.cuts(arrow.to);
     EXPECT_FALSE(is_cut && at && at->halfedge == arrow.halfedge) << "h" << arrow.halfedge.index;
     EXPECT_FALSE(at && plane.cuts(at->from) && plane.cuts(at->to));
@@ -152,15 +154,15 @@ TEST_F(LinksTest, are_reached_from_twice_as_far_where_all_is_twice_as_large) {
   open("fan.obj", {"view front", "links all"});
   const auto outside = std::find_if(arrows().begin(), arrows().end(), [](const LinkArrow& a) { return !a.on; });
   ASSERT_NE(outside, arrows().end());
-  const glm::dvec2 inside = pixel_of(*outside) - session_.view_origin, middle(450, 350),
+  const glm::dvec2 inside = pixel_of(*outside) - session_.view.origin, middle(450, 350),
                    way = (inside - middle) / glm::length(inside - middle);
   const auto reach = [&] {
     double away = 0;
-    while (away < 40 && session_.links.at(session_, inside + away * way)) away += 0.25;
+    while (away < 40 && session_.view.links.at(session_, inside + away * way)) away += 0.25;
     return away;
   };
   const double once = reach();
-  session_.display_scale = 2;
+  session_.preferences.display_scale = 2;
   EXPECT_GT(reach(), 1.5 * once);
 }
 
@@ -241,26 +243,26 @@ TEST_F(LinksTest, are_walked_and_the_trail_stays) {
     ASSERT_TRUE(session_.run(std::string("walk ") + step).done());
     expected.push_back(session_.selection[0].halfedge());
   }
-  EXPECT_EQ(session_.links.trail(), expected);
+  EXPECT_EQ(session_.view.links.trail(), expected);
   EXPECT_NE(find(LinkRole::trail), nullptr);
   session_.selection = {twin(expected[0])};
   EXPECT_EQ(find(LinkRole::trail), nullptr) << "elsewhere it is not shown";
   ASSERT_TRUE(session_.run("walk next").done());
-  EXPECT_EQ(session_.links.trail().size(), 2u) << "and begins anew";
+  EXPECT_EQ(session_.view.links.trail().size(), 2u) << "and begins anew";
 }
 
 TEST_F(LinksTest, the_trail_ends_with_its_mesh) {
   open("cube.obj", {"mode halfedge", "select h18", "walk next", "walk twin"});
   const Element end = session_.selection[0];
   open("two_quads.obj", {"mode halfedge"});
-  EXPECT_TRUE(session_.links.trail().empty());
+  EXPECT_TRUE(session_.view.links.trail().empty());
   if (end.index < session_.mesh().halfedge_slots()) {
     session_.selection = {end};
     EXPECT_EQ(find(LinkRole::trail), nullptr);
   }
   // What a step shows may have fewer halfedges than the trail.
   open("cube.obj", {"mode halfedge", "select h22", "walk next", "walk twin", "steps script triangle", "steps at 3"});
-  session_.selection = {session_.links.trail().back()};
+  session_.selection = {session_.view.links.trail().back()};
   arrows();
   SUCCEED();
 }
@@ -311,7 +313,7 @@ TEST_F(LinksTest, are_nearest_to_their_own_numbers) {
   int of_rings = 0;
   for (const PlacedLabel& label : placed()) {
     const glm::dvec2 middle =
-        session_.view_origin + glm::dvec2(label.corner) + 0.5 * glm::dvec2(label.size.width, label.size.height);
+        session_.view.origin + glm::dvec2(label.corner) + 0.5 * glm::dvec2(label.size.width, label.size.height);
     const Halfedge h(static_cast<std::uint32_t>(std::stoul(label.text.substr(1))));
     const Face f = session_.mesh().face(h);
     if (!f || !session_.mesh().has_rings(f)) continue;

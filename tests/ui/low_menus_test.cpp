@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/editor/preferences/menu_bar.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"

@@ -4,6 +4,7 @@
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/preferences/menu_bar.h"
+#include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -78,7 +79,7 @@ TEST_F(MenuKeys, entries_do_what_keys_do_by_hand) {
   ASSERT_TRUE(session.run("menu select").done());
   frames(3);
   click(DrawnText(gui).last_place("Selectbyalasso"));
-  EXPECT_EQ(session.armed_gesture, Gesture::lasso);
+  EXPECT_EQ(session.view.armed_gesture, Gesture::lasso);
 }
 
 TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_once) {
@@ -162,7 +163,7 @@ TEST_F(MenuKeys, entries_that_ask_for_more_end_in_dots) {
 
 TEST_F(MenuKeys, a_function_key_closes_them_and_acts) {
   for (const char* chord : {"F10", "Left", "F3"}) press(chord);
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   EXPECT_FALSE(shows("Keysandmouse...")) << "the menu is closed";
   EXPECT_FALSE(gui.has_menu(session));
   write("poke f0");
@@ -176,7 +177,7 @@ TEST_F(MenuKeys, ctrl_n_begins_a_new_mesh) {
   EXPECT_FALSE(session.is_at_start());
   ASSERT_TRUE(session.run("cube").done());
   press("Ctrl+N");
-  EXPECT_EQ(session.open_panel, panel_opened_by(PanelOpener::loss).id) << "edits would be lost";
+  EXPECT_EQ(session.layout.open_panel, panel_opened_by(PanelOpener::loss).id) << "edits would be lost";
 }
 
 TEST_F(MenuKeys, enter_takes_an_entry_and_escape_closes) {
@@ -192,7 +193,7 @@ TEST_F(MenuKeys, enter_takes_an_entry_and_escape_closes) {
 }
 
 TEST_F(MenuKeys, arrows_go_into_a_menu_of_a_menu_and_out_again) {
-  const glm::dvec3 eye = session.camera.eye;
+  const glm::dvec3 eye = session.view.camera.eye;
   ASSERT_TRUE(session.run("menu view").done());
   frames(3);
   for (const char* chord : {"Down", "Right"}) press(chord);  // past what needs a selection
@@ -200,7 +201,7 @@ TEST_F(MenuKeys, arrows_go_into_a_menu_of_a_menu_and_out_again) {
   press("Left");
   EXPECT_FALSE(shows("Front"));
   for (const char* chord : {"Right", "Down", "Enter"}) press(chord);
-  EXPECT_NE(session.camera.eye, eye);
+  EXPECT_NE(session.view.camera.eye, eye);
   EXPECT_EQ(session.run("menu nothing").exit_code, ExitCode::usage);
 }
 
@@ -225,7 +226,7 @@ TEST_F(MenuKeys, alt_alone_opens_them_but_not_with_anything_else) {
   ASSERT_TRUE(gui.run(session, "panel keys").done());
   frames(3);
   press("Alt");
-  EXPECT_EQ(session.open_panel, "keys");
+  EXPECT_EQ(session.layout.open_panel, "keys");
 }
 
 TEST_F(MenuKeys, a_palette_that_was_just_used_opens_again_at_once) {
@@ -238,7 +239,7 @@ TEST_F(MenuKeys, a_palette_that_was_just_used_opens_again_at_once) {
   input_.key_up("Enter");
   input_.key_down("F3");
   EXPECT_EQ(session.document().position(), 1u);
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   frames(3);
   gui.text("undo");
   input_.key_down("Enter");
@@ -263,7 +264,7 @@ TEST_F(MenuKeys, keys_that_come_faster_than_frames_go_where_they_were_meant) {
   tap("F3");
   tap("4");  // a letter of the field, no command
   frames(4);
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
 }
 
 TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_none) {
@@ -271,31 +272,31 @@ TEST_F(MenuKeys, the_palette_takes_the_first_that_it_finds_where_the_line_is_non
   write("simpl");
   EXPECT_TRUE(shows("Showsalllevelsofdetail")) << "there are several";
   press("Enter");
-  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
-  EXPECT_EQ(session.asked_algorithm, "simplify");
+  EXPECT_EQ(session.layout.open_panel, "values") << gui.said().en;
+  EXPECT_EQ(session.layout.asked_algorithm, "simplify");
   press("Escape");
   press("F3");
   write("simplify");  // a command, though one that lacks what its fields ask for
   press("Enter");
-  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
+  EXPECT_EQ(session.layout.open_panel, "values") << gui.said().en;
   press("Escape");
   press("F3");
   write("smooth");  // lacks nothing, and asks all the same, as the menu does
   press("Enter");
-  EXPECT_EQ(session.open_panel, "values") << gui.said().en;
-  EXPECT_EQ(session.asked_algorithm, "smooth");
+  EXPECT_EQ(session.layout.open_panel, "values") << gui.said().en;
+  EXPECT_EQ(session.layout.asked_algorithm, "smooth");
   press("Escape");
   press("F3");
   write("mean curv");
   press("Enter");
   EXPECT_EQ(session.log().size(), 0u);
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   EXPECT_TRUE(shows("Mean curvature"));
   press("F3");
   write("no such thing");
   EXPECT_TRUE(shows("Nothing is found by these words."));
   press("Enter");
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   EXPECT_FALSE(gui.said().en.empty());
 }
 
@@ -307,8 +308,8 @@ TEST_F(MenuKeys, an_entry_of_the_palette_is_taken_by_a_click_on_its_second_line_
     write(typed);
     ASSERT_TRUE(shows("Howmuchthesurfacebends")) << typed;
     click(DrawnText(gui).last_place("Howmuchthesurfacebends"));
-    ASSERT_TRUE(session.colouring) << typed << ": " << gui.said().en;
-    EXPECT_EQ(session.colouring->map->id, "mean_curvature");
+    ASSERT_TRUE(session.view.colouring) << typed << ": " << gui.said().en;
+    EXPECT_EQ(session.view.colouring->map->id, "mean_curvature");
   }
 }
 
@@ -327,7 +328,7 @@ TEST_F(MenuKeys, the_palette_measures_what_is_selected) {
   write("measure");
   press("Enter");
   EXPECT_EQ(session.asked_line, "measure") << gui.said().en;
-  EXPECT_EQ(session.open_panel, "") << "so that the mesh can be pointed at";
+  EXPECT_EQ(session.layout.open_panel, "") << "so that the mesh can be pointed at";
 }
 
 // What was pointed at is refused, and asked for again: the status line tells why until something else is pointed at.
@@ -341,7 +342,7 @@ TEST_F(MenuKeys, what_is_asked_for_again_says_why) {
   EXPECT_TRUE(shows(without_spaces(gui.said().en).substr(0, 24))) << gui.said().en;
   EXPECT_TRUE(shows("Pointatavertex"));
   const glm::dvec2 at =
-      session.view_origin + project(session.camera, session.view, session.mesh().position(Vertex(3)))->pixel;
+      session.view.origin + project(session.view.camera, session.view.size, session.mesh().position(Vertex(3)))->pixel;
   for (const char* const does : {"press left ", "release left "})
     gui.run(session, does + std::to_string(std::lround(at.x)) + "," + std::to_string(std::lround(at.y)));
   frames(3);
@@ -402,7 +403,7 @@ TEST_F(MenuKeys, the_palette_comes_back_with_a_file_that_cannot_be_opened) {
   write("open " + file);
   press("Enter");
   frames(5);
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   EXPECT_TRUE(shows("cut.ply")) << "the line stands there to be mended";
   const std::string why = without_spaces(gui.said().en).substr(0, 16);
   EXPECT_EQ(DrawnText(gui).count(why), 3u) << "in the field, below it and in the status line: " << gui.said().en;
@@ -420,12 +421,12 @@ TEST_F(MenuKeys, a_bare_command_that_lacks_something_is_begun) {
   EXPECT_TRUE(shows("Repair all"));
   EXPECT_EQ(gui.said().en, "");
   press("Enter");
-  EXPECT_EQ(session.open_panel, "") << "there is one way to go on";
+  EXPECT_EQ(session.layout.open_panel, "") << "there is one way to go on";
   EXPECT_NE(gui.said().en, "");
   press("F3");
   write("view");
   press("Enter");
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   press("Enter");
   EXPECT_NE(gui.said().en.find("the command reads"), std::string::npos) << gui.said().en;
 }
@@ -454,10 +455,10 @@ TEST_F(MenuKeys, a_file_is_opened_by_typing_arrows_and_tab) {
   EXPECT_EQ(session.document().path(), folder.at("fin.obj"));
   press("Ctrl+O");
   for (const char* chord : {"Up", "Up", "Up", "Enter"}) press(chord);
-  EXPECT_EQ(session.open_panel, "open") << "it is in the folder now";
+  EXPECT_EQ(session.layout.open_panel, "open") << "it is in the folder now";
   for (const char* chord : {"Down", "Enter"}) press(chord);
   EXPECT_EQ(session.document().path(), folder.at("inner/torus.off"));
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
 }
 
 TEST_F(MenuKeys, files_are_appended_and_the_selection_saved_from_the_browser) {
@@ -468,7 +469,7 @@ TEST_F(MenuKeys, files_are_appended_and_the_selection_saved_from_the_browser) {
   frames(3);
   press("Enter");
   EXPECT_EQ(session.mesh().live().faces, 12u);
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   ASSERT_TRUE(session.run("select f0").done());
   ASSERT_TRUE(gui.run(session, "panel save_selected").done());
   frames(3);

@@ -10,6 +10,7 @@
 
 #include "app/editor/camera/view_switches.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "ryosen/analysis/invariants.h"
 #include "tests/support/app/program.h"
@@ -82,9 +83,9 @@ class Monkey {
     if (m.halfedge_slots() == 0 || !m.is_alive(h)) return pixel();
     const double along = static_cast<double>(below(101)) / 100;
     const glm::dvec3 place = m.position(m.from(h)) * (1 - along) + m.position(m.to(h)) * along;
-    const auto at = project(session_.camera, session_.view, place);
+    const auto at = project(session_.view.camera, session_.view.size, place);
     if (!at || std::abs(at->pixel.x) > 2000 || std::abs(at->pixel.y) > 2000) return pixel();
-    const glm::dvec2 in_window = at->pixel + session_.view_origin;
+    const glm::dvec2 in_window = at->pixel + session_.view.origin;
     return std::to_string(in_window.x) + "," + std::to_string(in_window.y);
   }
   void click() {

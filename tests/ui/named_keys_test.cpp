@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // its windows
 
+#include "app/editor/session/session.h"
 #include "app/ui/widgets.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -20,7 +21,7 @@ TEST(tools_panel, shows_the_keys_that_are_in_force) {
   laid.frames(3);
   EXPECT_EQ(DrawnText(laid.gui).count("Shift+SSwapedge"), 1u);
   ASSERT_TRUE(laid.session.run("preset ryosen").done());
-  laid.session.bindings = {{"Ctrl+7", "tool swap"}, {"S", ""}};
+  laid.session.preferences.bindings = {{"Ctrl+7", "tool swap"}, {"S", ""}};
   laid.frames(3);
   EXPECT_EQ(DrawnText(laid.gui).count("Ctrl+7Swapedge"), 1u);
 }
@@ -68,8 +69,8 @@ TEST(command_panel, takes_a_name_where_the_word_alone_lacks_something) {
   laid.frames(3);
   laid.gui.key(ImGuiKey_Enter, true);
   laid.frames(4);
-  EXPECT_EQ(laid.session.open_panel, "values") << laid.gui.said().en;
-  EXPECT_EQ(laid.session.asked_algorithm, "translate");
+  EXPECT_EQ(laid.session.layout.open_panel, "values") << laid.gui.said().en;
+  EXPECT_EQ(laid.session.layout.asked_algorithm, "translate");
 }
 
 TEST(history_panel, scrolls_to_the_entry_that_is_the_mesh) {

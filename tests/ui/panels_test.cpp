@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

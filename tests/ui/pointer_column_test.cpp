@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -16,13 +17,13 @@ std::vector<glm::dvec2> places_to_point(const Session& session) {
   std::vector<glm::dvec2> pixels;
   for (int row = 1; row < 6; ++row)
     for (int column = 1; column < 8; ++column)
-      pixels.push_back(session.view_origin +
-                       glm::dvec2(session.view.width * column / 8, session.view.height * row / 6));
+      pixels.push_back(session.view.origin +
+                       glm::dvec2(session.view.size.width * column / 8, session.view.size.height * row / 6));
   const Mesh& m = session.mesh();
   for (std::uint32_t i = 0; i < std::min(m.edge_slots(), 40u); ++i) {
     const auto [a, b] = ends(m, Edge(i));
-    const auto at = project(session.camera, session.view, 0.5 * (m.position(a) + m.position(b)));
-    if (at) pixels.push_back(at->pixel + session.view_origin);
+    const auto at = project(session.view.camera, session.view.size, 0.5 * (m.position(a) + m.position(b)));
+    if (at) pixels.push_back(at->pixel + session.view.origin);
   }
   return pixels;
 }

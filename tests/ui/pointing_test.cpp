@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
@@ -69,8 +70,8 @@ struct NearestPlace {
 };
 NearestPlace nearest_place(const Session& session, Edge e, glm::dvec2 pixel) {
   const Mesh& m = session.mesh();
-  const ScreenPoint a = *project(session.camera, session.view, m.position(ends(m, e).first));
-  const ScreenPoint b = *project(session.camera, session.view, m.position(ends(m, e).second));
+  const ScreenPoint a = *project(session.view.camera, session.view.size, m.position(ends(m, e).first));
+  const ScreenPoint b = *project(session.view.camera, session.view.size, m.position(ends(m, e).second));
   const glm::dvec2 along = b.pixel - a.pixel;
   const double t = std::clamp(glm::dot(pixel - a.pixel, along) / std::max(glm::dot(along, along), 1e-12), 0.0, 1.0);
   const glm::dvec2 place = a.pixel + t * along;

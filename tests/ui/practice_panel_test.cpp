@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/playing.h"
 #include "app/editor/textbook/practice.h"
@@ -209,7 +210,7 @@ TEST(help_menu, list_of_the_texts_fits_a_window_of_any_size) {
     test::Laid laid("fan.obj", size);
     ASSERT_TRUE(laid.session.run("panel texts").done());
     laid.frames(5);
-    EXPECT_FALSE(laid.session.open_panel.empty());
+    EXPECT_FALSE(laid.session.layout.open_panel.empty());
   }
 }
 
@@ -224,14 +225,14 @@ TEST(help_menu, shows_what_is_clicked_in_the_list_of_the_texts) {
   };
   take("Figure3:partsofapolygonmodel");
   EXPECT_EQ(laid.session.mesh().live().faces, 4u);
-  EXPECT_TRUE(laid.session.open_panel.empty());
-  EXPECT_EQ(laid.session.settings.numbers, Numbers::all);
+  EXPECT_TRUE(laid.session.layout.open_panel.empty());
+  EXPECT_EQ(laid.session.view.settings.numbers, Numbers::all);
   take("Table3");
   EXPECT_EQ(laid.session.selection.size(), 1u);
   ASSERT_TRUE(laid.session.run("poke f0").done());
   take("Figure11:thefileofatorus");
   EXPECT_EQ(laid.session.mesh().live().faces, 6u) << "the edited mesh is there";
-  EXPECT_EQ(laid.session.open_panel, panel_opened_by(PanelOpener::loss).id);
+  EXPECT_EQ(laid.session.layout.open_panel, panel_opened_by(PanelOpener::loss).id);
 }
 
 }  // namespace

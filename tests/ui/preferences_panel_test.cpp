@@ -1,6 +1,7 @@
 // The dialog of preferences, and keys that are bound by pressing them.
 #include <gtest/gtest.h>
 
+#include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -31,13 +32,13 @@ TEST_F(PreferencesPanelTest, sets_and_resets) {
   for (const char* const pressed : {"End", "Backspace"}) key(pressed);
   ASSERT_TRUE(input_.type("2").done());
   key("Enter");
-  EXPECT_EQ(session.ui_scale, 2);
+  EXPECT_EQ(session.preferences.ui_scale, 2);
   ASSERT_TRUE(gui.run(session, "prefer theme light").done());
   frames(4);
   click(place("Resetall"));
   frames(3);
-  EXPECT_EQ(session.ui_scale, 1);
-  EXPECT_EQ(session.settings.theme, Theme::dark);
+  EXPECT_EQ(session.preferences.ui_scale, 1);
+  EXPECT_EQ(session.view.settings.theme, Theme::dark);
 }
 
 TEST_F(PreferencesPanelTest, keeps_a_wrong_value_in_the_field_with_the_reason) {
@@ -46,7 +47,7 @@ TEST_F(PreferencesPanelTest, keeps_a_wrong_value_in_the_field_with_the_reason) {
   click({font.x + 300, font.y});
   ASSERT_TRUE(input_.type("99").done());
   key("Enter");
-  EXPECT_EQ(session.font_size_px, 15);
+  EXPECT_EQ(session.preferences.font_size_px, 15);
   EXPECT_EQ(test::DrawnText(gui).count("10to32"), 1u);
 }
 
@@ -99,7 +100,7 @@ TEST_F(PreferencesPanelTest, a_key_is_bound_by_pressing_it) {
   EXPECT_EQ(test::DrawnText(gui).count("Pressthenewkeyfor:pickvertices"), 1u);
   key("Ctrl+K");
   const std::vector<KeyBinding> own{{"1", ""}, {"Ctrl+K", "mode vertex"}};
-  EXPECT_EQ(session.bindings, own);
+  EXPECT_EQ(session.preferences.bindings, own);
   key("Escape");
   key("Ctrl+K");
   EXPECT_EQ(session.mode, PickMode::vertex);
@@ -110,23 +111,23 @@ TEST_F(PreferencesPanelTest, a_key_that_is_taken_is_asked_about_with_both_names)
   click(place("pickvertices") - glm::dvec2(110, 0));
   key("2");
   EXPECT_EQ(test::DrawnText(gui).count("2does'pickedges'already.Isittodo'pickvertices'?"), 1u);
-  EXPECT_TRUE(session.bindings.empty()) << "nothing is bound unasked";
+  EXPECT_TRUE(session.preferences.bindings.empty()) << "nothing is bound unasked";
   click(place("Swapthetwo"));
   frames(3);
   const auto& preset = input_presets()[0];
-  EXPECT_EQ(find_key("2", preset, session.bindings)->help_en, "pick vertices");
-  EXPECT_EQ(find_key("1", preset, session.bindings)->help_en, "pick edges");
+  EXPECT_EQ(find_key("2", preset, session.preferences.bindings)->help_en, "pick vertices");
+  EXPECT_EQ(find_key("1", preset, session.preferences.bindings)->help_en, "pick edges");
   click(place("Resetkeys"));
   frames(3);
-  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_TRUE(session.preferences.bindings.empty());
 }
 
 TEST_F(PreferencesPanelTest, escape_leaves_a_key_as_it_is) {
   open("keys");
   click(place("pickvertices") - glm::dvec2(110, 0));
   key("Escape");
-  EXPECT_EQ(session.open_panel, "keys") << "it only ends the question";
-  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_EQ(session.layout.open_panel, "keys") << "it only ends the question";
+  EXPECT_TRUE(session.preferences.bindings.empty());
 }
 
 }  // namespace

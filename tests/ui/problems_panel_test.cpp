@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/problems.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -84,7 +85,7 @@ TEST_F(ProblemsPanel, a_repair_that_needs_a_value_unfolds_its_field_and_enter_ru
   open("moebius.off");
   unfold("1boundaryloop");
   click(place("Weldclosepoints"));
-  EXPECT_EQ(session.open_panel, "") << "the field stands in the row";
+  EXPECT_EQ(session.layout.open_panel, "") << "the field stands in the row";
   EXPECT_EQ(session.document().position(), 0u) << "nothing was done yet";
   frames(3);
   for (const char c : std::string_view("0.001")) gui.character(static_cast<unsigned>(c));
@@ -173,7 +174,7 @@ TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs)
     for (double y = 16; y < 560; y += test::is_long_run() ? 7 : 14) {
       laid.gui.pointer({500, 400});
       laid.open(file);
-      const double right = laid.session.view_origin.x + laid.session.view.width;  // where the column begins
+      const double right = laid.session.view.origin.x + laid.session.view.size.width;  // where the column begins
       const glm::dvec2 at{glm::mix(right, static_cast<double>(test::tall_window.width), 0.2), header.y + y};
       laid.click(at);
       const std::vector<HistoryEntry> first = laid.session.document().history();
@@ -200,7 +201,7 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   const RepairReport& report = *session.last_repair();
   ASSERT_FALSE(report.left.empty());
   session.run("select");
-  const glm::dvec3 eye = session.camera.eye;
+  const glm::dvec3 eye = session.view.camera.eye;
   session.selection.clear();
   const std::string name = session.names_of({report.left.front().elements.front()}).front();
   const glm::dvec2 heading = place("Notmended");
@@ -211,7 +212,7 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   }
   ASSERT_TRUE(was_found) << "a link to " << name;
   EXPECT_EQ(session.selected_names().front(), name);
-  EXPECT_NE(session.camera.eye, eye) << "it flies there";
+  EXPECT_NE(session.view.camera.eye, eye) << "it flies there";
   EXPECT_EQ(session.document().history().size(), 1u);
 }
 
@@ -312,13 +313,13 @@ TEST(problems_panel, is_legible_in_both_languages_and_sizes_with_its_repairs_unf
 
 TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   open("duplicate_face.obj");
-  const glm::dvec3 eye = session.camera.eye;
+  const glm::dvec3 eye = session.view.camera.eye;
   unfold("4misorientededges");
   click(place("0-1"));
   ASSERT_EQ(session.selection.size(), 3u) << "the edge and its faces";
   EXPECT_EQ(session.document().position(), 0u);
   EXPECT_EQ(session.selection[0].kind, Element::Kind::edge);
-  EXPECT_NE(session.camera.eye, eye);
+  EXPECT_NE(session.view.camera.eye, eye);
 }
 
 TEST_F(ProblemsPanel, a_press_on_a_quarantined_face_says_why_it_is_set_aside_and_its_line) {

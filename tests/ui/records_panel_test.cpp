@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/record_book.h"
 #include "ryosen/forms/all.h"
 #include "ryosen/mesh/names.h"

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "app/editor/recovery/autosave.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -18,7 +19,7 @@ class RecoverPanelTest : public testing::Test {
     file_ = files_.copy(test::asset("torus.off"), "a.off");
     Session crashed(Document::open(file_).value());
     Autosave autosave(recovery_folder());
-    crashed.autosave = &autosave;
+    crashed.frontend.autosave = &autosave;
     autosave.begin(crashed.document());
     EXPECT_TRUE(crashed.run("split 0-1").done());
     hash_ = crashed.mesh().hash();
@@ -54,7 +55,7 @@ TEST_F(RecoverPanelTest, says_what_was_changed_and_recovers_the_mesh_as_it_was) 
   EXPECT_GT(count(as_is), 0u);
   press(as_was);
   EXPECT_EQ(laid_.session.mesh().hash(), hash_);
-  EXPECT_EQ(laid_.session.open_panel, "");
+  EXPECT_EQ(laid_.session.layout.open_panel, "");
   EXPECT_GT(count("a.offhaschangedondisk."), 0u) << "over the view, with Reload and Keep mine";
   EXPECT_EQ(laid_.gui.run(laid_.session, "save").exit_code, ExitCode::refused);
 }
@@ -77,7 +78,7 @@ TEST_F(RecoverPanelTest, comes_back_with_the_choices_where_the_file_changes_mean
   change();
   press("Recover");
   EXPECT_EQ(laid_.session.mesh().live().vertices, 8u) << "nothing was replayed";
-  EXPECT_EQ(laid_.session.open_panel, "recover");
+  EXPECT_EQ(laid_.session.layout.open_panel, "recover");
   press(as_was);
   EXPECT_EQ(laid_.session.mesh().hash(), hash_);
 }
@@ -95,10 +96,10 @@ TEST_F(RecoverPanelTest, has_one_choice_where_the_file_is_gone) {
 
 TEST_F(RecoverPanelTest, says_it_in_japanese_and_discards) {
   change();
-  laid_.session.language = Language::japanese;
+  laid_.session.preferences.language = Language::japanese;
   open_panel();
   EXPECT_GT(count("a.off"), 0u);
-  laid_.session.language = Language::english;
+  laid_.session.preferences.language = Language::english;
   laid_.frames(3);
   press("Discard");
   EXPECT_TRUE(laid_.session.lost.empty());

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "app/editor/session/session.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/probe_command.h"
 
@@ -11,7 +12,7 @@ namespace {
 class ScopedCommandTest : public testing::Test, protected test::Laid {
  protected:
   ScopedCommandTest() : Laid("cube.obj") {
-    session.on_progress = [this](double) {
+    session.frontend.on_progress = [this](double) {
       was_laying_out_.push_back(gui.is_laying_out());
       return true;
     };
@@ -55,7 +56,7 @@ TEST_F(ScopedCommandTest, that_is_long_and_wrong_fails_where_it_was_typed) {
   type("probe x");
   enter();
   EXPECT_TRUE(was_laying_out_.empty());
-  EXPECT_EQ(session.open_panel, "command");
+  EXPECT_EQ(session.layout.open_panel, "command");
   EXPECT_EQ(gui.said().en, "probe needs a number");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/run.h"
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
@@ -49,7 +50,7 @@ std::unique_ptr<Session> open_session(const std::string& name) {
 
 TEST_F(ScopedHighlightTest, is_found_and_counted_when_it_is_shown) {
   const auto session = open_session("cube.obj");
-  EXPECT_FALSE(session->shown_highlights.contains("first"));
+  EXPECT_FALSE(session->view.highlights.contains("first"));
   EXPECT_FALSE(session->highlights().keeps(row_));
   ASSERT_TRUE(session->run("show first").done());
   EXPECT_EQ(session->highlights().count(row_), 4u) << "three edges and a face";
@@ -58,7 +59,7 @@ TEST_F(ScopedHighlightTest, is_found_and_counted_when_it_is_shown) {
   ASSERT_TRUE(session->run("show first off").done());
   EXPECT_NE(session->run("show frist").sentence.en.find("did you mean first"), std::string::npos);
   ASSERT_TRUE(session->run("show all").done());
-  EXPECT_TRUE(session->shown_highlights.contains("first"));
+  EXPECT_TRUE(session->view.highlights.contains("first"));
 }
 
 TEST_F(ScopedHighlightTest, is_drawn_in_its_colour_and_tints_its_face) {
@@ -124,9 +125,9 @@ TEST_F(ScopedHighlightTest, has_a_row_in_the_panel_that_switches_it) {
   test::Laid laid("cube.obj", high);
   const auto press = [&] { laid.click({16, test::DrawnText(laid.gui).place(row_.name_en).y}); };
   press();
-  EXPECT_TRUE(laid.session.shown_highlights.contains("first"));
+  EXPECT_TRUE(laid.session.view.highlights.contains("first"));
   press();
-  EXPECT_FALSE(laid.session.shown_highlights.contains("first"));
+  EXPECT_FALSE(laid.session.view.highlights.contains("first"));
 
   auto headless = Headless::make({.backend = Backend::osmesa, .size = high, .panels = true});
   ASSERT_TRUE(headless);

@@ -7,6 +7,7 @@
 #include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/laid.h"
 
 namespace ryosen {
@@ -120,7 +121,7 @@ TEST(view_switches, begin_with_their_first_value_and_take_each) {
     }
     EXPECT_EQ(find_command_row(row.id)->help_en, row.help_en) << row.id;
   }
-  EXPECT_EQ(session.settings, ViewSettings());
+  EXPECT_EQ(session.view.settings, ViewSettings());
 }
 
 TEST(view_switches, reach_shaders_by_the_names_of_their_rows) {
@@ -131,7 +132,7 @@ TEST(view_switches, reach_shaders_by_the_names_of_their_rows) {
       if (row.id != name) continue;
       Session session(std::make_unique<Document>());
       row.set(session, 1);
-      session.settings.for_each([&](std::string_view other, int value) { told += other == name && value == 1; });
+      session.view.settings.for_each([&](std::string_view other, int value) { told += other == name && value == 1; });
     }
     EXPECT_EQ(told, 1u) << name;
   });

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/camera/camera_text.h"
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -35,24 +36,24 @@ TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
   other->frame_all();
   run(*session, {"press left 640,560", "move 700,580", "release left 700,580"});
   run(*other, {"drag 640,560 700,580"});
-  EXPECT_EQ(session->camera.eye, other->camera.eye);
+  EXPECT_EQ(session->view.camera.eye, other->view.camera.eye);
   EXPECT_TRUE(session->selection.empty());
 
-  const Camera turned = session->camera;
+  const Camera turned = session->view.camera;
   run(*session, {"press left 640,560 Shift", "move left 660,560 Shift", "release left 660,560"});
-  const glm::dvec3 turning = session->camera.eye - session->camera.target - (turned.eye - turned.target);
+  const glm::dvec3 turning = session->view.camera.eye - session->view.camera.target - (turned.eye - turned.target);
   EXPECT_LT(glm::length(turning), 1e-12) << "panned";
-  EXPECT_NE(session->camera.eye, turned.eye);
+  EXPECT_NE(session->view.camera.eye, turned.eye);
 
   run(*session, {"frame all", "mode face", "press left 640,560", "release left 641,560"});
   EXPECT_EQ(session->selection.size(), 1u);
   EXPECT_EQ(session->log().size(), 0u) << "looking and selecting are no edits";
-  const Camera before = session->camera;
+  const Camera before = session->view.camera;
   run(*session, {"press left 640,560", "release left 640,560"});
-  EXPECT_NE(session->camera.target, before.target) << "time stands still: that was a double click";
+  EXPECT_NE(session->view.camera.target, before.target) << "time stands still: that was a double click";
   run(*session, {"frame all", "wheel 2 640,560"});
-  EXPECT_EQ(session->camera.fov_y_deg, before.fov_y_deg);
-  EXPECT_NE(session->camera.eye, before.eye);
+  EXPECT_EQ(session->view.camera.fov_y_deg, before.fov_y_deg);
+  EXPECT_NE(session->view.camera.eye, before.eye);
   run(*session, {"frame all", std::string("move ") + on_torus});
   ASSERT_TRUE(session->hover());
 }
@@ -127,16 +128,16 @@ TEST_F(PanelEvents, reach_the_rows_of_panels_and_the_view_between_them) {
   const std::string at = format_pixel(row), beside = format_pixel(row + glm::dvec2(20, 0));
   run(*session_, {"press left " + at, "release left " + at});
   EXPECT_EQ(session_->tool, "collapse");
-  const Camera before = session_->camera;
+  const Camera before = session_->view.camera;
   run(*session_, {"press left " + at, "move " + beside, "release left " + beside, "wheel 1 " + at});
-  EXPECT_EQ(session_->camera.eye, before.eye) << "over a panel nothing navigates";
+  EXPECT_EQ(session_->view.camera.eye, before.eye) << "over a panel nothing navigates";
   run(*session_, {"press left 640,560", "move 700,580", "release left 700,580"});
-  EXPECT_NE(session_->camera.eye, before.eye);
+  EXPECT_NE(session_->view.camera.eye, before.eye);
 }
 
 TEST_F(PanelEvents, a_refused_line_keeps_its_text_and_the_keyboard) {
   run(*session_, {"key F3", "type pokee f0", "key Enter"});
-  EXPECT_EQ(session_->open_panel, "command");
+  EXPECT_EQ(session_->layout.open_panel, "command");
   for (int i = 0; i < 8; ++i) run(*session_, {"key Backspace"});
   run(*session_, {"type poke f0", "key Enter"});
   ASSERT_EQ(session_->log().size(), 1u);

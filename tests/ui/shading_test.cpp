@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/program.h"
 
@@ -161,8 +162,8 @@ TEST_F(ShadingTest, shows_the_front_where_a_front_and_a_back_lie_in_one_place) {
   std::size_t fronts = 0, backs = 0;
   for (int i = 0; i < 60; ++i) {
     const double turn = 2.4 * i, lean = std::cos(1.7 * i), away = 2 + i % 7;
-    session_.camera.target = {0.3, 0.3, 0};
-    session_.camera.eye = session_.camera.target + away * glm::dvec3(std::cos(turn), std::sin(turn), lean);
+    session_.view.camera.target = {0.3, 0.3, 0};
+    session_.view.camera.eye = session_.view.camera.target + away * glm::dvec3(std::cos(turn), std::sin(turn), lean);
     const Image picture = headless_->picture(session_);
     for (int y = 0; y < picture.size.height; ++y)
       for (int x = 0; x < picture.size.width; ++x) {

@@ -13,6 +13,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/algorithm_preview.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
@@ -148,7 +149,7 @@ class Stage {
   explicit Stage(const Owner& owner) : is_preview_(owner.is_preview) {
     auto document = Document::open("cube.obj");
     session_ = std::make_unique<Session>(std::move(document).value());
-    session_->place_view(session_->view, {0, 0});
+    session_->place_view(session_->view.size, {0, 0});
     session_->frame_all();
     session_->files = RunFiles(RunFiles::Policy::keep);
     for (const char* const line : first_lines) EXPECT_TRUE(session_->run(line).done()) << line;
@@ -187,7 +188,7 @@ class Stage {
     text += std::string(" ") + (d.is_modified() ? "*" : "") + d.path().filename().string();
     text += " | " + std::to_string(s.selection.size()) + " selected, " + std::to_string(s.hidden().elements().size()) + " hidden, " +
             std::to_string(s.measures.size()) + " measured";
-    if (!s.open_panel.empty()) text += ", panel " + s.open_panel;
+    if (!s.layout.open_panel.empty()) text += ", panel " + s.layout.open_panel;
     if (!s.tool.empty()) text += ", tool " + s.tool;
     return text;
   }

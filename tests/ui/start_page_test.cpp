@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/ui/headless.h"
 #include "app/ui/window_input.h"
@@ -82,7 +83,7 @@ TEST_F(StartPageTest, an_empty_view_says_how_to_go_on) {
 
 TEST_F(StartPageTest, open_opens_the_browser_and_comes_back_when_that_is_left) {
   take("Open...");
-  EXPECT_EQ(session.open_panel, "open");
+  EXPECT_EQ(session.layout.open_panel, "open");
   EXPECT_FALSE(has("ordropafilehere"));
   key("Escape");
   EXPECT_TRUE(has("ordropafilehere"));
@@ -127,7 +128,7 @@ TEST_F(StartPageTest, leaves_the_keys_to_a_menu_that_is_open) {
 
 TEST_F(StartPageTest, lists_recent_files_and_says_which_are_gone) {
   test::TemporaryFolder folder;
-  session.recent = {folder.copy(test::asset("torus.off"), "a torus.off"), folder.at("gone.off")};
+  session.preferences.recent = {folder.copy(test::asset("torus.off"), "a torus.off"), folder.at("gone.off")};
   frames(3);
   EXPECT_TRUE(has("gone.off(notthereanymore)"));
   take("gone.off");
@@ -140,7 +141,7 @@ TEST_F(StartPageTest, cuts_nothing_in_either_language_and_in_small_windows) {
   for (const Size size : {Size{1280, 800}, Size{640, 480}})
     for (const char* const language : {"language en", "language ja"}) {
       size_ = size;
-      session.recent.assign(10, test::asset("torus.off"));
+      session.preferences.recent.assign(10, test::asset("torus.off"));
       ASSERT_TRUE(session.run(language).done());
       frames(4);
       const test::DrawnText text(gui);
@@ -151,7 +152,7 @@ TEST_F(StartPageTest, cuts_nothing_in_either_language_and_in_small_windows) {
 
 TEST_F(StartPageTest, has_its_parts_behind_tabs_in_a_small_window_and_hides_nothing_below) {
   size_ = {640, 480};
-  session.recent.assign(10, test::asset("torus.off"));
+  session.preferences.recent.assign(10, test::asset("torus.off"));
   const auto is_whole = [&](const char* what) {
     frames(4);
     EXPECT_EQ(ImGui::FindWindowByName("##start")->ScrollMax.y, 0) << what;

@@ -1,6 +1,7 @@
 // What the line at the bottom says: what was done, in whole sentences, and how a gesture ends.
 #include <gtest/gtest.h>
 
+#include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -64,7 +65,7 @@ TEST_F(StatusLine, says_first_how_a_gesture_ends_and_is_taken_back) {
         frames(3);
         ASSERT_TRUE(session.gesture());
         const DrawnText drawn(gui);
-        if (session.language == Language::english) {
+        if (session.preferences.language == Language::english) {
           EXPECT_EQ(drawn.count(held.told), 1u);
           EXPECT_EQ(drawn.count("Enter,clickdone"), 1u);
           EXPECT_EQ(drawn.count("Escgiveup"), 1u);

@@ -7,6 +7,7 @@
 #include "app/editor/camera/framing.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/overlays.h"
 #include "app/ui/window_input.h"
@@ -73,16 +74,16 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
   const auto shows_all_of = [&](std::span<const glm::dvec3> places) {
     Covered covered = covered_view(session);
     EXPECT_GT(covered.right, 200);
-    return shows_all(session.camera, session.view, covered, places);
+    return shows_all(session.view.camera, session.view.size, covered, places);
   };
-  const Camera before = session.camera;
+  const Camera before = session.view.camera;
   say("panel steps flyout");
-  EXPECT_EQ(session.camera, before) << "who opens a tab is not moved";
+  EXPECT_EQ(session.view.camera, before) << "who opens a tab is not moved";
   say("steps walk v0");
   EXPECT_TRUE(shows_all_of(session.mesh().positions()));
   say("steps close");
   say("panel none");
-  EXPECT_LT(glm::length(session.camera.eye - before.eye), 1e-9);
+  EXPECT_LT(glm::length(session.view.camera.eye - before.eye), 1e-9);
   say("new");
   say("steps script cube");
   ASSERT_FALSE(session.shown.player()->places_at_end.empty());
@@ -90,10 +91,10 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
     say(line);
     EXPECT_TRUE(shows_all_of(session.shown.player()->places_at_end)) << line;
     for (const glm::dvec3& place : session.shown.player()->places_at_end)
-      EXPECT_GT(project(session.camera, session.view, place)->pixel.y, caption_px(session)) << line;
+      EXPECT_GT(project(session.view.camera, session.view.size, place)->pixel.y, caption_px(session)) << line;
   }
   say("panel none");
-  EXPECT_EQ(session.covered_px, glm::dvec2(0));
+  EXPECT_EQ(session.view.covered_px, glm::dvec2(0));
   EXPECT_TRUE(session.is_framed());
 }
 
@@ -104,18 +105,18 @@ TEST(steps_flyout, closing_it_moves_nothing_that_was_not_framed_beside_it) {
     ASSERT_TRUE(laid.gui.run(session, line).done()) << line;
     laid.frames(4);
   };
-  const Camera before = session.camera;
+  const Camera before = session.view.camera;
   say("translate by=3,0,0");
   for (const char* const line : {"panel steps flyout", "panel none"}) {
     say(line);
-    EXPECT_EQ(session.camera, before) << line;
+    EXPECT_EQ(session.view.camera, before) << line;
   }
   say("panel steps flyout");
   say("frame all");
-  const Camera beside = session.camera;
+  const Camera beside = session.view.camera;
   EXPECT_NE(beside, before);
   say("panel none");
-  EXPECT_NE(session.camera, beside) << "all of the view is free again";
+  EXPECT_NE(session.view.camera, beside) << "all of the view is free again";
   EXPECT_TRUE(session.is_framed());
 }
 
@@ -238,14 +239,14 @@ TEST_F(StepsPanelTest, the_words_of_a_step_have_lines_that_fit) {
   ASSERT_TRUE(say("steps hull").done());
   ASSERT_TRUE(say("steps at 4").done());
   for (const double scale : {1.0, 2.0}) {
-    session.display_scale = scale;
+    session.preferences.display_scale = scale;
     std::vector<Label> labels;
     add_step(session, labels);
     std::string all;
     for (const Label& label : labels) {
       if (!label.begins_there) continue;
       all += label.text;
-      EXPECT_LT(scale * (7.8 * static_cast<double>(label.text.size()) + label.shift_px.x), session.view.width)
+      EXPECT_LT(scale * (7.8 * static_cast<double>(label.text.size()) + label.shift_px.x), session.view.size.width)
           << label.text;
     }
     EXPECT_NE(all.find(session.shown.player()->step()->caption.en), std::string::npos) << all;
@@ -301,7 +302,7 @@ TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
   const std::size_t vertices = session.mesh().live().vertices;
   ASSERT_TRUE(say("steps script cube").done());
   ASSERT_TRUE(say("steps at 12").done());
-  const Camera camera = session.camera;
+  const Camera camera = session.view.camera;
   const std::uint64_t shown = session.mesh().hash();
   for (const auto& [chord, position] : {std::pair("Ctrl+Z", 0u), {"Ctrl+Z", 0u}, {"Ctrl+Y", 1u}, {"Ctrl+Z", 0u}}) {
     input_.key(chord);
@@ -310,11 +311,11 @@ TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
     EXPECT_EQ(session.shown.player()->position(), 12u);
     EXPECT_FALSE(session.shown.is_replaced()) << chord;
     EXPECT_EQ(session.mesh().live().vertices, vertices - 1 + position) << chord;
-    EXPECT_NE(session.camera, camera) << "as the mesh was looked at before";
+    EXPECT_NE(session.view.camera, camera) << "as the mesh was looked at before";
   }
   ASSERT_TRUE(say("steps at 12").done());
   EXPECT_EQ(session.mesh().hash(), shown);
-  EXPECT_LT(glm::distance(session.camera.eye, camera.eye), 1e-9);
+  EXPECT_LT(glm::distance(session.view.camera.eye, camera.eye), 1e-9);
   EXPECT_FALSE(session.run("redo 7").done());
   EXPECT_EQ(session.mesh().hash(), shown) << "what is refused leaves the step";
   ASSERT_TRUE(say("steps close").done());
@@ -366,7 +367,7 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
     frames(3);
   };
   escape();
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   escape();
   EXPECT_EQ(session.tool, "");
   EXPECT_EQ(session.selection.size(), 1u);
@@ -391,7 +392,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
   const test::TemporaryFolder folder;
   ASSERT_TRUE(say("steps script cube").done());
   ASSERT_TRUE(say("steps at 9").done());
-  const Camera camera = session.camera;
+  const Camera camera = session.view.camera;
   const std::uint64_t shown = session.mesh().hash();
   for (const std::string& line :
        {std::string("collapse 0-99"), "save " + (folder.path() / "a.obj").string(), std::string("open nowhere.obj"),
@@ -401,7 +402,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
     ASSERT_TRUE(session.shown.player()) << line << ": " << outcome.sentence.en;
     EXPECT_EQ(session.shown.player()->position(), 9u) << line;
     EXPECT_EQ(session.mesh().hash(), shown) << line;
-    EXPECT_EQ(session.camera, camera) << line;
+    EXPECT_EQ(session.view.camera, camera) << line;
     EXPECT_TRUE(session.is_framed()) << line;
   }
   const Outcome saved = say("save " + (folder.path() / "b.obj").string());
@@ -410,7 +411,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
   const Outcome selected = say("select v0");
   EXPECT_NE(selected.sentence.en.find("The view shows the open mesh"), std::string::npos) << selected.sentence.en;
   EXPECT_EQ(session.mesh().live().vertices, 7u);
-  EXPECT_NE(session.camera, camera) << "as it was looked at before";
+  EXPECT_NE(session.view.camera, camera) << "as it was looked at before";
   ASSERT_TRUE(say("steps at 9").done());
   EXPECT_EQ(session.mesh().hash(), shown);
   EXPECT_TRUE(session.is_framed());

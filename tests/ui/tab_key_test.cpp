@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 
@@ -148,7 +149,7 @@ TEST_F(TabKey, completes_the_name_of_a_file_and_goes_on_from_it) {
   press(ImGuiKey_Tab);
   EXPECT_EQ(GImGui->ActiveId, 0u) << "a button has the keyboard";
   EXPECT_TRUE(is_marked());
-  EXPECT_EQ(session.open_panel, "open") << "and is not pressed";
+  EXPECT_EQ(session.layout.open_panel, "open") << "and is not pressed";
 }
 
 }  // namespace

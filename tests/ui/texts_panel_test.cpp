@@ -1,6 +1,7 @@
 // The index of the texts: what it shows is no change of anybody's, and comes also behind the question about changes.
 #include <gtest/gtest.h>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/text_places.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
@@ -19,7 +20,7 @@ class TextsPanelTest : public testing::Test {
     laid_.click(test::DrawnText(laid_.gui).last_place(text));
     laid_.frames(4);
   }
-  bool asks() { return session().open_panel == panel_opened_by(PanelOpener::loss).id; }
+  bool asks() { return session().layout.open_panel == panel_opened_by(PanelOpener::loss).id; }
   Session& session() { return laid_.session; }
 
   test::Laid laid_{"fan.obj"};
@@ -32,7 +33,7 @@ TEST_F(TextsPanelTest, opens_an_entry_behind_the_question_about_changes) {
   press("Discard");
   EXPECT_FALSE(asks());
   EXPECT_EQ(session().mesh().live().faces, 4u);
-  EXPECT_EQ(session().settings.numbers, Numbers::all) << "all of its lines";
+  EXPECT_EQ(session().view.settings.numbers, Numbers::all) << "all of its lines";
   EXPECT_FALSE(session().document().is_modified());
   // Given up, it shows nothing, nor does the next question.
   ASSERT_TRUE(session().run("poke f0").done());

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/editor/camera/framing.h"
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op.h"
@@ -71,7 +72,7 @@ class ValuesPanel : public testing::Test, protected test::Laid {
 
 TEST_F(ValuesPanel, runs_what_its_fields_say_when_the_frame_is_laid_out) {
   bool was_laying_out = true;
-  session.on_progress = [&](double) {
+  session.frontend.on_progress = [&](double) {
     was_laying_out = gui.is_laying_out();
     return true;
   };
@@ -106,24 +107,26 @@ TEST_F(ValuesPanel, brings_what_would_come_into_view_and_looks_back_when_it_goes
     for (int i = 0; i < 4; ++i) press(ImGuiKey_Backspace);
     type(text);
   };
-  const auto shows_mesh = [&] { return shows_all(session.camera, session.view, {}, session.mesh().positions()); };
+  const auto shows_mesh = [&] {
+    return shows_all(session.view.camera, session.view.size, {}, session.mesh().positions());
+  };
   ASSERT_TRUE(session.run("wheel -1 640,400").done());
-  const Camera before = session.camera;
+  const Camera before = session.view.camera;
   ASSERT_TRUE(gui.run(session, "values cube").done());
   frames(3);
   write("0.1");
   ASSERT_EQ(session.mesh().live().vertices, 16u);
-  EXPECT_EQ(session.camera, before) << "what lies in view moves nothing";
+  EXPECT_EQ(session.view.camera, before) << "what lies in view moves nothing";
   write("9");
   EXPECT_TRUE(shows_mesh());
-  EXPECT_NE(session.camera, before);
+  EXPECT_NE(session.view.camera, before);
   write("0.1");
-  EXPECT_EQ(session.camera, before) << "a smaller one needs no other view";
+  EXPECT_EQ(session.view.camera, before) << "a smaller one needs no other view";
   write("9");
   EXPECT_TRUE(shows_mesh());
   ASSERT_TRUE(session.run("panel none").done());
   frames(3);
-  EXPECT_EQ(session.camera, before);
+  EXPECT_EQ(session.view.camera, before);
   ASSERT_TRUE(gui.run(session, "values cube").done());
   frames(3);
   write("9");
@@ -144,7 +147,7 @@ TEST(values_panel, leaves_what_would_come_to_be_seen_beside_it) {
   const Covered covered = covered_view(session);
   EXPECT_GT(covered.right, 200);
   EXPECT_LT(covered.right, 320);
-  EXPECT_TRUE(shows_all(session.camera, session.view, covered, session.mesh().positions()));
+  EXPECT_TRUE(shows_all(session.view.camera, session.view.size, covered, session.mesh().positions()));
   ASSERT_TRUE(session.run("panel none").done());
   laid.frames(6);
   EXPECT_EQ(covered_view(session).right, 0);
@@ -155,30 +158,30 @@ TEST(values_panel, leaves_what_would_come_to_be_seen_beside_it) {
 TEST(values_panel, leaves_what_would_change_to_be_seen_beside_it) {
   test::Laid laid("torus.off", {640, 480});
   Session& session = laid.session;
-  const Camera before = session.camera;
+  const Camera before = session.view.camera;
   ASSERT_TRUE(laid.gui.run(session, "values remesh").done());
   laid.frames(6);
   ASSERT_TRUE(session.document().is_on_trial());
-  EXPECT_TRUE(shows_all(session.camera, session.view, covered_view(session), session.mesh().positions()));
-  EXPECT_NE(session.camera, before);
+  EXPECT_TRUE(shows_all(session.view.camera, session.view.size, covered_view(session), session.mesh().positions()));
+  EXPECT_NE(session.view.camera, before);
   ASSERT_TRUE(session.run("panel none").done());
   laid.frames(6);
-  EXPECT_LT(glm::distance(session.camera.eye, before.eye), 1e-9);
+  EXPECT_LT(glm::distance(session.view.camera.eye, before.eye), 1e-9);
 }
 
 TEST_F(ValuesPanel, looks_back_when_an_undo_ends_what_would_come) {
   ASSERT_TRUE(session.run("split 0-1").done());
   ASSERT_TRUE(session.run("wheel -1 640,400").done());
-  const Camera before = session.camera;
+  const Camera before = session.view.camera;
   ASSERT_TRUE(gui.run(session, "values cube").done());
   frames(3);
   press(ImGuiKey_Backspace);
   type("9");
-  ASSERT_NE(session.camera, before);
+  ASSERT_NE(session.view.camera, before);
   ASSERT_TRUE(session.run("undo").done());
   ASSERT_TRUE(session.run("panel none").done());
   frames(3);
-  EXPECT_EQ(session.camera, before);
+  EXPECT_EQ(session.view.camera, before);
 }
 
 TEST_F(ValuesPanel, leaves_the_camera_to_who_moves_it_while_values_are_written) {
@@ -186,13 +189,13 @@ TEST_F(ValuesPanel, leaves_the_camera_to_who_moves_it_while_values_are_written) 
   frames(3);
   type("9");
   ASSERT_TRUE(session.is_framed());
-  session.camera.eye *= 0.5;
-  const Camera moved = session.camera;
+  session.view.camera.eye *= 0.5;
+  const Camera moved = session.view.camera;
   type("9");
-  EXPECT_EQ(session.camera, moved);
+  EXPECT_EQ(session.view.camera, moved);
   ASSERT_TRUE(session.run("panel none").done());
   frames(3);
-  EXPECT_EQ(session.camera, moved);
+  EXPECT_EQ(session.view.camera, moved);
 }
 
 TEST_F(ValuesPanel, takes_the_selection_for_elements) {
@@ -226,7 +229,7 @@ TEST_F(ValuesPanel, begins_with_what_is_selected_where_that_is_worked_on) {
     if (clears) press(ImGuiKey_Backspace);
     press(ImGuiKey_Enter);
     frames(3);
-    EXPECT_EQ(session.open_panel, "") << gui.said().en;
+    EXPECT_EQ(session.layout.open_panel, "") << gui.said().en;
     EXPECT_EQ(gui.said().en.find("select=f0,f1") == std::string::npos, clears) << gui.said().en;
     ASSERT_TRUE(session.run("undo").done());
   }
@@ -263,7 +266,7 @@ TEST_F(ValuesPanel, offers_all_algorithms_before_one_is_asked_for) {
   ASSERT_TRUE(session.run("panel values").done());
   frames(3);
   press_button(algorithm_table().front().name_en);
-  EXPECT_EQ(session.asked_algorithm, algorithm_table().front().id);
+  EXPECT_EQ(session.layout.asked_algorithm, algorithm_table().front().id);
 }
 
 TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
@@ -271,10 +274,10 @@ TEST_F(ValuesPanel, does_nothing_while_a_value_is_missing_or_wrong) {
   frames(3);
   press(ImGuiKey_Backspace);
   press(ImGuiKey_Enter);
-  EXPECT_EQ(session.open_panel, "values") << "the distance is missing";
+  EXPECT_EQ(session.layout.open_panel, "values") << "the distance is missing";
   type("-1");
   press(ImGuiKey_Enter);
-  EXPECT_EQ(session.open_panel, "values") << "it is no length";
+  EXPECT_EQ(session.layout.open_panel, "values") << "it is no length";
   EXPECT_EQ(session.document().position(), 0u);
 }
 
@@ -285,7 +288,7 @@ TEST_F(ValuesPanel, begins_with_lengths_and_a_scheme_as_the_mesh_has_them) {
     frames(4);
     press_button("Run");
     frames(3);
-    EXPECT_EQ(session.open_panel, "") << id << ": " << gui.said().en;
+    EXPECT_EQ(session.layout.open_panel, "") << id << ": " << gui.said().en;
   };
   const double side = edge_length(session.mesh(), Edge(0));
   run("remesh");
@@ -312,7 +315,7 @@ TEST_F(ValuesPanel, takes_what_is_typed_behind_an_enter_that_came_too_early) {
   type("0.5");
   press(ImGuiKey_Enter);
   frames(2);
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   EXPECT_TRUE(gui.said().en.starts_with("weld_close distance=0.5")) << gui.said().en;
 }
 
@@ -364,11 +367,11 @@ TEST_F(ValuesPanel, runs_by_enter_in_a_list) {
   EXPECT_GT(test::DrawnText(gui).count("Catmull"), 0u) << "its list is open";
   press(ImGuiKey_Escape);
   frames(2);
-  ASSERT_EQ(session.open_panel, "values");
+  ASSERT_EQ(session.layout.open_panel, "values");
   press(ImGuiKey_Enter);
   frames(3);
   EXPECT_EQ(session.document().position(), 1u);
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
 }
 
 // Its fields are where they were when another algorithm was asked for.

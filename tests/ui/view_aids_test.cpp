@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/program.h"
 
@@ -65,7 +66,7 @@ TEST_F(ViewAidsTest, the_grid_does_not_cover_what_is_above_it) {
       if (place.y > highest.y) highest = place;
     return highest;
   }();
-  const glm::ivec2 at(project(session_->camera, session_->view, on_top)->pixel);
+  const glm::ivec2 at(project(session_->view.camera, session_->view.size, on_top)->pixel);
   EXPECT_EQ(different(bare, grid, {at.x - 6, at.y - 6, at.x + 6, at.y + 6}), 0);
 }
 

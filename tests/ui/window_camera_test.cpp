@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/middle.h"
@@ -29,7 +30,7 @@ class WindowCamera : public test::WindowHand {
   // As it was at first, all in view.
   Camera home() {
     xdotool("key Home");
-    EXPECT_TRUE(eye_is(session().camera.eye));
+    EXPECT_TRUE(eye_is(session().view.camera.eye));
     return camera();
   }
   // Where a place is seen by the window's camera, as near as the account is exact.
@@ -44,7 +45,7 @@ TEST_F(WindowCamera, the_wheel_goes_a_constant_share_of_the_way_to_the_point_und
   const glm::dvec2 at = on_face();
   const glm::dvec3 place = place_under(at), from = last().eye - place;
   click(at, "", 4);
-  ASSERT_TRUE(has_moved(session().camera)) << "the wheel does nothing";
+  ASSERT_TRUE(has_moved(session().view.camera)) << "the wheel does nothing";
   const double share = glm::length(last().eye - place) / glm::length(from);
   EXPECT_LT(share, 0.95);
   EXPECT_GT(share, 0.5);
@@ -64,7 +65,7 @@ TEST_F(WindowCamera, the_wheel_goes_a_constant_share_of_the_way_to_the_point_und
 TEST_F(WindowCamera, over_the_background_the_wheel_goes_as_deep_as_the_nearest_that_is_seen) {
   open_copy("torus.off");
   const Camera before = home();
-  const glm::dvec2 face = on_face(), beside = session().view_origin + glm::dvec2(60, 60);
+  const glm::dvec2 face = on_face(), beside = session().view.origin + glm::dvec2(60, 60);
   for (const PickMode what : {PickMode::vertex, PickMode::edge, PickMode::face})
     ASSERT_FALSE(session().pick(beside, what)) << "there is no background";
   const glm::dvec3 place = place_under(face);
@@ -75,7 +76,8 @@ TEST_F(WindowCamera, over_the_background_the_wheel_goes_as_deep_as_the_nearest_t
   click(beside, "", 4);
   ASSERT_TRUE(has_moved(before));
   const glm::dvec3 moved = last().eye - before.eye;
-  const glm::dvec3 along = unit_vector(ray_through(before, session().view, beside - session().view_origin).direction);
+  const glm::dvec3 along =
+      unit_vector(ray_through(before, session().view.size, beside - session().view.origin).direction);
   EXPECT_LT(glm::length(moved - glm::dot(moved, along) * along), told) << "not towards the pointer";
   const double depth = glm::dot(moved, axes(before).forward) / share;
   double nearest = 1e9, farthest = 0;
@@ -142,7 +144,7 @@ TEST_F(WindowCamera, drags_keep_the_point_that_was_pressed_and_clicks_make_it_th
 std::string name_of_farthest_face() {
   test::Laid laid("torus.off", {1280, 800});
   const Session& session = laid.session;
-  const auto depth = [&](std::uint32_t i) { return depth_of(session.camera, middle_of(session.mesh(), Face(i))); };
+  const auto depth = [&](std::uint32_t i) { return depth_of(session.view.camera, middle_of(session.mesh(), Face(i))); };
   std::uint32_t farthest = 0;
   for (std::uint32_t i = 0; i < session.mesh().face_slots(); ++i)
     if (depth(i) > depth(farthest)) farthest = i;
@@ -177,12 +179,13 @@ TEST_F(WindowCamera, a_problem_of_the_list_is_flown_to_and_its_loop_selected_wit
   click(row);
   ASSERT_TRUE(has_selected(3)) << "the whole loop";
   ASSERT_TRUE(has_moved(before)) << "nobody flies there";
-  session().camera = camera();
+  session().view.camera = camera();
   for (const Edge e : loop) EXPECT_TRUE(is_seen(e)) << "from the side where it is seen";
   for (const Edge e : loop)
     for (const Vertex v : neighbours(m, ends(m, e).first)) {
-      const glm::dvec2 pixel = pixel_of(m.position(v)) - session().view_origin;
-      EXPECT_TRUE(pixel.x > 0 && pixel.y > 0 && pixel.x < session().view.width && pixel.y < session().view.height)
+      const glm::dvec2 pixel = pixel_of(m.position(v)) - session().view.origin;
+      EXPECT_TRUE(pixel.x > 0 && pixel.y > 0 && pixel.x < session().view.size.width &&
+                  pixel.y < session().view.size.height)
           << name_of(m, v) << " is cut off";
     }
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/window_hand.h"
 

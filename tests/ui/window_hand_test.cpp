@@ -2,6 +2,7 @@
 // came of it in the picture's account and in the file that is saved.
 #include <glm/geometric.hpp>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/program.h"
@@ -26,10 +27,10 @@ class WindowInputTest : public testing::Test {
   }
   // Whether the view turns when the pointer moves.
   bool moves_view() {
-    const glm::dvec3 before = session_.camera.eye;
+    const glm::dvec3 before = session_.view.camera.eye;
     input_.move({in_view + glm::dvec2(60, 0)});
     input_.move({in_view + glm::dvec2(120, 0)});
-    return session_.camera.eye != before;
+    return session_.view.camera.eye != before;
   }
   bool gui_has_a_button() {
     frames(2);  // a short press is shown to one frame
@@ -116,12 +117,12 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twi
     ASSERT_TRUE(session_.run(tool).done());
     ASSERT_TRUE(session_.run("frame all").done());
     const std::size_t before = session_.document().position();
-    const glm::dvec3 target = session_.camera.target;
+    const glm::dvec3 target = session_.view.camera.target;
     ASSERT_TRUE(session_.pick(in_view, PickMode::face));
     for (int click = 1; click <= 2; ++click) {
       press(in_view);
       release(in_view);
-      EXPECT_EQ(session_.camera.target == target, edits || click == 1) << tool << ", click " << click;
+      EXPECT_EQ(session_.view.camera.target == target, edits || click == 1) << tool << ", click " << click;
       EXPECT_LE(session_.document().position() - before, edits ? static_cast<std::size_t>(click) : 0u);
     }
     EXPECT_EQ(session_.document().position() > before, edits);
@@ -142,17 +143,17 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_through_a_handle_that_its
       session_.selection.clear();
     }
   ASSERT_TRUE(at);
-  const glm::dvec3 target = session_.camera.target;
+  const glm::dvec3 target = session_.view.camera.target;
   for (int click = 1; click <= 2; ++click) {
     press(*at);
     release(*at);
     EXPECT_EQ(session_.selection.size(), 1u);
   }
-  EXPECT_NE(session_.camera.target, target);
+  EXPECT_NE(session_.view.camera.target, target);
 }
 
 TEST_F(WindowInputTest, a_key_between_two_clicks_makes_them_two) {
-  const glm::dvec3 target = session_.camera.target;
+  const glm::dvec3 target = session_.view.camera.target;
   session_.run("mode face");
   press(in_view);
   release(in_view);
@@ -160,7 +161,7 @@ TEST_F(WindowInputTest, a_key_between_two_clicks_makes_them_two) {
   input_.key_up("A");
   press(in_view);
   release(in_view);
-  EXPECT_EQ(session_.camera.target, target);
+  EXPECT_EQ(session_.view.camera.target, target);
   EXPECT_EQ(session_.selection.size(), 1u);
 }
 
@@ -169,7 +170,7 @@ TEST_F(WindowInputTest, a_click_may_move_as_far_as_the_display_is_fine) {
   const glm::dvec2 away = in_view + glm::dvec2(6, 0);
   for (const double scale : {1.0, 2.0}) {
     session_.selection.clear();
-    session_.display_scale = scale;
+    session_.preferences.display_scale = scale;
     press(in_view);
     input_.move({away});
     release(away);
@@ -222,23 +223,23 @@ TEST_F(WindowInputTest, a_key_that_is_held_down_repeats_where_that_helps) {
 TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
   session_.run("mode face");
   const auto drag = [&](Modifiers modifiers, MouseButton button = MouseButton::left) {
-    const glm::dvec2 low = session_.view_origin,
-                     high = low + glm::dvec2(session_.view.width - 1, session_.view.height - 1);
+    const glm::dvec2 low = session_.view.origin,
+                     high = low + glm::dvec2(session_.view.size.width - 1, session_.view.size.height - 1);
     input_.press(button, {low + glm::dvec2(1), modifiers});
     input_.move({0.5 * low + 0.5 * high, modifiers});
-    EXPECT_TRUE(session_.band);
+    EXPECT_TRUE(session_.view.band);
     input_.move({high, modifiers});
     input_.release(button, {high, modifiers});
-    EXPECT_FALSE(session_.band);
+    EXPECT_FALSE(session_.view.band);
   };
-  const Camera camera = session_.camera;
+  const Camera camera = session_.view.camera;
   drag({.shift = true, .ctrl = true});
   const std::size_t seen = session_.selection.size(), all = session_.mesh().live().faces;
   EXPECT_GT(seen, 0u);
   EXPECT_LT(seen, all);
   drag({.shift = true, .ctrl = true, .alt = true});
   EXPECT_EQ(session_.selection.size(), all) << "through the surface";
-  EXPECT_EQ(session_.camera, camera);
+  EXPECT_EQ(session_.view.camera, camera);
   input_.key("B");
   drag({.ctrl = true});
   EXPECT_EQ(session_.selection.size(), all - seen) << "toggled";
@@ -254,8 +255,9 @@ TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
 // Whenever Alt is pressed until the button is let go.
 TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_down_during_a_drag) {
   session_.run("mode face");
-  const glm::dvec2 low = session_.view_origin + glm::dvec2(2),
-                   high = session_.view_origin + glm::dvec2(session_.view.width - 2, session_.view.height - 2);
+  const glm::dvec2 low = session_.view.origin + glm::dvec2(2),
+                   high =
+                       session_.view.origin + glm::dvec2(session_.view.size.width - 2, session_.view.size.height - 2);
   const Modifiers of_box{.shift = true, .ctrl = true};
   const auto drag_to_end = [&] {
     session_.selection.clear();
@@ -306,15 +308,15 @@ TEST_F(WindowInputTest, the_blender_preset_has_the_keys_of_selecting_and_hiding)
 }
 
 TEST_F(WindowInputTest, a_band_is_given_up_by_escape) {
-  const glm::dvec2 at = session_.view_origin + glm::dvec2(20);
+  const glm::dvec2 at = session_.view.origin + glm::dvec2(20);
   input_.press(MouseButton::left, {at, {.shift = true, .ctrl = true}});
   input_.move({at + glm::dvec2(200), {}});
-  ASSERT_TRUE(session_.band);
+  ASSERT_TRUE(session_.view.band);
   input_.key("Escape");
   input_.move({at + glm::dvec2(300), {}});
   input_.release(MouseButton::left, {at + glm::dvec2(300), {}});
   EXPECT_TRUE(session_.selection.empty());
-  EXPECT_FALSE(session_.band);
+  EXPECT_FALSE(session_.view.band);
 }
 
 TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own) {
@@ -409,7 +411,7 @@ TEST_F(WindowInputTest, a_key_of_ones_own_asks_before_edits_are_lost) {
     input_.key_down("Ctrl+K");
     frames(3);
     EXPECT_EQ(session_.mesh().live().vertices, vertices) << command;
-    EXPECT_EQ(session_.open_panel, panel_opened_by(PanelOpener::loss).id) << command;
+    EXPECT_EQ(session_.layout.open_panel, panel_opened_by(PanelOpener::loss).id) << command;
     session_.run("panel none");
     frames(2);
   }

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/app/drawn_text.h"

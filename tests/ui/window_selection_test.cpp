@@ -1,6 +1,7 @@
 // Selecting in the real window: by neighbourhood, by trait from the menu, by name; and operators on what is selected.
 #include <sstream>
 
+#include "app/editor/session/session.h"
 #include "app/ui/texts.h"
 #include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
@@ -78,13 +79,13 @@ TEST_F(WindowTest, shows_itself_before_a_large_file_is_read) {
 std::string on_an_edge(const std::string& asset) {
   test::Laid laid("cube.obj", {1280, 800});
   Session& session = laid.session;
-  session.turns_to_solids = session.shows_axes = true;
+  session.frontend.turns_to_solids = session.view.shows_axes = true;
   laid.open(asset);
   const Mesh& m = session.mesh();
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));
-    const auto at = project(session.camera, session.view, (m.position(a) + m.position(b)) / 2.0);
-    const glm::dvec2 pixel = at->pixel + session.view_origin;
+    const auto at = project(session.view.camera, session.view.size, (m.position(a) + m.position(b)) / 2.0);
+    const glm::dvec2 pixel = at->pixel + session.view.origin;
     const auto picked = session.pick(pixel, PickMode::edge);
     if (picked && picked->element == Element(Edge(i)))
       return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
@@ -134,7 +135,7 @@ TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
   type("select v0");
   ASSERT_TRUE(wait_for([&] { return last().selected == 1; }));
   test::Laid laid("torus.off", {1280, 800});
-  laid.session.gizmo_kind = GizmoKind::move;
+  laid.session.view.gizmo_kind = GizmoKind::move;
   ASSERT_TRUE(laid.session.run("select v0").done());
   const auto gizmo = laid.session.gizmo();
   ASSERT_TRUE(gizmo);
@@ -142,8 +143,8 @@ TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
                                [](const GizmoHandle& handle) { return handle.row->way == HandleWay::y; });
   ASSERT_NE(up, gizmo->handles.end());
   const glm::dvec2 on_it =
-      project(laid.session.camera, laid.session.view, 0.5 * (up->strokes[0].a + up->strokes[0].b))->pixel +
-      laid.session.view_origin;
+      project(laid.session.view.camera, laid.session.view.size, 0.5 * (up->strokes[0].a + up->strokes[0].b))->pixel +
+      laid.session.view.origin;
   const auto mousemove = [&](double x, double y) {
     xdotool("mousemove " + std::to_string(std::lround(on_it.x + x)) + " " + std::to_string(std::lround(on_it.y + y)));
   };
@@ -179,17 +180,17 @@ struct OnEdge {
 };
 OnEdge on_long_edge(const std::string& file, double share) {
   test::Laid laid("cube.obj", {1280, 800});
-  laid.session.turns_to_solids = laid.session.shows_axes = true;
+  laid.session.frontend.turns_to_solids = laid.session.view.shows_axes = true;
   EXPECT_TRUE(laid.session.run("open " + file).done());
   laid.session.frame_all();
   const Mesh& m = laid.session.mesh();
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));
     const glm::dvec3 place = m.position(a) + share * (m.position(b) - m.position(a));
-    const auto from = project(laid.session.camera, laid.session.view, m.position(a));
-    const auto to = project(laid.session.camera, laid.session.view, m.position(b));
+    const auto from = project(laid.session.view.camera, laid.session.view.size, m.position(a));
+    const auto to = project(laid.session.view.camera, laid.session.view.size, m.position(b));
     const glm::dvec2 pixel =
-        glm::round(project(laid.session.camera, laid.session.view, place)->pixel + laid.session.view_origin);
+        glm::round(project(laid.session.view.camera, laid.session.view.size, place)->pixel + laid.session.view.origin);
     const auto picked = laid.session.pick(pixel, PickMode::edge);
     if (glm::distance(from->pixel, to->pixel) < 60 || !picked || picked->element != Element(Edge(i))) continue;
     return {std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)), name_of(m, Edge(i)),

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/camera/camera_text.h"
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"
@@ -32,7 +33,7 @@ TEST_F(WindowVerdict, a_held_one_waits_until_the_pointer_has_pressed_the_button_
   ASSERT_FALSE(remedy.empty());
   beside().frames(3);
   const glm::dvec2 button = test::DrawnText(beside().gui).place(remedy.back());
-  ASSERT_GT(button.x, session().view_origin.x + session().view.width) << "it has no button in the column";
+  ASSERT_GT(button.x, session().view.origin.x + session().view.size.width) << "it has no button in the column";
 
   const std::string held = last().hover;
   std::string way = "mousemove " + words_of(other.pixel);  // over another edge, across the view, onto the panel
@@ -75,12 +76,13 @@ TEST_F(WindowVerdict, shift_frees_a_split_from_tenths_and_what_is_small_collapse
     }
     return longest;
   };
-  const glm::dvec2 middle = session().view_origin + 0.5 * glm::dvec2(session().view.width, session().view.height);
+  const glm::dvec2 middle =
+      session().view.origin + 0.5 * glm::dvec2(session().view.size.width, session().view.size.height);
   const std::string at_middle = format_pixel(middle);
   int notches = 0;
   for (; longest_px() > 23; ++notches) ASSERT_TRUE(session().run("wheel -1 " + at_middle).done());
   xdotool("mousemove " + words_of(middle) + " click --repeat " + std::to_string(notches) + " --delay 1 5");
-  ASSERT_TRUE(shows([&](const Frame& frame) { return glm::distance(frame.eye, session().camera.eye) < 1e-3; }));
+  ASSERT_TRUE(shows([&](const Frame& frame) { return glm::distance(frame.eye, session().view.camera.eye) < 1e-3; }));
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));
     const glm::dvec2 near_end = pixel_of(m.position(a) + 0.2 * (m.position(b) - m.position(a)));

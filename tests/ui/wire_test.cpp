@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "tests/support/app/program.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/editor/session/session.h"
 #include "app/ui/widgets.h"
 #include "tests/support/app/laid.h"
 

@@ -1,6 +1,7 @@
 // Seeing and picking through the surface.
 #include <gtest/gtest.h>
 
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "render/palette.h"
 #include "tests/support/app/program.h"
@@ -24,8 +25,8 @@ class XrayTest : public testing::Test {
   std::size_t vertices_met() {
     std::size_t met = 0;
     for (std::uint32_t i = 0; i < session_.mesh().vertex_slots(); ++i) {
-      const auto at = project(session_.camera, session_.view, session_.mesh().position(Vertex(i)));
-      const auto picked = session_.pick(at->pixel + session_.view_origin, PickMode::vertex);
+      const auto at = project(session_.view.camera, session_.view.size, session_.mesh().position(Vertex(i)));
+      const auto picked = session_.pick(at->pixel + session_.view.origin, PickMode::vertex);
       met += picked && picked->element == Element(Vertex(i));
     }
     return met;
@@ -43,18 +44,18 @@ TEST_F(XrayTest, goes_by_its_key_and_shows_what_is_behind) {
   // One vertex on the near side and one on the far side: with X-ray both are drawn in full.
   for (const char* theme : {"theme dark", "theme light"}) {
     EXPECT_TRUE(session_.run(theme).done());
-    const Rgba selected = style(Role::selected, session_.settings.theme).colour;
+    const Rgba selected = style(Role::selected, session_.view.settings.theme).colour;
     for (const char* on : {"xray on", "xray off"}) {
       int shown = 0;
       EXPECT_TRUE(session_.run(on).done());
       for (std::uint32_t i = 0; i < session_.mesh().vertex_slots(); ++i) {
         const Image image = picture("select v" + std::to_string(i));
-        const auto at = project(session_.camera, session_.view, session_.mesh().position(Vertex(i)))->pixel;
+        const auto at = project(session_.view.camera, session_.view.size, session_.mesh().position(Vertex(i)))->pixel;
         const Rgba there = image.at(static_cast<int>(at.x), static_cast<int>(at.y));
         shown += there == selected;
       }
       const auto all = static_cast<int>(session_.mesh().vertex_slots());
-      if (session_.settings.xray == Xray::on)
+      if (session_.view.settings.xray == Xray::on)
         EXPECT_EQ(shown, all) << theme;
       else
         EXPECT_LT(shown, all) << theme;
@@ -111,11 +112,11 @@ TEST_F(XrayTest, is_picked_through) {
 // What is nearer on the screen comes before what is nearer to the eye.
 TEST_F(XrayTest, prefers_what_is_in_front_at_one_distance_on_the_screen) {
   Session cube(Document::open(test::asset("cube.obj")).value());
-  cube.view = {320, 240};
+  cube.view.size = {320, 240};
   for (const char* line : {"view front", "projection orthographic", "xray on"}) EXPECT_TRUE(cube.run(line).done());
   for (std::uint32_t i = 0; i < 8; ++i) {
     const glm::dvec3 place = cube.mesh().position(Vertex(i));
-    const auto picked = cube.pick(project(cube.camera, cube.view, place)->pixel, PickMode::vertex);
+    const auto picked = cube.pick(project(cube.view.camera, cube.view.size, place)->pixel, PickMode::vertex);
     ASSERT_TRUE(picked);
     EXPECT_GT(cube.mesh().position(picked->element.vertex()).z, 0) << i;
   }

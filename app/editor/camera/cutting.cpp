@@ -6,6 +6,7 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/script.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -39,14 +40,14 @@ std::optional<double> share_of(Words arguments) {
 }  // namespace
 
 void cut_across(Session& session, ClipWay way) {
-  session.cut.reset();
+  session.view.cut.reset();
   if (way == ClipWay::off) return;
-  session.cut = Cut{way, 0.5, {normal_of(way, session.camera), 0}};
+  session.view.cut = Cut{way, 0.5, {normal_of(way, session.view.camera), 0}};
   move_cut(session, 0.5);
 }
 
 void move_cut(Session& session, double share) {
-  Cut& cut = *session.cut;
+  Cut& cut = *session.view.cut;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   const Mesh& mesh = session.mesh();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
@@ -68,11 +69,11 @@ std::optional<Text> fault_of_clip_at(Words arguments, const std::string&) {
 Outcome run_clip_at(Session& session, Words arguments, std::string_view) {
   const auto share = share_of(arguments);
   if (!share) return wrong_arguments("clip_at");
-  if (!session.cut)
+  if (!session.view.cut)
     return failed(ExitCode::refused, {"there is no clipping plane to move; clip x, for one, begins with it",
                                       "動かす断面がありません。clip x などで断面を表示してください"});
   const bool is_step = arguments[0][0] == '+' || arguments[0][0] == '-';
-  move_cut(session, is_step ? session.cut->share + *share : *share);
+  move_cut(session, is_step ? session.view.cut->share + *share : *share);
   return {};
 }
 

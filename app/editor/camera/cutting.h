@@ -1,9 +1,11 @@
 // The plane that a session cuts its mesh at.
 #pragma once
 
-#include "app/editor/session/session.h"
+#include "ryosen/view/clip_plane.h"
 
 namespace ryosen {
+
+class Session;
 
 // Cuts in the middle of the mesh, or no more. O(vertices), as the next one is.
 void cut_across(Session& session, ClipWay way);

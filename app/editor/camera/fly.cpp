@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
@@ -67,7 +68,7 @@ class Directions {
         const glm::dvec3 area = vector_area(FacePolygon(m, f).keyhole_walk());
         if (length_of(area) > 0) normal += unit_vector(area);
       }
-    now_ = -axes(session.camera).forward;
+    now_ = -axes(session.view.camera).forward;
     all_.push_back(now_);
     if (length_of(normal) > 1e-9) {
       add(unit_vector(normal));
@@ -109,9 +110,9 @@ class Sight {
     constexpr std::size_t most = 16;
     const std::size_t step = (elements.size() + most - 1) / most;
     for (std::size_t i = 0; i < elements.size(); i += step) sample_.push_back(elements[i]);
-    if (session.camera.ortho_height) {
+    if (session.view.camera.ortho_height) {
       const Box box = bounds_of(session.mesh().positions());
-      size_ = length_of(box.highest - box.lowest) + length_of(session.camera.eye - session.camera.target);
+      size_ = length_of(box.highest - box.lowest) + length_of(session.view.camera.eye - session.view.camera.target);
     }
   }
 
@@ -129,11 +130,11 @@ class Sight {
     // An orthographic picture shows what lies behind the eye too.
     if (camera.ortho_height) camera.eye -= 2 * size_ * axes(camera).forward;
     const glm::dvec3 middle = middle_of(m, e);
-    const auto at = project(camera, session_.view, middle);
-    const double width = session_.view.width, height = session_.view.height;
+    const auto at = project(camera, session_.view.size, middle);
+    const double width = session_.view.size.width, height = session_.view.size.height;
     if (!at || at->pixel.x < covered_.left * width || at->pixel.y < covered_.above * height) return false;
     if (at->pixel.x >= (1 - covered_.right) * width || at->pixel.y >= height) return false;
-    const auto front = session_.picker().pick(m, camera, session_.view, at->pixel, PickMode::face);
+    const auto front = session_.picker().pick(m, camera, session_.view.size, at->pixel, PickMode::face);
     if (!front) return true;
     const double depth = depth_of(camera, front->place);
     if (depth >= at->depth * (1 - 1e-6)) return true;
@@ -214,24 +215,26 @@ void fly_to(Session& session, std::span<const Element> elements) {
   constexpr double margin = 0.12;
   std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
   mirror(places, middle_of_all(session.mesh(), elements));
-  const double aspect = static_cast<double>(session.view.width) / session.view.height;
+  const double aspect = static_cast<double>(session.view.size.width) / session.view.size.height;
   const CoveredShares covered = covered_shares(session);
-  session.camera = best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
-    return fitted(looking_from(session.camera, from, session.camera.target), places, aspect, margin, covered);
-  });
+  session.view.camera =
+      best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
+        return fitted(looking_from(session.view.camera, from, session.view.camera.target), places, aspect, margin,
+                      covered);
+      });
 }
 
 void keep_in_sight(Session& session, const Element& element) {
   const std::array<Element, 1> one{element};
   if (!is_finite(middle_of(session.mesh(), element))) return;
   const Sight sight(session, one);
-  if (sight.seen(session.camera) == 1) return;
+  if (sight.seen(session.view.camera) == 1) return;
   const glm::dvec3 middle = middle_of(session.mesh(), element);
   const CoveredShares covered = covered_shares(session);
-  const glm::dvec2 to_free_middle(0.5 * (covered.left - covered.right) * session.view.width,
-                                  0.5 * covered.above * session.view.height);
-  session.camera = best_camera(sight, Directions(session, one), [&](const glm::dvec3& from) {
-    return panned(looking_from(session.camera, from, middle), to_free_middle, session.view, middle);
+  const glm::dvec2 to_free_middle(0.5 * (covered.left - covered.right) * session.view.size.width,
+                                  0.5 * covered.above * session.view.size.height);
+  session.view.camera = best_camera(sight, Directions(session, one), [&](const glm::dvec3& from) {
+    return panned(looking_from(session.view.camera, from, middle), to_free_middle, session.view.size, middle);
   });
 }
 

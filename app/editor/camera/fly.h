@@ -3,9 +3,11 @@
 
 #include <span>
 
-#include "app/editor/session/session.h"
+#include "ryosen/base/element.h"
 
 namespace ryosen {
+
+class Session;
 
 // Shows elements with all vertices around them, centred; all of the mesh where there are none. Looks on in the same
 // direction if they are seen from there, else along their normals, else along the next of other directions from which

@@ -85,17 +85,17 @@ double unit_of(const Camera& camera) {
 
 Covered covered_view(const Session& session) {
   Covered covered;
-  if (session.shows_axes) covered.corner = room_of_axes(session.view, session.size_scale());
+  if (session.view.shows_axes) covered.corner = room_of_axes(session.view.size, session.preferences.size_scale());
   if (!session.has_beside()) {
-    covered.left = session.covered_px.x;
-    covered.right = session.covered_px.y;
+    covered.left = session.view.covered_px.x;
+    covered.right = session.view.covered_px.y;
   }
   if (session.shown.player()) covered.above = caption_px(session);
   return covered;
 }
 
 CoveredShares covered_shares(const Session& session) {
-  return shares_of(kept_off(covered_view(session), session.view), session.view);
+  return shares_of(kept_off(covered_view(session), session.view.size), session.view.size);
 }
 
 // Off the corner to the left of it or below it, by as little as it takes, where it shows more.
@@ -164,9 +164,9 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
 Camera framing_of(const Session& session, const Mesh* beside, const Camera& from) {
   const Covered covered = covered_view(session);
   if (session.shown.shows(ShownBy::step) && !session.shown.player()->places_at_end.empty())
-    return fitted_beside(covered, from, session.shown.player()->places_at_end, session.view);
-  if (beside) return framing({&session.mesh(), beside}, from, session.view, covered);
-  return framing({&session.mesh()}, from, session.view, covered);
+    return fitted_beside(covered, from, session.shown.player()->places_at_end, session.view.size);
+  if (beside) return framing({&session.mesh(), beside}, from, session.view.size, covered);
+  return framing({&session.mesh()}, from, session.view.size, covered);
 }
 
 }  // namespace ryosen

@@ -30,38 +30,39 @@ double nearest_depth(Session& session) {
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const glm::dvec2 share((column + 0.5) / columns, (row + 0.5) / rows);
-      const glm::dvec2 pixel = session.view_origin + share * glm::dvec2(session.view.width, session.view.height);
+      const glm::dvec2 pixel =
+          session.view.origin + share * glm::dvec2(session.view.size.width, session.view.size.height);
       const auto picked = session.pick_drawn(pixel, PickMode::face);
       if (!picked) continue;
-      const double depth = depth_of(session.camera, picked->place);
+      const double depth = depth_of(session.view.camera, picked->place);
       nearest = std::min(nearest.value_or(depth), depth);
     }
-  return nearest.value_or(depth_of(session.camera, session.camera.target));
+  return nearest.value_or(depth_of(session.view.camera, session.view.camera.target));
 }
 
 // The point that the view moves about or towards, for a pixel.
 glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
   if (const auto place = place_under(session, pixel)) return *place;
   Session& part = session.part_at(pixel);
-  return place_at(part.camera, part.view, pixel - part.view_origin, nearest_depth(part));
+  return place_at(part.view.camera, part.view.size, pixel - part.view.origin, nearest_depth(part));
 }
 
 // What is looked at, where nothing was pressed. The wheel may have left the target before or behind all there is: then
 // the middle of the mesh, or, where that is out of sight, the middle of the view as deep as its nearest surface.
 glm::dvec3 middle_of_what_is_seen(Session& session) {
-  const Camera& camera = session.camera;
+  const Camera& camera = session.view.camera;
   const Box box = box_of_finite(session.mesh().positions());
   if (box.is_empty() || box.encloses({camera.target, camera.target})) return camera.target;
-  const auto at = project(camera, session.view, box.middle());
-  const bool is_seen = at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.width &&
-                       at->pixel.y <= session.view.height;
+  const auto at = project(camera, session.view.size, box.middle());
+  const bool is_seen = at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.size.width &&
+                       at->pixel.y <= session.view.size.height;
   if (is_seen) return box.middle();
-  return place_at(camera, session.view, glm::dvec2(session.view.width, session.view.height) / 2.0,
+  return place_at(camera, session.view.size, glm::dvec2(session.view.size.width, session.view.size.height) / 2.0,
                   nearest_depth(session));
 }
 
 glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
-  if (session.orbit_about == OrbitAbout::centre) return session.camera.target;
+  if (session.preferences.orbit_about == OrbitAbout::centre) return session.view.camera.target;
   const auto place = place_under(session, pixel);
   return place ? *place : middle_of_what_is_seen(session);
 }
@@ -75,12 +76,12 @@ void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers
 
 bool Navigation::move(Session& session, glm::dvec2 pixel) {
   if (!drag_) return false;
-  Camera& camera = session.camera;
+  Camera& camera = session.view.camera;
   if (!drag_->moved) {
     if (glm::length(pixel - drag_->start) <= drag_->reach_px) return false;
     drag_->moved = true;
     if (selects(drag_->gesture))
-      session.band = Band{drag_->gesture, {drag_->start}};
+      session.view.band = Band{drag_->gesture, {drag_->start}};
     else
       drag_->held =
           drag_->gesture == Gesture::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
@@ -89,19 +90,19 @@ bool Navigation::move(Session& session, glm::dvec2 pixel) {
   drag_->last = pixel;
   switch (drag_->gesture) {
     case Gesture::orbit:
-      camera = orbited(camera, moved, session.view, drag_->held);
+      camera = orbited(camera, moved, session.view.size, drag_->held);
       break;
     case Gesture::pan:
-      camera = panned(camera, moved, session.view, drag_->held);
+      camera = panned(camera, moved, session.view.size, drag_->held);
       break;
     case Gesture::zoom:
       camera = zoomed(camera, std::exp2(-moved.y / drag_doubles_px), drag_->held);
       break;
     case Gesture::box:
     case Gesture::lasso:
-      if (!session.band) break;  // it was given up
-      if (drag_->gesture == Gesture::box) session.band->path.resize(1);
-      session.band->path.push_back(pixel);
+      if (!session.view.band) break;  // it was given up
+      if (drag_->gesture == Gesture::box) session.view.band->path.resize(1);
+      session.view.band->path.push_back(pixel);
   }
   return true;
 }
@@ -129,12 +130,12 @@ void Navigation::cancel() {
 }
 
 void Navigation::wheel(Session& session, glm::dvec2 pixel, double steps) const {
-  session.camera = zoomed(session.camera, std::pow(wheel_step, steps), held_at(session, pixel));
+  session.view.camera = zoomed(session.view.camera, std::pow(wheel_step, steps), held_at(session, pixel));
 }
 
 bool set_centre(Session& session, glm::dvec2 pixel) {
   const auto place = place_under(session, pixel);
-  if (place) session.camera = centred(session.camera, *place);
+  if (place) session.view.camera = centred(session.view.camera, *place);
   return place.has_value();
 }
 

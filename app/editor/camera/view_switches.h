@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/session/session.h"
-
 namespace ryosen {
+
+class Session;
 
 struct SwitchValue {
   std::string_view id;

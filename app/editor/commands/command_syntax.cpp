@@ -1,6 +1,7 @@
 #include "app/editor/commands/command_syntax.h"
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/ops/lines/syntax.h"
 
 namespace ryosen {
@@ -13,8 +14,8 @@ std::optional<Text> fault_on_nothing(const std::string& line) {
   std::optional<Text> fault;
   for (const glm::dvec3& aside : {glm::dvec3(0), glm::dvec3(-71, 0.6, 5.7)}) {
     Session session(std::make_unique<Document>());
-    session.camera.eye += aside;
-    session.camera.target -= aside;
+    session.view.camera.eye += aside;
+    session.view.camera.target -= aside;
     const Outcome outcome = session.run(line);
     if (outcome.exit_code != ExitCode::usage) return std::nullopt;
     fault = outcome.sentence;

@@ -14,11 +14,16 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/session/session.h"
 #include "app/editor/shown/effect.h"
+#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/repair/report.h"
+#include "ryosen/analysis/problem_kinds.h"
+#include "ryosen/document/document.h"
 #include "ryosen/selection/selectors.h"
 
 namespace ryosen {
+
+class Session;
 
 using Words = std::span<const std::string_view>;
 

@@ -8,6 +8,7 @@
 #include "app/editor/commands/words.h"
 #include "app/editor/document/repair_call.h"
 #include "app/editor/session/first_slots.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 
 namespace ryosen {
@@ -43,10 +44,10 @@ Outcome run_recipe(Session& session, const std::string& list) {
   Outcome outcome;
   outcome.performed = "repair " + list;
   RecipeEvents events;
-  if (session.on_progress)
+  if (session.frontend.on_progress)
     events.progress = [&](const RecipeStep& step, std::size_t, double share) {
-      return session.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
-                                 static_cast<double>(call.steps.size()));
+      return session.frontend.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
+                                          static_cast<double>(call.steps.size()));
     };
   const BesideRepairs beside = session.document().beside_repairs();
   const auto result = session.document().run(call.steps, outcome.performed, events);
@@ -127,10 +128,10 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (make_account).
-  const bool wants_account = row.accounts_for_edges && session.is_shown(panel_opened_by(PanelOpener::levelled));
+  const bool wants_account = row.accounts_for_edges && session.layout.is_shown(panel_opened_by(PanelOpener::levelled));
   const std::vector<std::string> names_before = names_of_kept(session);
   const bool wants_descent = !session.selection.empty() || !names_before.empty();
-  auto result = session.document().run(row, *found.values, outcome.performed, session.on_progress,
+  auto result = session.document().run(row, *found.values, outcome.performed, session.frontend.on_progress,
                                        {wants_account, wants_descent});
   if (!result) return cancelled();
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
@@ -208,7 +209,7 @@ Outcome run_would(Session& session, Words words, std::string_view) {
   if (const auto fault = fault_of_would(words, {})) return usage_error(*fault);
   const RepairCall call = call_of_repair(words.subspan(1));
   const BesideRepairs beside = session.document().beside_repairs();
-  const auto report = try_repair(session.mesh(), call, beside.input(), session.on_progress);
+  const auto report = try_repair(session.mesh(), call, beside.input(), session.frontend.on_progress);
   if (!report) return cancelled();
   if (report->fault) return usage_error(*report->fault);
   Outcome outcome;

@@ -1,6 +1,7 @@
 // The command `compare`: another mesh beside the open one.
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -15,7 +16,7 @@ Outcome run_compare(Session& session, Words arguments, std::string_view whole) {
     return {};
   }
   const std::string name = file_name(whole);
-  auto document = session.read_document(name);
+  auto document = session.frontend.read_document(name);
   if (!document) return not_read(document.failure(), name);
   session.files.reads(name, FileRole::mesh);
   session.put_beside(std::make_unique<Session>(std::move(document).value()));

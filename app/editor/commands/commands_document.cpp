@@ -6,6 +6,7 @@
 #include "app/editor/document/large_files.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/first_slots.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
 #include "app/editor/texts/message_place.h"
@@ -66,7 +67,7 @@ Outcome not_read(const Failure& failure, const std::string& name) {
 Outcome run_open(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("open");
   const std::string name = file_name(whole);
-  auto document = session.read_document(name);
+  auto document = session.frontend.read_document(name);
   if (!document) return not_read(document.failure(), name);
   session.set_document(std::move(document).value());
   return performed("open " + file_argument(name));
@@ -146,7 +147,7 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
   for (const ScriptLine& line : split_script(find_exercise(arguments[0])->script))
     if (outcome = session.run(line.text); !outcome.done()) return outcome;
   session.document().count_as_made();
-  if (session.autosave) session.autosave->note_document(session.document());
+  if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
   session.frame_all();
   outcome.performed.clear();
   outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
@@ -181,10 +182,10 @@ Outcome run_reload(Session& session, Words arguments, std::string_view) {
   const std::string name = session.document().path().string();
   if (name.empty())
     return failed(ExitCode::refused, {"the mesh has no file that could be read again", "読み直すファイルがありません"});
-  const Camera camera = session.camera;
+  const Camera camera = session.view.camera;
   Outcome outcome = session.run("open " + file_argument(name));
   if (!outcome.done()) return outcome;
-  session.camera = camera;
+  session.view.camera = camera;
   outcome.performed.clear();  // the log begins with what opened it
   return outcome;
 }
@@ -193,7 +194,7 @@ Outcome run_keep_mine(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("keep_mine");
   session.document().take_file_as_known();
   session.document().mark_unsaved();  // no file holds this mesh
-  if (session.autosave) session.autosave->note_document(session.document());
+  if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
   session.look_at_disk();
   return {};
 }
@@ -222,7 +223,8 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
     for (const Message& loss : losses) outcome.say(loss.text);
     return outcome;
   }
-  const std::optional<Text> warning = session.autosave ? session.autosave->before_save(session, target) : std::nullopt;
+  const std::optional<Text> warning =
+      session.frontend.autosave ? session.frontend.autosave->before_save(session, target) : std::nullopt;
   const Status status = document.save(target);
   if (is_in_place(status)) session.files.writes(target, FileRole::saved);
   if (!status) {
@@ -318,13 +320,13 @@ std::string free_picture_name(const RunFiles& files) {
 }  // namespace
 
 Outcome run_shot(Session& session, Words, std::string_view whole) {
-  if (!session.take_picture)
+  if (!session.frontend.take_picture)
     return failed(ExitCode::no_backend, {"no picture can be made here; use ryosen shot --script",
                                          "ここでは画像を作れません。ryosen shot --script を使ってください"});
   std::string name = file_name(whole);
   if (name.empty()) name = free_picture_name(session.files);
   if (const Status may = session.files.may_write(name, FileRole::picture); !may) return failed(may.failure());
-  const Status status = session.take_picture(name);
+  const Status status = session.frontend.take_picture(name);
   if (is_in_place(status)) session.files.writes(name, FileRole::picture);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
 }

@@ -1,5 +1,6 @@
 // The commands `hide`, `isolate` and `unhide`.
 #include "app/editor/commands/command_functions.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/hidden_text.h"
 
 namespace ryosen {

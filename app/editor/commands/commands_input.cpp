@@ -6,6 +6,7 @@
 #include "app/editor/input/input.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/input/view_input.h"
+#include "app/editor/session/session.h"
 #include "ryosen/ops/op.h"
 
 namespace ryosen {

@@ -2,6 +2,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/script.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/mesh/find_element.h"
 
@@ -15,7 +16,7 @@ std::optional<MapRange> range_of(Words words) {
   return low && high && *low < *high ? std::optional(MapRange{*low, *high}) : std::nullopt;
 }
 
-void show_panel(Session& session) { session.show(panel_opened_by(PanelOpener::coloured), true); }
+void show_panel(Session& session) { session.layout.show(panel_opened_by(PanelOpener::coloured), true); }
 
 }  // namespace
 
@@ -38,22 +39,22 @@ Outcome run_colours(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_colours(arguments, {})) return usage_error(*fault);
   const ColourMap* const map = find_colour_map(arguments[0]);
   if (!map) {
-    session.colouring.reset();
+    session.view.colouring.reset();
     return {};
   }
   if (map->against && !session.has_beside())
     return failed(ExitCode::refused, {"there is no other mesh to measure from; compare FILE puts one beside this one",
                                       "距離を測る相手がありません。compare FILE で並べてください"});
-  const std::optional<Colouring> before = session.colouring;
-  session.colouring = Colouring{map, {}};
+  const std::optional<Colouring> before = session.view.colouring;
+  session.view.colouring = Colouring{map, {}};
   const MapFigures figures = figures_of(session.map_values().all());
   if (figures.count == 0) {
-    session.colouring = before;
+    session.view.colouring = before;
     return failed(ExitCode::refused, Text{"nothing here has a value of ", "値を持つ要素がありません："} +
                                          Text{std::string(map->name_en), std::string(map->name_ja)});
   }
   const MapRange usual = arguments.size() == 2 ? whole_range(*map, figures) : first_range(*map, figures);
-  session.colouring->range = range_of(arguments.subspan(1)).value_or(usual);
+  session.view.colouring->range = range_of(arguments.subspan(1)).value_or(usual);
   show_panel(session);
   Outcome outcome;
   outcome.sentence = text_of(*map, figures);

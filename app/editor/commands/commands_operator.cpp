@@ -6,6 +6,7 @@
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/session/operator_selection.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/ops/lines/syntax.h"
@@ -166,7 +167,7 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   outcome.performed = line_of(op, words);
   outcome.selecting = selected == session.selection ? session.select_line() : "select" + slot_ranges(selected);
   const auto result = session.document().apply_to_each(op, selected, words.subspan(1), outcome.performed,
-                                                       session.strict, session.on_progress);
+                                                       session.strict, session.frontend.on_progress);
   if (!result) return cancelled();
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);

@@ -4,6 +4,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/preferences/panel_list.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 
@@ -114,7 +115,7 @@ Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
   if (!way && arguments[0] != "at") {
     Outcome outcome = begin_playing(session, called_words(session, arguments, whole));
     if (!outcome.done()) return outcome;
-    session.show(panel_opened_by(PanelOpener::played), true);
+    session.layout.show(panel_opened_by(PanelOpener::played), true);
     outcome.sentence = session.shown.player()->remark();
     if (session.shown.levels()) outcome.say(leave_level(session).sentence);
     return outcome;

@@ -9,6 +9,7 @@
 #include "app/editor/commands/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/asking.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/remedy_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/ops/lines/syntax.h"
@@ -50,7 +51,7 @@ Outcome run_walk(Session& session, Words arguments, std::string_view) {
                        : where == "prev" ? mesh.prev(h)
                        : where == "twin" ? twin(h)
                                          : mesh.counter_clockwise(h)};
-  session.links.walked(h, session.selection[0].halfedge());
+  session.view.links.walked(h, session.selection[0].halfedge());
   keep_in_sight(session, session.selection[0]);
   return {};
 }

@@ -2,6 +2,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/preferences/preferences.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -44,7 +45,7 @@ std::optional<Text> fault_of_bind(Words arguments, const std::string& line) {
 
 Outcome run_bind(Session& session, Words arguments, std::string_view whole) {
   if (is_all_initial(arguments)) {
-    session.bindings.clear();
+    session.preferences.bindings.clear();
     return {};
   }
   if (const auto fault = fault_of_bind(arguments, "bind " + std::string(whole))) return usage_error(*fault);

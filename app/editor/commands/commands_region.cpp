@@ -1,6 +1,7 @@
 // Selecting what lies in a region of the picture: `box`, `lasso`, and `band`, which makes the next drag one of them.
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/command_functions.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/selection/element_set.h"
@@ -38,7 +39,7 @@ Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& 
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
-      session.picker().pick_region(session.mesh(), session.camera, session.view, region, session.mode, depth);
+      session.picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.mode, depth);
   put_into_selection(session.selection.changed(), found, call.how);
   Outcome outcome;
   if (found.empty())
@@ -57,20 +58,20 @@ Outcome run_box(Session& session, Words arguments, std::string_view) {
   auto call = read_region(arguments, 2, 2);
   if (!call) return wrong_arguments("box");
   return select_in(session, *call,
-                   ScreenRegion::box(call->pixels[0] - session.view_origin, call->pixels[1] - session.view_origin));
+                   ScreenRegion::box(call->pixels[0] - session.view.origin, call->pixels[1] - session.view.origin));
 }
 
 Outcome run_lasso(Session& session, Words arguments, std::string_view) {
   auto call = read_region(arguments, 1, arguments.size());
   if (!call) return wrong_arguments("lasso");
-  for (glm::dvec2& pixel : call->pixels) pixel -= session.view_origin;
+  for (glm::dvec2& pixel : call->pixels) pixel -= session.view.origin;
   return select_in(session, *call, ScreenRegion(call->pixels));
 }
 
 Outcome run_band(Session& session, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "box" && word != "lasso") return wrong_arguments("band");
-  session.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
+  session.view.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
   return {};
 }
 

@@ -1,6 +1,7 @@
 // What is searched for only where somebody asks for it.
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
 
@@ -17,7 +18,7 @@ Outcome run_self_intersections(Session& session, Words arguments, std::string_vi
     session.forget_findings(ProblemKind::self_intersection);
     return {};
   }
-  Progress progress(session.on_progress);
+  Progress progress(session.frontend.on_progress);
   constexpr std::size_t most_pairs = 100000;  // of which it is known what a face meets; n copies of one make n^2 / 2
   auto found = find_self_intersections(session.mesh(), most_pairs, 0, progress);
   if (!found) return cancelled();

@@ -6,6 +6,7 @@
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/input/pick_modes.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/ops/lines/syntax.h"

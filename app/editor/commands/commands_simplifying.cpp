@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/algo/edge_rules.h"
@@ -52,14 +53,14 @@ Outcome begin_levels(Session& session, Words words) {
     return outcome;
   };
   if (!found.values) return telling(failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence));
-  Progress progress(session.on_progress);
+  Progress progress(session.frontend.on_progress);
   const std::vector<Vertex> on_lines = vertices_on_lines(session.document().file(), session.mesh().file_vertices());
   BuiltLevels built = build_levels(session.mesh(), {.values = *found.values, .on_lines = on_lines}, progress);
   if (built.refused) return telling(failed(ExitCode::refused, behind("levels", *built.refused)));
   if (!built.levels) return telling(cancelled());
   session.shown.begin(std::make_shared<ShownLevels>(std::move(built.levels), values, session.document()));
   session.shown.go_to_level(0);
-  session.show(panel_opened_by(PanelOpener::levelled), true);
+  session.layout.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
   const std::string least = std::to_string(session.shown.levels()->faces(session.shown.levels()->levels().last()));
   outcome.sentence =
@@ -143,7 +144,7 @@ Outcome run_account(Session& session, Words arguments, std::string_view) {
                                       "内訳がありません。simplify の直後、次の変更までの間だけ示せます"});
   const EdgeAccount* const account = make_account(session);
   if (!account) return cancelled();
-  session.show(panel_opened_by(PanelOpener::levelled), true);
+  session.layout.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
   if (!arguments.empty()) {
     select_under(session, *account, find_rule(arguments[0])->rule);

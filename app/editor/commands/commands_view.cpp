@@ -6,15 +6,16 @@
 #include "app/editor/camera/fly.h"
 #include "app/editor/camera/framing.h"
 #include "app/editor/commands/script.h"
+#include "app/editor/session/session.h"
 #include "ryosen/view/named_views.h"
 
 namespace ryosen {
 
 Outcome run_camera(Session& session, Words, std::string_view whole) {
   Text error;
-  const auto camera = camera_from_json(whole, session.camera, error);
+  const auto camera = camera_from_json(whole, session.view.camera, error);
   if (!camera) return usage_error("camera: " + error.en, "camera：" + error.ja);
-  session.camera = *camera;
+  session.view.camera = *camera;
   return {};
 }
 
@@ -23,11 +24,11 @@ Outcome run_view(Session& session, Words arguments, std::string_view) {
   const NamedView* const view = arguments.size() == 1 || is_here ? find_named_view(arguments[0]) : nullptr;
   if (!view) return wrong_arguments("view");
   if (is_here) {
-    session.camera = turned_to(*view, session.camera);
+    session.view.camera = turned_to(*view, session.view.camera);
     return {};
   }
   Session* const beside = session.beside();
-  session.camera = framing_of(session, beside ? &beside->mesh() : nullptr, camera_along(*view));
+  session.view.camera = framing_of(session, beside ? &beside->mesh() : nullptr, camera_along(*view));
   return {};
 }
 
@@ -80,9 +81,9 @@ Outcome run_show(Session& session, Words arguments, std::string_view) {
     known.emplace_back(row.id);
     if (arguments[0] != row.id && arguments[0] != "all") continue;
     if (on)
-      session.shown_highlights.insert(known.back());
+      session.view.highlights.insert(known.back());
     else
-      session.shown_highlights.erase(known.back());
+      session.view.highlights.erase(known.back());
   }
   if (arguments[0] == "all" || std::find(known.begin(), known.end(), arguments[0]) != known.end()) return {};
   const std::string wrong(arguments[0]);

@@ -5,6 +5,7 @@
 #include "app/editor/commands/script.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/preferences/panel_list.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 
@@ -27,8 +28,8 @@ struct PanelAct {
   void (*act)(Session& session, const PanelRow& row);
 };
 constexpr PanelAct panel_acts[] = {
-    {"on", false, [](Session& session, const PanelRow& row) { session.show(row, true); }},
-    {"off", false, [](Session& session, const PanelRow& row) { session.show(row, false); }},
+    {"on", false, [](Session& session, const PanelRow& row) { session.layout.show(row, true); }},
+    {"off", false, [](Session& session, const PanelRow& row) { session.layout.show(row, false); }},
     {"fold", true, [](Session& session, const PanelRow& row) { session.layout.folded.emplace(row.id); }},
     {"unfold", true, [](Session& session, const PanelRow& row) { session.layout.folded.erase(std::string(row.id)); }},
     {"left", true, [](Session& session, const PanelRow& row) { session.layout.put(row, PanelPlace::left); }},
@@ -49,7 +50,7 @@ Outcome run_panel(Session& session, Words arguments, std::string_view) {
     return usage_error("panel none closes what lies over the view; it takes no further word",
                        "panel none は画面に重なるものを閉じます。後ろに言葉は付けられません");
   if (id == "none") {
-    session.open_panel.clear();
+    session.layout.open_panel.clear();
     session.layout.flyout.clear();
     return {};
   }
@@ -75,7 +76,7 @@ std::string panel_syntax() {
 Outcome run_menu(Session& session, Words arguments, std::string_view) {
   const MenuRow* const menu = arguments.empty() ? menu_bar : find_menu(arguments[0]);
   if (!menu || arguments.size() > 1) return wrong_arguments("menu");
-  session.asked_menu = menu;
+  session.layout.asked_menu = menu;
   return {};
 }
 
@@ -103,15 +104,15 @@ Outcome run_values(Session& session, Words arguments, std::string_view) {
     return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
                        did_you_mean(wrong, known));
   }
-  session.asked_algorithm = row->id;
-  session.show(panel_opened_by(PanelOpener::asked_values), true);
+  session.layout.asked_algorithm = row->id;
+  session.layout.show(panel_opened_by(PanelOpener::asked_values), true);
   return {};
 }
 
 Outcome run_language(Session& session, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "en" && word != "ja") return wrong_arguments("language");
-  session.language = word == "ja" ? Language::japanese : Language::english;
+  session.preferences.language = word == "ja" ? Language::japanese : Language::english;
   return {};
 }
 
@@ -126,12 +127,12 @@ Outcome leave_question(Session& session) {
 // of the program, the tool, the selection, and last what is played, a level of detail, or a question of the practice.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
-  if (session.band || session.armed_gesture) {
-    session.band.reset();
-    session.armed_gesture.reset();
+  if (session.view.band || session.view.armed_gesture) {
+    session.view.band.reset();
+    session.view.armed_gesture.reset();
     return {};
   }
-  if (!session.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");
+  if (!session.layout.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");
   if (session.is_verdict_held()) {
     session.release_verdict();
     session.point_away();
@@ -151,7 +152,7 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
 
 Outcome run_quit(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("quit");
-  if (session.quit) session.quit();
+  if (session.frontend.quit) session.frontend.quit();
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/mesh/copies.h"
 

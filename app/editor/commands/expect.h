@@ -5,9 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "app/editor/session/session.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
+
+class Session;
 
 // A term of the Euler–Poincaré sum (analysis/euler_poincare.h), the verdict on a command, or the hash. A false
 // assertion fails with exit code 1 and reports the actual value.

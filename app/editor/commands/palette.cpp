@@ -10,6 +10,7 @@
 #include "app/editor/input/keys.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/operator_selection.h"
+#include "app/editor/session/session.h"
 #include "ryosen/highlights/colour_maps.h"
 #include "ryosen/view/named_views.h"
 

@@ -6,11 +6,12 @@
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
 void ViewInput::press(MouseButton button, const Pointer& at) {
-  session_.pointer = at.pixel;
+  session_.view.pointer = at.pixel;
   // The window may have missed its release.
   if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();
   if (button == MouseButton::left) held_handle_.reset();
@@ -24,9 +25,9 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
     }
     return;
   }
-  const InputPreset& preset = input_presets()[session_.input_preset];
-  const bool is_armed = session_.armed_gesture && button == MouseButton::left;
-  const Gesture gesture = is_armed ? *session_.armed_gesture : gesture_of(preset, button, at.modifiers);
+  const InputPreset& preset = input_presets()[session_.preferences.input_preset];
+  const bool is_armed = session_.view.armed_gesture && button == MouseButton::left;
+  const Gesture gesture = is_armed ? *session_.view.armed_gesture : gesture_of(preset, button, at.modifiers);
   const HandleRow* const handle =
       button == MouseButton::left && !is_armed && !is_dragging() && !session_.axis_end_at(at.pixel)
           ? session_.handle_at(at.pixel, at.modifiers)
@@ -40,16 +41,16 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
     if (is_armed || row.button != button || row.shift != at.modifiers.shift || row.ctrl != at.modifiers.ctrl) continue;
     band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the gesture
   }
-  navigation_.press(button, at.pixel, at.modifiers, gesture, session_.size_scale());
+  navigation_.press(button, at.pixel, at.modifiers, gesture, session_.preferences.size_scale());
 }
 
 void ViewInput::drag_handle(const Pointer& at) {
   if (!held_handle_->has_begun &&
-      glm::length(at.pixel - held_handle_->start) > click_reach_px * session_.size_scale()) {
+      glm::length(at.pixel - held_handle_->start) > click_reach_px * session_.preferences.size_scale()) {
     held_handle_->has_begun = true;
-    session_.pointer = held_handle_->start;
+    session_.view.pointer = held_handle_->start;
     run(std::string(held_handle_->row->line));
-    session_.pointer = at.pixel;
+    session_.view.pointer = at.pixel;
   }
   if (session_.gesture()) session_.follow_gesture(at.pixel, at.modifiers);
 }
@@ -62,7 +63,7 @@ Outcome ViewInput::let_go_of_handle(const Pointer& at) {
     session_.follow_gesture(at.pixel, at.modifiers);
     outcome = end_gesture();
   } else if (!held.has_begun && !is_dragging() && clicks_through(held)) {
-    navigation_.press(MouseButton::left, held.start, held.modifiers, Gesture::orbit, session_.size_scale());
+    navigation_.press(MouseButton::left, held.start, held.modifiers, Gesture::orbit, session_.preferences.size_scale());
     outcome = end_click(navigation_.release(MouseButton::left, at.pixel, at.now_s));
   }
   point(at);
@@ -80,7 +81,7 @@ void ViewInput::give_up_drags() {
 }
 
 std::string ViewInput::line_of_band(Modifiers at_end) const {
-  const Band& band = *session_.band;
+  const Band& band = *session_.view.band;
   std::string line(band.gesture == Gesture::box ? "box" : "lasso");
   for (const glm::dvec2& pixel : band.path) line += " " + format_pixel(pixel);
   if (band_modifiers_.shift) line += " add";
@@ -90,15 +91,15 @@ std::string ViewInput::line_of_band(Modifiers at_end) const {
 }
 
 Outcome ViewInput::release(MouseButton button, const Pointer& at) {
-  session_.pointer = at.pixel;
+  session_.view.pointer = at.pixel;
   if (button == MouseButton::left && held_handle_) return let_go_of_handle(at);
   if (gesture_ended_ && gesture_ended_->button == button) return std::exchange(gesture_ended_, std::nullopt)->outcome;
   const auto ended = navigation_.release(button, at.pixel, at.now_s);
   Outcome outcome;
-  if (session_.band && !navigation_.is_dragging()) {
+  if (session_.view.band && !navigation_.is_dragging()) {
     const std::string line = line_of_band(at.modifiers);
-    session_.band.reset();
-    session_.armed_gesture.reset();
+    session_.view.band.reset();
+    session_.view.armed_gesture.reset();
     outcome = run(line);
   }
   if (ended) outcome = end_click(ended);
@@ -117,7 +118,7 @@ Outcome ViewInput::end_click(const std::optional<Navigation::Click>& ended) {
 }
 
 void ViewInput::move(const Pointer& at) {
-  session_.pointer = at.pixel;
+  session_.view.pointer = at.pixel;
   if (session_.gesture() && !navigation_.is_dragging())
     session_.follow_gesture(at.pixel, at.modifiers);
   else if (held_handle_ && !navigation_.is_dragging())
@@ -136,7 +137,8 @@ void ViewInput::wheel(double steps, const Pointer& at) {
 
 Outcome ViewInput::key(const std::string& chord) {
   if (const auto outcome = session_.gesture_key(chord)) return *outcome;
-  if (const auto row = find_key(chord, input_presets()[0], session_.bindings)) return session_.run(row->command);
+  if (const auto row = find_key(chord, input_presets()[0], session_.preferences.bindings))
+    return session_.run(row->command);
   return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
 }
 

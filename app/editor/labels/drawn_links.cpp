@@ -17,7 +17,7 @@ namespace {
 std::vector<Halfedge> halfedges_in_view(const Session& session) {
   const Mesh& m = session.mesh();
   const std::span<const glm::dvec3> places = session.drawn_positions();
-  const ScreenProjection screen(session.camera, session.view);
+  const ScreenProjection screen(session.view.camera, session.view.size);
   std::vector<std::pair<double, std::uint32_t>> edges;  // shortest last
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const Edge e(i);
@@ -26,9 +26,10 @@ std::vector<Halfedge> halfedges_in_view(const Session& session) {
                b = screen.project(places[m.to(halfedge(e)).index]);
     if (!a || !b) continue;
     const glm::dvec2 middle = 0.5 * (a->pixel + b->pixel);
-    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < session.view.width && middle.y < session.view.height)) continue;
+    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < session.view.size.width && middle.y < session.view.size.height))
+      continue;
     const double length = glm::length(a->pixel - b->pixel);
-    if (length >= DrawnLinks::least_px * session.size_scale()) edges.emplace_back(-length, i);
+    if (length >= DrawnLinks::least_px * session.preferences.size_scale()) edges.emplace_back(-length, i);
   }
   constexpr std::size_t most_edges = DrawnLinks::most / 2;
   if (edges.size() > most_edges) {
@@ -72,9 +73,9 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
                 .hidden = session.hidden().revision(),
                 .trail = trail_revision_,
                 .shown = shown,
-                .camera = session.camera,
-                .view = session.view,
-                .scale = session.size_scale(),
+                .camera = session.view.camera,
+                .view = session.view.size,
+                .scale = session.preferences.size_scale(),
                 .selection = selection.stamp()};
   if (key_ && *key_ == key) return arrows_;
   key_ = key;
@@ -107,11 +108,11 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
 
 const LinkArrow* DrawnLinks::at(Session& session, glm::dvec2 pixel) {
   constexpr double within_px = 4;
-  const ScreenProjection screen(session.camera, session.view);
-  const bool hides = session.settings.xray == Xray::off;
-  const std::optional<ClipPlane> clip = session.clip_plane();
+  const ScreenProjection screen(session.view.camera, session.view.size);
+  const bool hides = session.view.settings.xray == Xray::off;
+  const std::optional<ClipPlane> clip = session.view.clip_plane();
   const LinkArrow* nearest = nullptr;
-  double least = within_px * session.size_scale();
+  double least = within_px * session.preferences.size_scale();
   for (const LinkArrow& arrow : of(session)) {
     const auto part = kept(arrow.from, arrow.to, clip);
     if (!arrow.halfedge || !part) continue;
@@ -121,7 +122,8 @@ const LinkArrow* DrawnLinks::at(Session& session, glm::dvec2 pixel) {
     if (!near || near->distance_px >= least) continue;
     const glm::dvec3 place = from + near->along * (to - from);
     const auto at = screen.project(place);
-    if (!at || (hides && !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, place, arrow.on)))
+    if (!at || (hides && !session.picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, place,
+                                                   arrow.on)))
       continue;
     least = near->distance_px;
     nearest = &arrow;

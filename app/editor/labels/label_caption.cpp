@@ -1,5 +1,6 @@
 // Sentences in the upper left corner of the view.
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -37,15 +38,15 @@ std::vector<std::string> broken_lines(std::string_view text, double most_px) {
 
 double caption_px(const Session& session) {
   constexpr int usual_rows = 2;
-  return (caption_margin_px + usual_rows * caption_row_px) * session.label_scale();
+  return (caption_margin_px + usual_rows * caption_row_px) * session.preferences.label_scale();
 }
 
 void add_caption(const Session& session, std::span<const std::string> sentences, std::vector<Label>& labels) {
   int row = 0;
-  const double scale = session.label_scale();
-  const double left = session.covered_px.x / scale + caption_margin_px;
+  const double scale = session.preferences.label_scale();
+  const double left = session.view.covered_px.x / scale + caption_margin_px;
   const double room =
-      (session.view.width - session.covered_px.x - session.covered_px.y) / scale - 2 * caption_margin_px;
+      (session.view.size.width - session.view.covered_px.x - session.view.covered_px.y) / scale - 2 * caption_margin_px;
   for (const std::string& sentence : sentences)
     for (std::string& line : broken_lines(sentence, room))
       labels.push_back({.text = std::move(line),

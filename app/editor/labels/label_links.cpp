@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "ryosen/pick/screen_segment.h"
 
 namespace ryosen {
@@ -29,9 +30,9 @@ constexpr glm::dvec2 around_px[] = {{0, 19},   {0, -19}, {44, 0}, {-44, 0}, {44,
 }  // namespace
 
 void add_links(Session& session, std::vector<Label>& labels) {
-  const ScreenProjection screen(session.camera, session.view);
-  for (const LinkArrow& arrow : session.links.of(session)) {
-    const std::string& text = arrow.label.in(session.language);
+  const ScreenProjection screen(session.view.camera, session.view.size);
+  for (const LinkArrow& arrow : session.view.links.of(session)) {
+    const std::string& text = arrow.label.in(session.preferences.language);
     if (text.empty()) continue;
     // The label of a normal, and of a link to a face, stands at its head: others need the room along the way.
     const bool ends_free = arrow.role == LinkRole::normal || arrow.role == LinkRole::face;

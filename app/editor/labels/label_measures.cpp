@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/analysis/measuring.h"
 #include "ryosen/mesh/find_element.h"
@@ -19,7 +20,7 @@ void add_measures(Session& session, std::vector<Label>& labels) {
     if (found.values.empty()) continue;
     const bool has_way = found.path.size() > 1;
     Label label{.at = has_way ? 0.5 * found.path[0] + 0.5 * found.path[1] : middle_of(mesh, measured.front()),
-                .text = short_text_of(found).in(session.language),
+                .text = short_text_of(found).in(session.preferences.language),
                 .priority = measure_priority,
                 .moves_aside = true,
                 .through = true};
@@ -29,9 +30,9 @@ void add_measures(Session& session, std::vector<Label>& labels) {
 
 void add_map_legend(Session& session, std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
-  const auto [map, range] = *session.colouring;
+  const auto [map, range] = *session.view.colouring;
   const MapRange extent = session.map_extent();
-  const glm::dvec2 corner(0, session.view.height);
+  const glm::dvec2 corner(0, session.view.size.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),
                       .priority = legend_priority,
@@ -51,7 +52,8 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
     add(i, sign + numbers[i] + std::string(sign_of(map->unit)),
         colour_at(map->scale, place_on_scale(*map, range, value)));
   }
-  add(steps, std::string(session.language == Language::japanese ? map->name_ja : map->name_en), std::nullopt);
+  add(steps, std::string(session.preferences.language == Language::japanese ? map->name_ja : map->name_en),
+      std::nullopt);
 }
 
 }  // namespace ryosen

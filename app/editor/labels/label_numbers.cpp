@@ -4,6 +4,7 @@
 #include <set>
 
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -20,7 +21,7 @@ class NumberLabels {
         m_(session.mesh()),
         places_(session.drawn_positions()),
         labels_(labels),
-        screen_(session.camera, session.view),
+        screen_(session.view.camera, session.view.size),
         selected_(session.selection.begin(), session.selection.end()) {}
 
   template <class Handle>
@@ -70,8 +71,8 @@ class NumberLabels {
 
   bool is_in_view(const glm::dvec3& place) const {
     const auto at = screen_.project(place);
-    return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session_.view.width &&
-           at->pixel.y < session_.view.height;
+    return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session_.view.size.width &&
+           at->pixel.y < session_.view.size.height;
   }
 
   glm::dvec3 middle(Vertex v) const { return places_[v.index]; }
@@ -131,7 +132,7 @@ class NumberLabels {
 void add_numbers(Session& session, std::vector<Label>& labels) {
   NumberLabels numbers(session, labels);
   const Mesh& mesh = session.mesh();
-  switch (session.settings.numbers) {
+  switch (session.view.settings.numbers) {
     case Numbers::off:
       return;
     case Numbers::vertices:

@@ -1,4 +1,5 @@
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 

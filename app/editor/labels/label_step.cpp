@@ -1,4 +1,5 @@
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/find_element.h"
@@ -11,7 +12,7 @@ void add_step(Session& session, std::vector<Label>& labels) {
   const steps::Step* const step = player.step();
   const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
-  const std::string sentences[] = {number + caption.in(session.language)};
+  const std::string sentences[] = {number + caption.in(session.preferences.language)};
   add_caption(session, sentences, labels);
   if (!step) return;
   const Mesh& mesh = session.mesh();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/pick/screen_segment.h"
 
@@ -14,13 +15,13 @@ namespace {
 bool is_step_shown(const Session& session) { return session.shown.shows(ShownBy::step); }
 
 constexpr LabelSource sources[] = {
-    {"numbers", [](const Session& session) { return session.settings.numbers != Numbers::off; }, add_numbers},
-    {"links", [](const Session& session) { return session.links.is_on(session); }, add_links},
+    {"numbers", [](const Session& session) { return session.view.settings.numbers != Numbers::off; }, add_numbers},
+    {"links", [](const Session& session) { return session.view.links.is_on(session); }, add_links},
     {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
     {"snap", [](const Session& session) { return session.gesture() && session.gesture()->snapped_to(); }, add_snap},
     {"faceless", is_faceless, add_faceless},
-    {"map", [](const Session& session) { return session.colouring.has_value(); }, add_map_legend},
+    {"map", [](const Session& session) { return session.view.colouring.has_value(); }, add_map_legend},
 };
 
 // The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
@@ -85,8 +86,8 @@ bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixe
 void take_handles(const Session& session, TakenCells& cells) {
   const std::optional<Gizmo> gizmo = session.gizmo();
   if (!gizmo) return;
-  const double around = 8 * session.size_scale();
-  const ScreenProjection screen(session.camera, session.view);
+  const double around = 8 * session.preferences.size_scale();
+  const ScreenProjection screen(session.view.camera, session.view.size);
   const auto take = [&](const glm::dvec3& place) {
     const auto at = screen.project(place);
     if (!at || !is_near(at->pixel)) return;
@@ -110,7 +111,7 @@ class LabelPlaces {
  public:
   // `margin`: the room around each.
   LabelPlaces(const Session& session, double scale, int margin)
-      : view_(session.view), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
+      : view_(session.view.size), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
     take_handles(session, handles_);
   }
 
@@ -160,9 +161,9 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     if (source.is_on(session)) source.add(session, labels);
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Label& a, const Label& b) { return a.priority > b.priority; });
-  const ScreenProjection screen(session.camera, session.view);
-  const std::optional<ClipPlane> clip = session.clip_plane();
-  const bool hides = session.settings.xray == Xray::off && !session.gesture();
+  const ScreenProjection screen(session.view.camera, session.view.size);
+  const std::optional<ClipPlane> clip = session.view.clip_plane();
+  const bool hides = session.view.settings.xray == Xray::off && !session.gesture();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
   LabelPlaces places(session, scale, margin);
@@ -177,7 +178,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     const std::optional<PixelRect> rect = places.room_of(label, size, at->pixel);
     if (!rect) continue;
     if (hides && !label.pixel && !label.through &&
-        !session.picker().is_seen(session.mesh(), session.camera, session.view, *at, label.at, label.own))
+        !session.picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, label.at, label.own))
       continue;
     places.take(*rect, label);
     placed.push_back({{rect->x0, rect->y0}, size, label.text, label.ground});

@@ -13,9 +13,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "ryosen/base/handle.h"
+#include "ryosen/view/size.h"
 
 namespace ryosen {
+
+class Session;
 
 struct Label {
   glm::dvec3 at{0};                      // in mesh space; the text is centred there

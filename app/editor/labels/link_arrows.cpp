@@ -1,5 +1,6 @@
 #include "app/editor/labels/link_arrows.h"
 
+#include "app/editor/session/session.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/middle.h"
 

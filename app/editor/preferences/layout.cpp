@@ -4,12 +4,26 @@
 
 namespace ryosen {
 
+std::string Layout::first_open_panel() {
+  for (const PanelRow& row : panel_list())
+    if (row.place == PanelPlace::over && row.shown_at_first()) return std::string(row.id);
+  return {};
+}
+
 bool Layout::is_shown(const PanelRow& panel) const {
+  if (panel.place == PanelPlace::over) return open_panel == panel.id;
   return panel.shown_at_first() != switched.contains(std::string(panel.id));
 }
 
 void Layout::show(const PanelRow& panel, bool on) {
   const std::string id(panel.id);
+  const bool is_over = panel.place == PanelPlace::over;
+  if (on && !is_over) wanted = id;
+  if (is_shown(panel) == on) return;
+  if (is_over) {
+    open_panel = on ? id : "";
+    return;
+  }
   if (on != panel.shown_at_first())
     switched.insert(id);
   else

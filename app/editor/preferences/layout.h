@@ -1,4 +1,4 @@
-// How the panels of the columns lie beside the view: what the commands `panel` and `columns` change.
+// How the panels lie beside and over the view: what the commands `panel`, `columns`, `menu` and `values` change.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
 
 namespace ryosen {
@@ -22,8 +23,12 @@ struct Layout {
   std::string wanted;              // somebody asked for this one just now: its column scrolls to it; empty for none
   // Of the columns, at scale 1.
   int left_px = 240, right_px = 292;
+  std::string open_panel = first_open_panel();  // the one that lies over the view; empty for none
+  const MenuRow* asked_menu = nullptr;          // the window opens it for the keyboard in its next frame
+  std::string asked_algorithm;                  // whose values the panel of values asks for
 
   bool is_shown(const PanelRow& panel) const;
+  // One over the view takes the place of the one that was open.
   void show(const PanelRow& panel, bool on);
   PanelPlace side_of(const PanelRow& panel) const;
   void put(const PanelRow& panel, PanelPlace side);
@@ -37,6 +42,9 @@ struct Layout {
 
   // The commands that bring it about, beginning with a layout as at first. What is open over the view is not kept.
   std::vector<std::string> commands() const;
+
+ private:
+  static std::string first_open_panel();
 };
 
 }  // namespace ryosen

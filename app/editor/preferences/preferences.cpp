@@ -7,6 +7,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -39,8 +40,10 @@ const std::vector<PreferenceRow>& own_rows() {
         .help_ja = "画面の言語",
         .initial = "en",
         .choices = {{"en", "English", "English"}, {"ja", "日本語", "日本語"}}},
-       [](const Session& s) { return std::string(s.language == Language::japanese ? "ja" : "en"); },
-       [](Session& s, const ParameterValue& v) { s.language = v.number > 0 ? Language::japanese : Language::english; }},
+       [](const Session& s) { return std::string(s.preferences.language == Language::japanese ? "ja" : "en"); },
+       [](Session& s, const ParameterValue& v) {
+         s.preferences.language = v.number > 0 ? Language::japanese : Language::english;
+       }},
       {{.id = "scale",
         .kind = ParameterKind::number,
         .name_en = "Scale",
@@ -50,8 +53,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .initial = "1",
         .smallest = 0.5,
         .largest = 3},
-       [](const Session& s) { return format_double(s.ui_scale); },
-       [](Session& s, const ParameterValue& v) { s.ui_scale = v.number; }},
+       [](const Session& s) { return format_double(s.preferences.ui_scale); },
+       [](Session& s, const ParameterValue& v) { s.preferences.ui_scale = v.number; }},
       {{.id = "font_size",
         .kind = ParameterKind::count,
         .name_en = "Font size",
@@ -63,8 +66,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .largest = 32,
         .unit_en = "pixels",
         .unit_ja = "画素"},
-       [](const Session& s) { return std::to_string(s.font_size_px); },
-       [](Session& s, const ParameterValue& v) { s.font_size_px = static_cast<int>(v.number); }},
+       [](const Session& s) { return std::to_string(s.preferences.font_size_px); },
+       [](Session& s, const ParameterValue& v) { s.preferences.font_size_px = static_cast<int>(v.number); }},
       {{.id = "crease_angle",
         .kind = ParameterKind::number,
         .name_en = "Crease angle",
@@ -76,8 +79,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .largest = 180,
         .unit_en = "degrees",
         .unit_ja = "度"},
-       [](const Session& s) { return format_double(s.crease_deg); },
-       [](Session& s, const ParameterValue& v) { s.crease_deg = v.number; }},
+       [](const Session& s) { return format_double(s.preferences.crease_deg); },
+       [](Session& s, const ParameterValue& v) { s.preferences.crease_deg = v.number; }},
       {{.id = "samples",
         .kind = ParameterKind::count,
         .name_en = "Samples",
@@ -87,8 +90,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .initial = "1",
         .smallest = 1,
         .largest = 4},
-       [](const Session& s) { return std::to_string(s.samples); },
-       [](Session& s, const ParameterValue& v) { s.samples = static_cast<int>(v.number); }},
+       [](const Session& s) { return std::to_string(s.preferences.samples); },
+       [](Session& s, const ParameterValue& v) { s.preferences.samples = static_cast<int>(v.number); }},
   };
   return rows;
 }
@@ -169,14 +172,14 @@ std::optional<Text> fault_of_binding(std::string_view chord, const std::string& 
 }
 
 void bind(Session& session, const std::string& chord, BindTo to, const std::string& command) {
-  std::erase_if(session.bindings, [&](const KeyBinding& binding) { return binding.chord == chord; });
-  const auto usual = find_key(chord, input_presets()[session.input_preset]);
+  std::erase_if(session.preferences.bindings, [&](const KeyBinding& binding) { return binding.chord == chord; });
+  const auto usual = find_key(chord, input_presets()[session.preferences.input_preset]);
   const bool is_usual = usual ? usual->command == command : command.empty();
-  if (to == BindTo::command && !is_usual) session.bindings.push_back({chord, command});
+  if (to == BindTo::command && !is_usual) session.preferences.bindings.push_back({chord, command});
 }
 
 std::optional<KeyRow> conflict_of(const Session& session, std::string_view chord, std::string_view command) {
-  auto row = find_key(chord, input_presets()[session.input_preset], session.bindings);
+  auto row = find_key(chord, input_presets()[session.preferences.input_preset], session.preferences.bindings);
   return row && row->command != command ? std::move(row) : std::nullopt;
 }
 

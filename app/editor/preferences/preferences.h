@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "app/editor/input/keys.h"
 #include "ryosen/algo/parameters.h"
 
 namespace ryosen {
+
+class Session;
 
 struct PreferenceRow {
   ParameterRow field;  // its id, texts, kind, range and initial value

@@ -7,6 +7,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/preferences/preferences.h"
+#include "app/editor/session/session.h"
 #include "ryosen/io/input_file.h"
 #include "ryosen/io/safe_write.h"
 
@@ -150,11 +151,11 @@ void UserFiles::begin_layout(Session& session, Text& said) {
 }
 
 void UserFiles::begin_recent(Session& session) {
-  session.recent.clear();
+  session.preferences.recent.clear();
   const Result<std::vector<Line>> lines = lines_of(recent_.path);
   if (!lines) return;
   for (const Line& line : *lines)
-    if (session.recent.size() < most_recent) session.recent.push_back(file_name(line.text));
+    if (session.preferences.recent.size() < most_recent) session.preferences.recent.push_back(file_name(line.text));
 }
 
 void UserFiles::take_as_given(const Session& session) {
@@ -169,7 +170,7 @@ std::string UserFiles::preferences_now(const Session& session) {
     if (value != given_[id]) file_[id] = given_[id] = value;
     if (const auto kept = file_.find(id); kept != file_.end()) lines.push_back(id + " " + kept->second);
   }
-  for (const KeyBinding& binding : session.bindings) lines.push_back(line_of(binding));
+  for (const KeyBinding& binding : session.preferences.bindings) lines.push_back(line_of(binding));
   lines.insert(lines.end(), unknown_.begin(), unknown_.end());
   return content_of(preferences_head, lines);
 }
@@ -182,9 +183,9 @@ void UserFiles::note_recent(Session& session) {
   if (file.empty() || file == last_file_) return;
   last_file_ = file;
   begin_recent(session);
-  std::erase(session.recent, file);
-  session.recent.insert(session.recent.begin(), file);
-  if (session.recent.size() > most_recent) session.recent.resize(most_recent);
+  std::erase(session.preferences.recent, file);
+  session.preferences.recent.insert(session.preferences.recent.begin(), file);
+  if (session.preferences.recent.size() > most_recent) session.preferences.recent.resize(most_recent);
 }
 
 Status UserFiles::write(Kept& kept, const std::string& content) {
@@ -207,7 +208,7 @@ std::optional<Text> UserFiles::keep(Session& session) {
   if (folder_.empty() && preferences_.path.empty()) return std::nullopt;
   note_recent(session);
   std::vector<std::string> recent;
-  for (const std::string& file : session.recent) recent.push_back(file_argument(file));
+  for (const std::string& file : session.preferences.recent) recent.push_back(file_argument(file));
   const Status kept[]{
       write(preferences_, preferences_now(session)),
       write(layout_, content_of(layout_head, session.layout.commands())),

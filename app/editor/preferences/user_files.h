@@ -5,12 +5,15 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "ryosen/base/result.h"
 
 namespace ryosen {
+
+class Session;
 
 // Reads preferences and sets all of them, or none where a line is broken: then the failure names file and line. A file
 // that is not there has none. Lines about nothing that is known are returned: they are another version's.

@@ -7,6 +7,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/system_reason.h"

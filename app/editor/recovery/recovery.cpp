@@ -356,12 +356,12 @@ Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto) {
   if (!is_same && !is_as_is && !can_be_as_was(lost)) return refused_first(session, lost, why_not(lost, onto));
   (*document)->mark_unsaved();
   (*document)->know_file_as(is_as_is || change == FileState::Change::none ? now : FileState::of_none_that_is());
-  Autosave* const autosave = std::exchange(session.autosave, nullptr);
+  Autosave* const autosave = std::exchange(session.frontend.autosave, nullptr);
   const bool was_strict = std::exchange(session.strict, false);
   session.set_document(std::move(document).value(), lost.start.file);
   Outcome outcome = replay(session, lost);
   session.frame_all();
-  session.autosave = autosave;
+  session.frontend.autosave = autosave;
   session.strict = was_strict;
   session.look_at_disk();
   const SessionStart start = is_as_is ? SessionStart{lost.file, {}, hash, now} : lost.start;

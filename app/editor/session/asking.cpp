@@ -6,6 +6,7 @@
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
+#include "app/editor/session/session.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/ops/all.h"

@@ -2,13 +2,17 @@
 // the last one carries it out.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "app/editor/session/session.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/pick/picker.h"
 
 namespace ryosen {
+
+class Session;
 
 // The kind of the element that an operator's line lacks next; none where it is no operator's, is complete, or lacks
 // something else. A list of any length always takes one more.

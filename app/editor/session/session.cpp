@@ -13,14 +13,8 @@ namespace ryosen {
 
 Session::Session(std::unique_ptr<Document> document) {
   for (const HighlightRow& row : highlight_table())
-    if (row.is_shown_at_first()) shown_highlights.insert(std::string(row.id));
-  for (const PanelRow& row : panel_list())
-    if (row.place == PanelPlace::over && row.shown_at_first()) open_panel = row.id;
+    if (row.is_shown_at_first()) view.highlights.insert(std::string(row.id));
   set_document(std::move(document));
-}
-
-bool Session::is_shown(const PanelRow& panel) const {
-  return panel.place == PanelPlace::over ? open_panel == panel.id : layout.is_shown(panel);
 }
 
 bool Session::is_at_start() const {
@@ -28,15 +22,6 @@ bool Session::is_at_start() const {
 }
 
 bool Session::is_empty() const { return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts(); }
-
-void Session::show(const PanelRow& panel, bool on) {
-  if (on && panel.place != PanelPlace::over) layout.wanted = panel.id;
-  if (is_shown(panel) == on) return;
-  if (panel.place == PanelPlace::over)
-    open_panel = on ? panel.id : "";
-  else
-    layout.show(panel, on);
-}
 
 // What may find no memory comes first.
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
@@ -47,33 +32,33 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document->add_listener([this](const Journal& journal, std::size_t transaction, Document::Change change) {
     follow(journal, transaction, change);
   });
-  const Camera first = turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
+  const Camera first = frontend.turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
   Covered covered = covered_view(*this);
   covered.above = 0;  // what is played ends
-  const Camera camera_then = framing({&document->mesh()}, first, view, covered);
+  const Camera camera_then = framing({&document->mesh()}, first, view.size, covered);
   document->before_writing = [this] {
     preparation_.reset();
     trials_.let_write();
   };
   trials_.forget();
-  if (autosave) autosave->begin(*document);
+  if (frontend.autosave) frontend.autosave->begin(*document);
   preparation_.reset();
   document_ = std::move(document);
   beside_.reset();
   surface_.reset();
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
-  camera = framed_ = camera_then;
+  view.camera = framed_ = camera_then;
   shown.forget();
   forget_derived();
   file_normals_ = FileNormals();
   remedy_line_.clear();
   selection.clear();
   selections.clear();
-  colouring.reset();
+  view.colouring.reset();
   measures.clear();
-  links.forget_trail();
-  cut.reset();
+  view.links.forget_trail();
+  view.cut.reset();
   log_.clear();
 }
 
@@ -116,7 +101,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
   hidden_.follow(m, touched);
-  if (touched.everything) links.forget_trail();
+  if (touched.everything) view.links.forget_trail();
   const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
   const bool has_normals =
       !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;
@@ -204,24 +189,26 @@ bool Session::look_at_disk() {
 }
 
 Input& Session::input() {
-  if (const std::shared_ptr<Input> frontend = frontend_input.lock()) return *frontend;
+  if (const std::shared_ptr<Input> wanted = frontend.input.lock()) return *wanted;
   if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
   return *view_input_;
 }
 
 Picker& Session::picker() {
   if (!picker_) picker_.emplace(mesh(), &hidden_);
-  picker_->set_clip(clip_plane());
+  picker_->set_clip(view.clip_plane());
   return *picker_;
 }
 
 std::string Session::document_name() const {
   const std::string name = document_->path().filename().string();
   if (!name.empty() || is_at_start()) return name;
-  return language == Language::japanese ? "（無題）" : "(unnamed)";
+  return preferences.language == Language::japanese ? "（無題）" : "(unnamed)";
 }
 
-void Session::frame_all() { camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, camera); }
+void Session::frame_all() {
+  view.camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, view.camera);
+}
 
 Session::DrawnChanges Session::take_drawn_changes() {
   DrawnChanges changes = std::move(drawn_changes_);

@@ -11,17 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/camera/navigation.h"
+#include "app/editor/camera/view_state.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/document/run_files.h"
 #include "app/editor/input/corner_axes.h"
 #include "app/editor/input/gizmo.h"
-#include "app/editor/input/keys.h"
-#include "app/editor/labels/drawn_links.h"
 #include "app/editor/preferences/layout.h"
-#include "app/editor/preferences/menu_bar.h"
-#include "app/editor/preferences/panel_list.h"
+#include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
+#include "app/editor/session/frontend.h"
 #include "app/editor/session/preparation.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/selection_memory.h"
@@ -38,29 +36,13 @@
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
 #include "ryosen/pick/picker.h"
-#include "ryosen/view/clip_plane.h"
 #include "ryosen/view/corner_normals.h"
-#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
 
 class Autosave;
 
-// What the surface is coloured by. The range stays through edits, so that equal colours stay equal values.
-struct Colouring {
-  const ColourMap* map = nullptr;
-  MapRange range;
-  friend bool operator==(const Colouring&, const Colouring&) = default;
-};
-
 struct EdgeAccount;
-
-// Where the mesh is cut: the switch says across which axis, the share of its extent how far along.
-struct Cut {
-  ClipWay way = ClipWay::off;
-  double share = 0.5;
-  ClipPlane plane;
-};
 
 // What the last repair did and left.
 struct LastRepair {
@@ -79,8 +61,6 @@ struct Hover {
 
 class Session {
  public:
-  static constexpr int usual_font_px = 15;
-
   explicit Session(std::unique_ptr<Document> document);
 
   Document& document() { return *document_; }
@@ -98,59 +78,31 @@ class Session {
   Shown shown{*this};
 
   // State changed by commands.
-  Camera camera;
-  OrbitAbout orbit_about = OrbitAbout::point;
-  std::size_t input_preset = 0;          // of input_presets()
-  std::optional<Gesture> armed_gesture;  // of the next drag with the left button
-  std::optional<Band> band;              // that a drag draws just now
-  glm::dvec2 pointer{-1e9};              // where it was last
-  Size view{1280, 720};
-  glm::dvec2 view_origin{0};  // of the view in the picture or window; pixels are relative to the latter
-  glm::dvec2 covered_px{0};   // of its width, at its left and its right, by what a tab has opened over it
-  // Sets both of all of the picture that is not covered by panels: this one has the left half where a mesh stands beside it.
+  // How the mesh is looked at.
+  ViewState view;
+  // Gives the view all of the picture that is not covered by panels: the left half where a mesh stands beside it.
   void place_view(Size whole, glm::dvec2 origin);
   std::string tool;  // id of an operator, or empty: select
   PickMode mode = PickMode::edge;
-  std::string asked_line;       // of an operator: each click adds an element to it (asking.h); empty for none
-  std::set<std::string> shown_highlights;  // ids of the highlight table
+  std::string asked_line;  // of an operator: each click adds an element to it (asking.h); empty for none
   // Each entry of the history remembers what was selected around it, and brings it back.
   Selection selection;
   SelectionMemory selections;
-  std::optional<Colouring> colouring;
-  DrawnLinks links;                     // as arrows in the view
   std::vector<Elements> measures;       // what was asked for, in that order; read anew when it is shown
   std::optional<AskedQuestion> asked_question;
   // User interface state changed by commands; stored without effect if there is no UI.
-  Language language = Language::english;
-  ViewSettings settings;
-  double ui_scale = 1;                  // of all of the window, times that of the display
-  double display_scale = 1;             // set by the window
-  int font_size_px = usual_font_px;     // at scale 1
-  int samples = 1;                      // a side of each pixel of the view
-  double crease_deg = 30;               // edges that bend by more stay sharp where the surface is smooth
-  std::vector<KeyBinding> bindings;     // the user's own keys
+  Preferences preferences;
+  Layout layout;
   bool begins_empty = false;            // somebody wants an empty mesh, not the start page
   bool awaits_file = false;             // that is read just now: nothing is offered meanwhile
-  std::vector<std::string> recent{};    // files that were open before, the latest first; kept by the window
-  std::string open_panel;               // the one that lies over the view; empty for none
-  const MenuRow* asked_menu = nullptr;  // the window opens it for the keyboard in its next frame
-  Layout layout;                        // of those in the columns
-  std::string asked_algorithm;          // whose values the panel of values asks for
   std::vector<LostSession> lost;        // as last listed
 
   // What the pointer picks with these keys held: what the tool applies to, the edge whose loop is asked for, else what
   // `mode` says.
   PickMode pointed_sort(Modifiers modifiers = {}) const;
 
-  // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
-  double size_scale() const { return display_scale * ui_scale; }
-  // The same of what is written there, which grows with the letters that somebody prefers.
-  double label_scale() const { return size_scale() * std::max(1.0, double(font_size_px) / usual_font_px); }
-
   // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel of the
   // picture or window, and the one that the pointer is on. A click on one looks from there.
-  bool shows_verdicts = false;  // of the tool in hand, on all elements that it acts on
-  bool shows_axes = false;
   std::optional<CornerAxes> axes_in_corner() const;
   const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
   const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }
@@ -166,13 +118,8 @@ class Session {
   // That of the mesh beside, or that this one stands beside; null where there is none.
   std::shared_ptr<const OtherSurface> other_surface();
 
-  // What lies beyond the plane is neither drawn nor picked. It stays where it is through edits, and through the camera.
-  std::optional<Cut> cut;
-  std::optional<ClipPlane> clip_plane() const { return cut ? std::optional(cut->plane) : std::nullopt; }
-
   // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
   // selected. None while it is moved.
-  GizmoKind gizmo_kind = GizmoKind::none;
   std::optional<Gizmo> gizmo() const;
   // The one at a pixel of the picture or window; none where Shift or Alt ask for something else. And the one that the
   // pointer is on.
@@ -183,29 +130,12 @@ class Session {
   bool is_at_start() const;
   // There is no mesh, and none is shown or read.
   bool is_empty() const;
-  bool is_shown(const PanelRow& panel) const;
-  // One over the view takes the place of the one that was open.
-  void show(const PanelRow& panel, bool on);
-
-  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h); set by the window
   bool strict = false;           // warnings refuse too
   RunFiles files{
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
-  // Renders a picture of the session; set by a frontend that can draw. Commands that need it fail if unset.
-  std::function<Status(const std::filesystem::path&)> take_picture;
-  // Where the events of scripts go: to what a frontend that runs scripts with panels has set, else to the view alone. A
-  // window has its own events, so that what is said there in its command panel goes to the view.
+  Frontend frontend;
+  // Where the events of scripts go.
   Input& input();
-  std::weak_ptr<Input> frontend_input;
-  // How files of meshes are read; a frontend that shows meanwhile what is read sets another way. One that was given up
-  // fails as cancelled.
-  std::function<Result<std::unique_ptr<Document>>(const std::filesystem::path&)> read_document = Document::open;
-  // Progress reports of long operations, may cancel them; set by the frontend.
-  Progress::Report on_progress;
-  // Ends the session; set by the window.
-  std::function<void()> quit;
-  // Crash recovery; set by the window, null elsewhere.
-  Autosave* autosave = nullptr;
 
   // Hovering, at pixels from the upper left corner of the picture or window. The picker is updated after every edit.
   void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
@@ -222,7 +152,6 @@ class Session {
   // Of the tool in hand on all elements that it acts on; null where they are not to be shown. Kept up with edits. Complete,
   // but for a window, which asks a slice of them in prepare().
   ToolVerdicts* tool_verdicts();
-  bool asks_in_slices = false;
   // The share that is asked while that goes on.
   std::optional<double> asking_verdicts() const {
     return tool_verdicts_ && !tool_verdicts_->is_complete() ? std::optional(tool_verdicts_->share()) : std::nullopt;
@@ -334,7 +263,7 @@ class Session {
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
   void frame_all();
   // Whether the camera is where frame_all() has put it last.
-  bool is_framed() const { return framed_ == camera; }
+  bool is_framed() const { return framed_ == view.camera; }
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
@@ -366,7 +295,7 @@ class Session {
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
   bool needs_corner_normals() const {
-    return settings.shading == Shading::smooth || settings.normals == Normals::vertices;
+    return view.settings.shading == Shading::smooth || view.settings.normals == Normals::vertices;
   }
   void note_marks(const TouchedElements& touched);
   void note_mark(Marked marked);

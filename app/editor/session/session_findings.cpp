@@ -13,12 +13,12 @@
 namespace ryosen {
 
 const MapValues& Session::map_values() {
-  assert(colouring);
-  const std::shared_ptr<const OtherSurface> other = colouring->map->against ? other_surface() : nullptr;
-  if (!map_values_ || &map_values_->map() != colouring->map || map_values_->other() != other.get()) {
+  assert(view.colouring);
+  const std::shared_ptr<const OtherSurface> other = view.colouring->map->against ? other_surface() : nullptr;
+  if (!map_values_ || &map_values_->map() != view.colouring->map || map_values_->other() != other.get()) {
     map_extent_.reset();
     drawn_changes_.everything |= map_values_.has_value();
-    map_values_.emplace(mesh(), *colouring->map, 0, other);
+    map_values_.emplace(mesh(), *view.colouring->map, 0, other);
   }
   return *map_values_;
 }
@@ -33,7 +33,7 @@ MapRange Session::map_extent() {
 void Session::update_map_values(std::size_t transaction) {
   if (!map_values_) return;
   map_extent_.reset();
-  if (!colouring) return map_values_.reset();
+  if (!view.colouring) return map_values_.reset();
   const Mesh& m = mesh();
   const auto changed = map_values_->update(m, document_->journal(), transaction);
   drawn_changes_.everything |= !changed;
@@ -44,10 +44,10 @@ void Session::update_map_values(std::size_t transaction) {
     drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
   };
   for (const std::uint32_t i : *changed) {
-    if (colouring->map->sort() == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
-    if (colouring->map->sort() == Element::Kind::edge && m.is_alive(Edge(i)))
+    if (view.colouring->map->sort() == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
+    if (view.colouring->map->sort() == Element::Kind::edge && m.is_alive(Edge(i)))
       for (unsigned side : {0u, 1u}) note(m.face(halfedge(Edge(i), side)));
-    if (colouring->map->sort() == Element::Kind::vertex && m.is_alive(Vertex(i)))
+    if (view.colouring->map->sort() == Element::Kind::vertex && m.is_alive(Vertex(i)))
       for_each_copy(m, Vertex(i), [&](Vertex copy) {
         for (Face f : faces_around(m, copy)) note(f);
       });
@@ -83,15 +83,15 @@ void Session::note_marks(const TouchedElements& touched) {
 }
 
 const CornerNormals& Session::corner_normals() {
-  if (!corner_normals_ || corner_normals_->crease_deg() != crease_deg)
-    corner_normals_.emplace(mesh(), picker().triangles(), crease_deg,
+  if (!corner_normals_ || corner_normals_->crease_deg() != preferences.crease_deg)
+    corner_normals_.emplace(mesh(), picker().triangles(), preferences.crease_deg,
                             FileNormals::are_in(mesh()) ? &file_normals_ : nullptr);
   return *corner_normals_;
 }
 
 void Session::forget_hidden() {
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && !shown_highlights.contains(std::string(row.id))) highlights_->forget(row);
+    if (row.has_predicate() && !view.highlights.contains(std::string(row.id))) highlights_->forget(row);
 }
 
 const HighlightSets& Session::highlights() {
@@ -102,7 +102,7 @@ const HighlightSets& Session::highlights() {
   }
   forget_hidden();
   for (const HighlightRow& row : highlight_table()) {
-    if (highlights_->keeps(row) || !shown_highlights.contains(std::string(row.id))) continue;
+    if (highlights_->keeps(row) || !view.highlights.contains(std::string(row.id))) continue;
     highlights_->keep(mesh(), row);
     drawn_changes_.searched = true;
   }
@@ -163,12 +163,12 @@ void Session::prepare() {
   Preparation::Beside beside{
       vertices_on_lines(document_->file(), mesh().file_vertices()), totals_of(document_->file()).lines, {}};
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && shown_highlights.contains(std::string(row.id))) beside.shown.push_back(&row);
+    if (row.has_predicate() && view.highlights.contains(std::string(row.id))) beside.shown.push_back(&row);
   preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
 }
 
 void Session::ask_slice_of_verdicts() {
-  if (!asks_in_slices || !tool_verdicts()) return;
+  if (!frontend.asks_in_slices || !tool_verdicts()) return;
   constexpr std::chrono::milliseconds slice{4};
   const auto end = std::chrono::steady_clock::now() + slice;
   tool_verdicts_->ask(mesh(), [&] { return std::chrono::steady_clock::now() < end; });

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/snapping.h"
 #include "ryosen/base/sort_unique.h"
@@ -108,10 +109,10 @@ Outcome Session::begin_gesture(PointTransform::Kind kind) {
 
 void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
   const glm::dvec3 middle = middle_of(mesh(), points_of(mesh(), elements));
-  glm::dvec2 start = pointer - view_origin;
-  if (start.x < 0 || start.y < 0 || start.x >= view.width || start.y >= view.height) {
-    const auto seen = project(camera, view, middle);
-    start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.width, view.height)) + glm::dvec2(60, 0);
+  glm::dvec2 start = view.pointer - view.origin;
+  if (start.x < 0 || start.y < 0 || start.x >= view.size.width || start.y >= view.size.height) {
+    const auto seen = project(view.camera, view.size, middle);
+    start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.size.width, view.size.height)) + glm::dvec2(60, 0);
   }
   const std::span<const glm::dvec3> places = mesh().positions();
   gesturing_.reset(new Gesturing{TransformGesture(kind, mesh(), std::move(elements), start),
@@ -121,7 +122,7 @@ void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
                                  {},
                                  {},
                                  {},
-                                 start + view_origin});
+                                 start + view.origin});
   TransformGesture& transform = gesturing_->transform;
   if (const Vertex held = held_point(*this, transform.moved(), start)) transform.hold(mesh(), held);
   hover_.reset();
@@ -204,12 +205,12 @@ void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {
   Gesturing& g = *gesturing_;
   g.pixel = pixel;
   g.modifiers = modifiers;
-  TransformGesture::Where where{.camera = camera,
-                                .view = view,
-                                .pixel = pixel - view_origin,
+  TransformGesture::Where where{.camera = view.camera,
+                                .view = view.size,
+                                .pixel = pixel - view.origin,
                                 .snaps = modifiers.ctrl,
                                 .is_fine = modifiers.shift,
-                                .size_scale = size_scale()};
+                                .size_scale = preferences.size_scale()};
   if (modifiers.ctrl && g.transform.is_movement()) {
     if (!g.own) g.own = passed_over(g.touched);
     where.under = snap_target(*this, where.pixel, *g.own);

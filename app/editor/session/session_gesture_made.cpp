@@ -4,6 +4,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/first_slots.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/gesturing.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -50,7 +51,7 @@ Outcome Session::begin_copy() {
   if (!found.values) return no_element(document(), std::string(row.id), found.error, found.sentence);
   const FirstSlots before(mesh());
   const std::uint32_t vertices_before = mesh().vertex_slots();
-  const auto tried = shown.try_out(ShownBy::gesture, row, *found.values, on_progress);
+  const auto tried = shown.try_out(ShownBy::gesture, row, *found.values, frontend.on_progress);
   if (!tried) return cancelled();
   const Elements copy = before.added_to(mesh());
   if (copy.empty()) {

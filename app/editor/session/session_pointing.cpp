@@ -46,9 +46,9 @@ Outcome only_looked_at(const Session& beside) {
 OpTarget Session::target_of(const Picked& picked, Modifiers modifiers) const {
   if (picked.element.kind == Element::Kind::vertex) return {Halfedge(), 0.5, picked.element.vertex()};
   if (picked.element.kind == Element::Kind::face) return {Halfedge(), 0.5, Vertex(), picked.element.face()};
-  const double small_px = 24 * size_scale();
-  const auto a = project(camera, view, mesh().position(mesh().from(picked.halfedge)));
-  const auto b = project(camera, view, mesh().position(mesh().to(picked.halfedge)));
+  const double small_px = 24 * preferences.size_scale();
+  const auto a = project(view.camera, view.size, mesh().position(mesh().from(picked.halfedge)));
+  const auto b = project(view.camera, view.size, mesh().position(mesh().to(picked.halfedge)));
   OpTarget target{picked.halfedge, picked.along};
   target.is_free = modifiers.shift;
   target.is_small = a && b && glm::length(a->pixel - b->pixel) < small_px;
@@ -73,29 +73,31 @@ void Session::point_away() {
 }
 
 std::optional<Gizmo> Session::gizmo() const {
-  if (gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || band || shown.is_replaced())
+  if (view.gizmo_kind == GizmoKind::none || !tool.empty() || selection.empty() || gesturing_ || view.band ||
+      shown.is_replaced())
     return std::nullopt;
   if (middle_.document != document_->serial() || middle_.revision != document_->revision() ||
       middle_.selection != selection.stamp())
     middle_ = {selection.stamp(), document_->serial(), document_->revision(),
                middle_of(mesh(), points_of(mesh(), selection))};
-  return gizmo_at(gizmo_kind, camera, view, middle_.place, size_scale());
+  return gizmo_at(view.gizmo_kind, view.camera, view.size, middle_.place, preferences.size_scale());
 }
 
 std::optional<CornerAxes> Session::axes_in_corner() const {
-  return shows_axes ? corner_axes(camera, view, size_scale()) : std::nullopt;
+  return view.shows_axes ? corner_axes(view.camera, view.size, preferences.size_scale()) : std::nullopt;
 }
 
 const AxisEnd* Session::axis_end_at(glm::dvec2 pixel) const {
   const auto axes = axes_in_corner();
-  return axes ? end_at(*axes, pixel - view_origin) : nullptr;
+  return axes ? end_at(*axes, pixel - view.origin) : nullptr;
 }
 
 const HandleRow* Session::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
   if (modifiers.shift || modifiers.alt) return nullptr;
   const auto handles = gizmo();
   const GizmoHandle* const found =
-      handles ? ryosen::handle_at(*handles, camera, view, pixel - view_origin, size_scale()) : nullptr;
+      handles ? ryosen::handle_at(*handles, view.camera, view.size, pixel - view.origin, preferences.size_scale())
+              : nullptr;
   return found ? found->row : nullptr;
 }
 
@@ -114,7 +116,7 @@ void Session::ask_held_verdict_again() {
 const LinkArrow* Session::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
   const bool selects = !info && asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
   if (!selects || preparing() || shown.by() != ShownBy::document) return nullptr;
-  return links.at(*this, pixel - view_origin);
+  return view.links.at(*this, pixel - view.origin);
 }
 
 void Session::look_at(glm::dvec2 pixel, Modifiers modifiers) {
@@ -161,7 +163,7 @@ const std::vector<std::string>& Session::hover_remedy() {
 // While another mesh is on trial, or the selection is moved, they are kept for what comes back.
 ToolVerdicts* Session::tool_verdicts() {
   const OpInfo* const info = find_op(tool);
-  if (!shows_verdicts || !info || !is_tool(*info) || preparing()) {
+  if (!view.shows_verdicts || !info || !is_tool(*info) || preparing()) {
     tool_verdicts_.reset();
     return nullptr;
   }
@@ -172,7 +174,7 @@ ToolVerdicts* Session::tool_verdicts() {
                                                          : Element::Kind::edge;
   if (!tool_verdicts_ || &tool_verdicts_->op() != info || tool_verdicts_->sort() != sort)
     tool_verdicts_ = std::make_unique<ToolVerdicts>(mesh(), *info, sort);
-  if (!asks_in_slices) tool_verdicts_->ask(mesh());
+  if (!frontend.asks_in_slices) tool_verdicts_->ask(mesh());
   return tool_verdicts_.get();
 }
 
@@ -216,7 +218,7 @@ Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
 Outcome Session::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   cancel_gesture();  // what is pointed at is the mesh as it is
   release_verdict();
-  if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, camera));
+  if (const AxisEnd* const end = axis_end_at(pixel)) return run(line_of(*end, view.camera));
   if (Session& part = part_at(pixel); &part != this) return only_looked_at(part);
   if (shown.is_replaced()) return shown.refusal();
   if (!asked_line.empty() && with_tool.empty()) return answer(*this, pixel);
@@ -265,14 +267,15 @@ std::optional<Picked> Session::pick_to_select(glm::dvec2 pixel, PickMode what) {
 }
 
 std::optional<Picked> Session::pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px) {
-  const glm::dvec2 inside = pixel - view_origin;
-  if (inside.x < 0 || inside.y < 0 || inside.x >= view.width || inside.y >= view.height) return std::nullopt;
+  const glm::dvec2 inside = pixel - view.origin;
+  if (inside.x < 0 || inside.y < 0 || inside.x >= view.size.width || inside.y >= view.size.height) return std::nullopt;
   if (preparation_) return std::nullopt;
-  return picker().pick(mesh(), camera, view, inside, what, pick_depth(), radius_px * size_scale());
+  return picker().pick(mesh(), view.camera, view.size, inside, what, pick_depth(),
+                       radius_px * preferences.size_scale());
 }
 
 Picker::Depth Session::pick_depth() const {
-  return settings.xray == Xray::on ? Picker::Depth::through : Picker::Depth::seen;
+  return view.settings.xray == Xray::on ? Picker::Depth::through : Picker::Depth::seen;
 }
 
 std::vector<Element> Session::about(const ProblemRow& row, Element element) {

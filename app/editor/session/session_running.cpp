@@ -71,11 +71,11 @@ Text Session::at_work() const { return name_of_command(running_); }
 void Session::log_line(Outcome& outcome, std::string line) {
   log_.push_back(std::move(line));
   ++lines_logged_;
-  if (!autosave) return;
+  if (!frontend.autosave) return;
   try {
-    if (const auto warning = autosave->note(*this, log_.back())) outcome.say(*warning);
+    if (const auto warning = frontend.autosave->note(*this, log_.back())) outcome.say(*warning);
   } catch (const std::bad_alloc&) {
-    autosave->stop();
+    frontend.autosave->stop();
   }
 }
 

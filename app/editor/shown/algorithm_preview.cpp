@@ -5,6 +5,7 @@
 
 #include "app/editor/camera/framing.h"
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 
@@ -83,12 +84,12 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
 void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
   bool is_seen = true;
   const auto look_for = [&](std::span<const glm::dvec3> some) {
-    is_seen = is_seen && shows_all(session.camera, session.view, covered_view(session), some);
+    is_seen = is_seen && shows_all(session.view.camera, session.view.size, covered_view(session), some);
   };
   look_for(places);
   if (session.is_framed()) with_places_to_frame(session.mesh(), look_for);
   if (is_left_alone_ || is_seen) return;
-  before_ = CameraBefore{session.camera, session.is_framed()};
+  before_ = CameraBefore{session.view.camera, session.is_framed()};
   session.frame_all();
 }
 
@@ -98,7 +99,7 @@ void AlgorithmPreview::take_back(Session& session) {
   if (serial_ != session.document().serial()) before_.reset();
   if (!before_) return;
   is_left_alone_ = !session.is_framed();
-  if (!is_left_alone_) session.camera = before_->camera;
+  if (!is_left_alone_) session.view.camera = before_->camera;
   if (!is_left_alone_ && before_->was_framed) session.frame_all();
   before_.reset();
 }

@@ -6,10 +6,12 @@
 #include <span>
 #include <string>
 
-#include "app/editor/session/session.h"
 #include "ryosen/algo/algorithms.h"
+#include "ryosen/view/camera.h"
 
 namespace ryosen {
+
+class Session;
 
 // The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
 // longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought into

@@ -61,7 +61,7 @@ const EdgeAccount* make_account(Session& session) {
   const AlgorithmRow& row = *find_algorithm(words[0]);
   const ReadValues given = read_values(row.parameters, std::span(words).subspan(1));
   if (!given.values) return nullptr;
-  auto result = session.document().account_of(row, *given.values, session.on_progress);
+  auto result = session.document().account_of(row, *given.values, session.frontend.on_progress);
   if (!result || !result->account || result->account->rules.empty()) return nullptr;
   session.keep_account({session.document().serial(), session.document().revision(), std::move(result->account->rules),
                         std::move(result->account->remaining)});

@@ -169,7 +169,7 @@ void Shown::forget_aside() {
 }
 
 Shown::Passage::Passage(Shown& shown, Effect effect, std::string_view line)
-    : shown_(shown), effect_(effect), camera_(shown.session_.camera), serial_(shown.document().serial()) {
+    : shown_(shown), effect_(effect), camera_(shown.session_.view.camera), serial_(shown.document().serial()) {
   const Response response = shown.response(effect);
   // A level is made to what it was made of.
   const bool makes_level = shown.by() == ShownBy::level && without_blanks(line) == shown.levels_->line();
@@ -214,7 +214,7 @@ void Shown::Passage::bring_back_steps(Outcome& outcome) {
 // Until the next step, and from where it was looked at before, unless the command looks from elsewhere. So what was taken
 // back or done again is seen.
 void Shown::Passage::show_beneath(Outcome& outcome) {
-  if (shown_.session_.camera == camera_) look_as_before(shown_.session_, *player_);
+  if (shown_.session_.view.camera == camera_) look_as_before(shown_.session_, *player_);
   const Text name = player_->name();
   outcome.say({"The view shows the open mesh; the next step shows '" + name.en + "' again.",
                "ビューは開いているメッシュです。次の手順で「" + name.ja + "」に戻ります。"});
@@ -233,7 +233,7 @@ void Shown::Passage::make_anew(Outcome& outcome) {
   player.camera_before = player_->camera_before;
   player.was_framed = player_->was_framed;
   player.is_running = player_->is_running;
-  session.camera = camera_;
+  session.view.camera = camera_;
   player_ = shown_.player_;
   shown_.go_to_step(std::min(position, player.size()));
   if (!shown_.is_replaced()) return;
@@ -260,7 +260,7 @@ std::string shown_name(const Session& session, bool with_beneath) {
   Text name = plays ? Text{"Playing: ", "再生中："} + player->name() : Text{"Level of detail", "詳細度の一段階"};
   const bool has_file = document.is_modified() || !document.path().empty();
   if (has_file && with_beneath) name = name + Text{" (beneath: " + file + ")", "（下に " + file + "）"};
-  return name.in(session.language);
+  return name.in(session.preferences.language);
 }
 
 }  // namespace ryosen

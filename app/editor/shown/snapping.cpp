@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "app/editor/camera/framing.h"
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen {
@@ -26,10 +27,10 @@ struct NearPoint {
 Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
   if (moved.size() == 1) return moved[0].point;
   const Mesh& mesh = session.mesh();
-  const double radius_px = snap_radius_px * session.size_scale();
+  const double radius_px = snap_radius_px * session.preferences.size_scale();
   std::vector<NearPoint> near;
   for (const MovedPoint& each : moved) {
-    const auto seen = project(session.camera, session.view, mesh.position(each.point));
+    const auto seen = project(session.view.camera, session.view.size, mesh.position(each.point));
     if (!seen) continue;
     const double distance_px = glm::length(seen->pixel - pixel);
     if (distance_px <= radius_px) near.push_back({distance_px, *seen, each.point});
@@ -38,20 +39,21 @@ Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::d
   const bool is_all_seen = session.pick_depth() == Picker::Depth::through || session.preparing();
   for (const NearPoint& each : near)
     if (is_all_seen ||
-        session.picker().is_seen(mesh, session.camera, session.view, each.seen, mesh.position(each.point)))
+        session.picker().is_seen(mesh, session.view.camera, session.view.size, each.seen, mesh.position(each.point)))
       return each.point;
   return {};
 }
 
 std::optional<SnapTarget> snap_target(Session& session, glm::dvec2 pixel, const PassedOver& own) {
-  const Size view = session.view;
+  const Size view = session.view.size;
   if (session.preparing() || pixel.x < 0 || pixel.y < 0 || pixel.x >= view.width || pixel.y >= view.height)
     return std::nullopt;
   constexpr std::pair<PickMode, double> sorts[] = {
       {PickMode::vertex, snap_radius_px}, {PickMode::edge, pick_radius_px}, {PickMode::face, 0}};
   for (const auto& [what, radius_px] : sorts)
-    if (const auto picked = session.picker().pick(session.mesh(), session.camera, view, pixel, what,
-                                                  session.pick_depth(), radius_px * session.size_scale(), &own))
+    if (const auto picked =
+            session.picker().pick(session.mesh(), session.view.camera, view, pixel, what, session.pick_depth(),
+                                  radius_px * session.preferences.size_scale(), &own))
       return SnapTarget{picked->element, picked->place, name_to_select(session.mesh(), picked->element)};
   return std::nullopt;
 }

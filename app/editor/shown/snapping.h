@@ -1,9 +1,12 @@
 // What a movement by hand takes hold of, and what it snaps to.
 #pragma once
 
-#include "app/editor/session/session.h"
+#include "app/editor/shown/transform_gesture.h"
+#include "ryosen/pick/picker.h"
 
 namespace ryosen {
+
+class Session;
 
 // Pixels are those of the view. Of the points that are moved the nearest to the pointer on the screen, if it is near and
 // seen, and one that is moved alone wherever it is; else none.

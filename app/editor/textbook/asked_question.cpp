@@ -7,7 +7,7 @@ namespace ryosen {
 std::optional<Element> asked_element(const Session& session) {
   const std::optional<AskedQuestion>& question = session.asked_question;
   const Document& document = session.document();
-  if (!question || !session.is_shown(panel_opened_by(PanelOpener::practised))) return std::nullopt;
+  if (!question || !session.layout.is_shown(panel_opened_by(PanelOpener::practised))) return std::nullopt;
   if (question->serial != document.serial() || question->revision != document.revision()) return std::nullopt;
   return question->about;
 }

@@ -102,7 +102,7 @@ Text name_of_played(std::span<const std::string> words) {
 
 void look_as_before(Session& session, const Player& player) {
   if (!player.camera_before) return;
-  session.camera = *player.camera_before;
+  session.view.camera = *player.camera_before;
   if (player.was_framed) session.frame_all();
 }
 
@@ -140,14 +140,14 @@ Outcome begin_playing(Session& session, std::span<const std::string> words) {
                                                session.mesh());
   session.shown.begin(player);
   if (player->begins_with_nothing()) {
-    if (session.mesh().live().vertices > 0) player->camera_before = session.camera;
+    if (session.mesh().live().vertices > 0) player->camera_before = session.view.camera;
     player->was_framed = session.is_framed();
     session.shown.go_to_step(player->size());
     with_places_to_frame(session.mesh(), [&](std::span<const glm::dvec3> places) {
       player->places_at_end.assign(places.begin(), places.end());
     });
     session.frame_all();
-  } else if (session.is_framed() && session.covered_px != glm::dvec2(0)) {
+  } else if (session.is_framed() && session.view.covered_px != glm::dvec2(0)) {
     session.frame_all();
   }
   session.shown.go_to_step(0);

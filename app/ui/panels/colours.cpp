@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "app/editor/texts/measure_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
@@ -47,9 +48,9 @@ ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
 
 void ColoursPanel::count_again(Session& session) {
   const std::uint64_t serial = session.document().serial(), revision = session.document().revision();
-  if (counted_ == session.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
+  if (counted_ == session.view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
   const MapValues& values = session.map_values();
-  span_ = session.colouring->range;
+  span_ = session.view.colouring->range;
   double bars = most_bars;
   if (values.map().is_count) {  // a bar for each value, as far as they have room
     span_ = {std::floor(span_.low) - 0.5, std::ceil(span_.high) + 0.5};
@@ -58,13 +59,13 @@ void ColoursPanel::count_again(Session& session) {
   bars_ = histogram(values.all(), span_, static_cast<std::size_t>(bars), Outside::at_the_ends);
   figures_ = figures_of(values.all());
   if (grabbed_ && *grabbed_ >= bars_.size()) grabbed_.reset();
-  counted_ = session.colouring;
+  counted_ = session.view.colouring;
   counted_serial_ = serial;
   counted_revision_ = revision;
 }
 
 void ColoursPanel::draw_choice(PanelContext& context) {
-  const ColourMap* const map = context.session.colouring ? context.session.colouring->map : nullptr;
+  const ColourMap* const map = context.session.view.colouring ? context.session.view.colouring->map : nullptr;
   const char* const off = context.text("No colour map", "色分けなし");
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##map", map ? context.text(map->name_en, map->name_ja) : off)) return;
@@ -79,8 +80,8 @@ void ColoursPanel::draw_choice(PanelContext& context) {
 
 // The colours from the low end to the high one, with a value below each end and the middle.
 void ColoursPanel::draw_legend(PanelContext& context) {
-  const ColourMap* const map = context.session.colouring->map;
-  const MapRange range = context.session.colouring->range;
+  const ColourMap* const map = context.session.view.colouring->map;
+  const MapRange range = context.session.view.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 12 * context.scale;
   ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -96,7 +97,7 @@ void ColoursPanel::draw_legend(PanelContext& context) {
 }
 
 void ColoursPanel::draw_ticks(PanelContext& context, ImVec2 at, float width) {
-  const auto [map, range] = *context.session.colouring;
+  const auto [map, range] = *context.session.view.colouring;
   const std::vector<double> values = legend_values(*map, range, 3);
   const std::vector<std::string> numbers = numbers_of(*map, values);
   struct Tick {
@@ -138,7 +139,7 @@ MapRange ColoursPanel::held_by(std::size_t first, std::size_t last) const {
 }
 
 void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
-  const ColourMap* const map = context.session.colouring->map;
+  const ColourMap* const map = context.session.view.colouring->map;
   const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.f, 0.9999f);
   const auto bar = static_cast<std::size_t>(share * static_cast<float>(bars_.size()));
   if (ImGui::IsItemActivated()) grabbed_ = bar;
@@ -161,8 +162,8 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
 }
 
 void ColoursPanel::draw_histogram(PanelContext& context) {
-  const ColourMap* const map = context.session.colouring->map;
-  const MapRange range = context.session.colouring->range;
+  const ColourMap* const map = context.session.view.colouring->map;
+  const MapRange range = context.session.view.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 64 * context.scale;
   ImGui::InvisibleButton("histogram", {width, height});
@@ -191,8 +192,8 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
 
 // Which part of the values the colours are spread over, and the other choice.
 void ColoursPanel::draw_range(PanelContext& context) {
-  const ColourMap* const map = context.session.colouring->map;
-  const MapRange range = context.session.colouring->range;
+  const ColourMap* const map = context.session.view.colouring->map;
+  const MapRange range = context.session.view.colouring->range;
   const MapRange whole = whole_range(*map, figures_), first = first_range(*map, figures_);
   if (whole == first) return;
   const std::string line = "colours " + std::string(map->id);
@@ -219,7 +220,7 @@ void ColoursPanel::draw_measures(PanelContext& context) {
 
 // In as much room as it has taken so far: what is below, as the slider that changes the values, does not jump with them.
 void ColoursPanel::draw_figures(PanelContext& context) {
-  const ColourMap* const map = context.session.colouring->map;
+  const ColourMap* const map = context.session.view.colouring->map;
   const std::pair<const ColourMap*, float> place(map, ImGui::GetContentRegionAvail().x);
   const float top = ImGui::GetCursorPosY();
   dim_text(context, short_text_of(*map, figures_).in(context.language()).c_str());
@@ -231,7 +232,7 @@ void ColoursPanel::draw_figures(PanelContext& context) {
 void ColoursPanel::draw(PanelContext& context) {
   Session& session = context.session;
   draw_choice(context);
-  if (session.colouring) {
+  if (session.view.colouring) {
     count_again(session);
     draw_histogram(context);
     draw_legend(context);

@@ -7,6 +7,7 @@
 #include "app/editor/commands/palette.h"
 #include "app/editor/commands/path_completion.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
@@ -251,7 +252,7 @@ void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {
 }
 
 void CommandPanel::run(PanelContext& context, const std::string& line) {
-  const std::string own = context.session.open_panel;
+  const std::string own = context.session.layout.open_panel;
   sent_ = Refused{command(), chosen_};
   if (!context.run(line, own).done()) {
     takes_keys_ = true;
@@ -260,7 +261,7 @@ void CommandPanel::run(PanelContext& context, const std::string& line) {
   }
   std::erase(lines_, line);
   lines_.push_back(line);
-  if (context.session.open_panel == own) context.session.open_panel.clear();
+  if (context.session.layout.open_panel == own) context.session.layout.open_panel.clear();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "app/editor/commands/path_completion.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/io/formats.h"
@@ -209,7 +210,7 @@ void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
   failed_ = outcome.done() ? fs::path() : chosen();
   why_failed_ = outcome.sentence;
   if (!outcome.done()) return;
-  context.session.open_panel.clear();
+  context.session.layout.open_panel.clear();
   if (is_awaited(context)) context.go(*context.state.pending);
 }
 

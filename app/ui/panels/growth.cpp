@@ -1,3 +1,4 @@
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/growth_work.h"
 #include "app/ui/growth_plots.h"
 #include "app/ui/panels.h"

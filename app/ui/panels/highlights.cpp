@@ -1,3 +1,4 @@
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/swatch.h"
 #include "app/ui/widgets.h"
@@ -8,7 +9,7 @@ namespace {
 
 void draw_highlight(PanelContext& context, const HighlightRow& row) {
   const std::string id(row.id);
-  bool is_shown = context.session.shown_highlights.contains(id);
+  bool is_shown = context.session.view.highlights.contains(id);
   ImGui::PushID(id.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3 * context.scale, 0});
   if (ImGui::Checkbox("##shown", &is_shown)) context.run("show " + id + (is_shown ? " on" : " off"));
@@ -53,7 +54,7 @@ class HighlightsPanel : public Panel {
     const HighlightSets& sets = session.highlights();
     const auto says_something = [&](const HighlightRow& row) {
       return (sets.keeps(row) && sets.count(row) > 0) ||
-             session.shown_highlights.contains(std::string(row.id)) != row.is_shown_at_first();
+             session.view.highlights.contains(std::string(row.id)) != row.is_shown_at_first();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
     int left_out = 0;

@@ -1,4 +1,5 @@
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"

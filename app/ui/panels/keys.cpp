@@ -5,6 +5,7 @@
 
 #include "app/editor/commands/words.h"
 #include "app/editor/preferences/preferences.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -44,7 +45,9 @@ void pair_row(PanelContext& context, const char* chord, const char* help) {
   wrapped_text(help);
 }
 
-const InputPreset& preset_of(const PanelContext& context) { return input_presets()[context.session.input_preset]; }
+const InputPreset& preset_of(const PanelContext& context) {
+  return input_presets()[context.session.preferences.input_preset];
+}
 
 void draw_mouse(PanelContext& context, const std::vector<MouseRow>& rows) {
   for (const MouseRow& row : rows)
@@ -56,8 +59,9 @@ bool KeysPanel::is_sought(std::string_view input, const Text& does) const {
 }
 
 std::vector<KeyRow> KeysPanel::sought_keys(const PanelContext& context) const {
-  std::vector<KeyRow> rows = rows_without_key(preset_of(context), context.session.bindings);
-  for (KeyRow& row : key_table(preset_of(context), context.session.bindings)) rows.push_back(std::move(row));
+  std::vector<KeyRow> rows = rows_without_key(preset_of(context), context.session.preferences.bindings);
+  for (KeyRow& row : key_table(preset_of(context), context.session.preferences.bindings))
+    rows.push_back(std::move(row));
   std::erase_if(rows, [&](const KeyRow& row) { return !is_sought(row.chord, help_of_key(row)); });
   return rows;
 }
@@ -80,7 +84,7 @@ void KeysPanel::draw_presets(PanelContext& context) {
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  ImGui::BeginDisabled(context.session.bindings.empty());
+  ImGui::BeginDisabled(context.session.preferences.bindings.empty());
   if (ImGui::Button(context.text("Reset keys", "キーを戻す"))) context.run("bind all initial");
   ImGui::EndDisabled();
   tip(context.text("Every key does again what the preset says.", "すべてのキーを最初の割り当てに戻します。"),
@@ -94,8 +98,9 @@ void KeysPanel::draw_keys(PanelContext& context, const std::vector<KeyRow>& rows
     ImGui::PushID(static_cast<int>(i));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const bool is_own = std::any_of(context.session.bindings.begin(), context.session.bindings.end(),
-                                    [&](const KeyBinding& binding) { return binding.chord == row.chord; });
+    const bool is_own =
+        std::any_of(context.session.preferences.bindings.begin(), context.session.preferences.bindings.end(),
+                    [&](const KeyBinding& binding) { return binding.chord == row.chord; });
     const ImVec4& colour = row.chord.empty() ? context.colours().warning : context.colours().accent;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     const std::string chord = row.chord.empty() ? context.text("no key", "なし") : row.chord + (is_own ? " *" : "");

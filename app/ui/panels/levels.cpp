@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"

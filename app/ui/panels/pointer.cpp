@@ -1,6 +1,7 @@
 #include <array>
 
 #include "app/editor/input/pick_modes.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/practice.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
@@ -116,7 +117,7 @@ void PracticePanel::judge(const Session& session, std::string_view word) {
 float PracticePanel::room_for_choices(const Session& session) const {
   const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetCursorPosY() - top_;
   const float below = 2 * ImGui::GetFrameHeightWithSpacing();
-  return static_cast<float>(session.view.height) - above - below - 2 * ImGui::GetStyle().WindowPadding.y;
+  return static_cast<float>(session.view.size.height) - above - below - 2 * ImGui::GetStyle().WindowPadding.y;
 }
 
 // A click on a row answers: numbers side by side, rules with their sentences.

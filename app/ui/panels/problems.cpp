@@ -3,6 +3,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/record_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -1,4 +1,5 @@
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -70,7 +71,7 @@ void draw_recover(PanelContext& context) {
     return context.leave({.command = chosen, .asks_again = own});
   }
   context.run(chosen);
-  if (lost.empty()) context.session.open_panel.clear();
+  if (lost.empty()) context.session.layout.open_panel.clear();
 }
 
 }  // namespace

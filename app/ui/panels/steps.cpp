@@ -2,6 +2,7 @@
 #include <iterator>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/panels.h"

@@ -3,6 +3,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/ops/groups.h"
@@ -160,7 +161,8 @@ void draw_tools(PanelContext& context) {
   ImGui::BeginDisabled(!context.session.tool.empty());
   draw_modes(context);
   ImGui::EndDisabled();
-  const std::vector<KeyRow> keys = key_table(input_presets()[context.session.input_preset], context.session.bindings);
+  const std::vector<KeyRow> keys =
+      key_table(input_presets()[context.session.preferences.input_preset], context.session.preferences.bindings);
   for (const OpGroupRow& group : op_groups) draw_group(context, group, keys);
   ImGui::PopStyleVar();
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/algorithm_preview.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
@@ -176,7 +177,7 @@ void ValuesPanel::draw_algorithms(PanelContext& context) {
 }
 
 void ValuesPanel::draw(PanelContext& context) {
-  const AlgorithmRow* const row = find_algorithm(context.session.asked_algorithm);
+  const AlgorithmRow* const row = find_algorithm(context.session.layout.asked_algorithm);
   if (!row) return draw_algorithms(context);
   const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last_kind != Outcome::Kind::done;
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
@@ -208,7 +209,7 @@ void ValuesPanel::draw(PanelContext& context) {
   has_run_ = true;
   to_keys_ = 0;
   preview_.hand_over(context.session);
-  context.run_from(line_of(*row, *read.values), context.session.open_panel);
+  context.run_from(line_of(*row, *read.values), context.session.layout.open_panel);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/session/session.h"
 #include "app/ui/gui.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/program.h"
@@ -52,7 +53,7 @@ class Laid {
   // Opens a menu of the bar by its title.
   void open_menu(std::string_view title) {
     for (const glm::dvec2 at : DrawnText(gui).places(title))
-      if (at.y < session.view_origin.y) return click(at);
+      if (at.y < session.view.origin.y) return click(at);
     ADD_FAILURE() << "no menu " << title;
   }
 

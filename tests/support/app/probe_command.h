@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen::test {
 
@@ -16,7 +17,7 @@ inline CommandRow probe_row() {
               [](Session& session, Words arguments, std::string_view) {
                 const auto x = arguments.size() == 1 ? parse_double(arguments[0]) : std::nullopt;
                 if (!x) return usage_error("probe needs a number", "probe には数が必要です");
-                if (session.on_progress) session.on_progress(0.5);
+                if (session.frontend.on_progress) session.frontend.on_progress(0.5);
                 return session.document().apply(MakeVertex{{*x, 0, 0}});
               },
           .is_long = true};

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/algo/algorithms.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/highlights/colour_maps.h"

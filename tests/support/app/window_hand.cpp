@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen::test {
@@ -30,14 +31,14 @@ void WindowHand::open_made(std::vector<std::string> words) {
 void WindowHand::open_file() {
   open(file_);
   laid_ = std::make_unique<Laid>("cube.obj", hand_window);
-  session().turns_to_solids = session().shows_axes = true;
+  session().frontend.turns_to_solids = session().view.shows_axes = true;
   ASSERT_TRUE(session().run("open " + file_argument(file_)).done());
   laid_->gui.place_view(session(), hand_window);
   session().frame_all();
 }
 
 Camera WindowHand::camera() const {
-  Camera seen = laid_->session.camera;
+  Camera seen = laid_->session.view.camera;
   const Frame frame = last();
   seen.eye = frame.eye;
   seen.target = frame.target;
@@ -49,8 +50,8 @@ void WindowHand::click(glm::dvec2 pixel, const std::string& keys, int button) co
 }
 
 glm::dvec2 WindowHand::pixel_of(const glm::dvec3& place, const Camera& camera) const {
-  const auto at = project(camera, laid_->session.view, place);
-  return at ? glm::round(at->pixel + laid_->session.view_origin) : glm::dvec2(-1e9);
+  const auto at = project(camera, laid_->session.view.size, place);
+  return at ? glm::round(at->pixel + laid_->session.view.origin) : glm::dvec2(-1e9);
 }
 
 WindowHand::OnEdge WindowHand::on_edge(double share, int which) {

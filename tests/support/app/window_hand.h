@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/editor/session/session.h"
 #include "ryosen/view/camera.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
@@ -26,7 +27,7 @@ class WindowHand : public RealWindow {
   // A click there, with keys held down meanwhile.
   void click(glm::dvec2 pixel, const std::string& keys = "", int button = 1) const;
 
-  glm::dvec2 pixel_of(const glm::dvec3& place) const { return pixel_of(place, laid_->session.camera); }
+  glm::dvec2 pixel_of(const glm::dvec3& place) const { return pixel_of(place, laid_->session.view.camera); }
   glm::dvec2 pixel_of(const glm::dvec3& place, const Camera& camera) const;
   // A place at a share of an edge that is seen and long on the screen.
   struct OnEdge {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
@@ -24,7 +25,7 @@ Drawn ghost_of(const std::string& tool) {
   const auto [a, b] = ends(session.mesh(), picked->element.edge());
   const glm::dvec3 middle = (session.mesh().position(a) + session.mesh().position(b)) / 2.0;
   session.tool = tool;
-  session.point_at(project(session.camera, session.view, middle)->pixel);
+  session.point_at(project(session.view.camera, session.view.size, middle)->pixel);
   EXPECT_TRUE(session.hover() && session.hover()->preview.verdict.legal()) << tool;
   const Overlay overlay = hover_overlay(session, Theme::dark);
   Drawn drawn;
@@ -85,7 +86,7 @@ TEST(overlays, the_ends_of_highlighted_edges_are_dots_where_vertices_are_drawn) 
                                           [](const HighlightRow& one) { return one.id == "boundary"; });
   std::size_t lines = 0, points = 0, plain = 0;
   for_each_mark(row, [&](Mark mark) {
-    ViewSettings settings = session.settings;
+    ViewSettings settings = session.view.settings;
     settings.dots = Dots::always;
     const Overlay overlay = highlight_overlay(session, row, mark, 0, 100000, settings, 0);
     lines += overlay.lines.size();

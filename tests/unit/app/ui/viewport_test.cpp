@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "app/editor/session/session.h"
 #include "render/context/context.h"
 #include "tests/support/app/program.h"
 
@@ -26,7 +27,7 @@ class ViewportTest : public testing::Test {
 
   static std::unique_ptr<Session> opened(const std::string& asset, Size size = {320, 240}) {
     auto session = std::make_unique<Session>(Document::open(test::asset(asset)).value());
-    session->view = size;
+    session->view.size = size;
     session->frame_all();
     return session;
   }
@@ -52,10 +53,10 @@ TEST_F(ViewportTest, each_of_the_problems_at_one_edge_is_seen) {
                                        "OFF\n9 5 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n5 5 5\n.1 .1 .1\n.2 .2 .2\n"
                                        ".3 .3 .3\n0 0 0\n3 0 1 2\n3 0 0 3\n3 0 1 3\n3 5 6 7\n3 0 8 3\n");
   Session session(Document::open(mix).value());
-  session.view = {640, 480};
+  session.view.size = {640, 480};
   session.frame_all();
   for (const Theme theme : {Theme::dark, Theme::light}) {
-    session.settings.theme = theme;
+    session.view.settings.theme = theme;
     const std::vector<Rgba> pixels = picture(session).pixels;
     for (const char* id : {"boundary", "misoriented", "degenerate"}) {
       const HighlightRow& row = *find_highlight(id);
@@ -172,7 +173,7 @@ TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_
   const Image bare = picture(session);
   ASSERT_TRUE(session.run("gizmo move").done());
   EXPECT_TRUE(picture(session).pixels != bare.pixels) << "handles are drawn";
-  const auto middle = project(session.camera, session.view, session.gizmo()->middle);
+  const auto middle = project(session.view.camera, session.view.size, session.gizmo()->middle);
   const auto at = [&](double x, double y) {
     return std::to_string(middle->pixel.x + x) + "," + std::to_string(middle->pixel.y + y);
   };
@@ -196,7 +197,7 @@ TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_
   for (const std::string& line : lines) {
     EXPECT_TRUE(session.run(line).done()) << line;
     const Image followed = picture(session);
-    viewport_->view().draw(PixelRect::all(session.view));
+    viewport_->view().draw(PixelRect::all(session.view.size));
     EXPECT_TRUE(followed.pixels == viewport_->view().read_pixels().pixels) << line;
   }
 }

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/find_element.h"
 #include "tests/support/app/program.h"
@@ -21,7 +22,7 @@ class CuttingTest : public testing::Test {
     const Outcome outcome = session_.run(line);
     EXPECT_TRUE(outcome.done()) << line << ": " << outcome.sentence.en;
   }
-  glm::dvec2 middle() const { return {0.5 * session_.view.width, 0.5 * session_.view.height}; }
+  glm::dvec2 middle() const { return {0.5 * session_.view.size.width, 0.5 * session_.view.size.height}; }
   glm::dvec3 place_of(Vertex v) const { return session_.mesh().position(v); }
   // The mean height along an axis of the corners of the face at the middle of the view.
   double along(int axis) {
@@ -56,7 +57,7 @@ TEST_F(CuttingTest, vertices_and_boxes_are_taken_on_this_side_alone) {
   run("clip z");
   run("box 0,0 1279,719");
   EXPECT_EQ(2 * session_.selection.size(), all);
-  const ClipPlane plane = *session_.clip_plane();
+  const ClipPlane plane = *session_.view.clip_plane();
   for (const Element& e : session_.selection) EXPECT_FALSE(plane.cuts(place_of(e.vertex())));
   run("mode face");
   run("box 0,0 1279,719");
@@ -67,14 +68,15 @@ TEST_F(CuttingTest, vertices_and_boxes_are_taken_on_this_side_alone) {
 TEST_F(CuttingTest, of_an_edge_the_part_is_picked_that_is_left) {
   run(R"(camera {"eye":[6,0.8,0.5],"target":[0.5,0.5,0.5],"up":[0,1,0],"ortho_height":null})");
   run("clip z");
-  const ClipPlane plane = *session_.clip_plane();
+  const ClipPlane plane = *session_.view.clip_plane();
   int picked_kept = 0, picked_cut = 0;
   for (std::uint32_t i = 0; i < session_.mesh().edge_slots(); ++i) {
     const auto [a, b] = ends(session_.mesh(), Edge(i));
     if (place_of(a).x < 0.5 || place_of(b).x < 0.5 || std::abs((place_of(a) - place_of(b)).z) < 0.1) continue;
     for (const double share : {0.1, 0.3, 0.7, 0.9}) {
       const glm::dvec3 place = glm::mix(place_of(a), place_of(b), share);
-      const auto picked = session_.pick(project(session_.camera, session_.view, place)->pixel, PickMode::edge);
+      const auto picked =
+          session_.pick(project(session_.view.camera, session_.view.size, place)->pixel, PickMode::edge);
       if (plane.cuts(place)) {
         picked_cut += picked && picked->element == Element(Edge(i));
       } else {
@@ -96,7 +98,7 @@ TEST_F(CuttingTest, moves_by_shares_and_steps_and_stays_through_edits) {
   run("clip x");
   const auto [low, high] =
       std::pair(bounds_of(session_.mesh().positions()).lowest.x, bounds_of(session_.mesh().positions()).highest.x);
-  const auto offset = [&] { return session_.clip_plane()->offset; };
+  const auto offset = [&] { return session_.view.clip_plane()->offset; };
   EXPECT_DOUBLE_EQ(offset(), 0.5 * (low + high));
   run("clip_at 0.25");
   EXPECT_DOUBLE_EQ(offset(), low + 0.25 * (high - low));
@@ -113,15 +115,15 @@ TEST_F(CuttingTest, moves_by_shares_and_steps_and_stays_through_edits) {
   for (const char* const wrong : {"clip_at", "clip_at x", "clip_at 2", "clip_at 0.1 0.2"})
     EXPECT_EQ(session_.run(wrong).exit_code, ExitCode::usage) << wrong;
   session_.set_document(std::make_unique<Document>());
-  EXPECT_FALSE(session_.cut);
+  EXPECT_FALSE(session_.view.cut);
 }
 
 TEST_F(CuttingTest, across_the_line_of_sight_it_takes_the_nearer_half) {
   run("view iso");
   run("clip view");
-  const ClipPlane plane = *session_.clip_plane();
-  EXPECT_TRUE(plane.cuts(session_.camera.eye));
-  EXPECT_FALSE(plane.cuts(session_.camera.target + 1e-6 * axes(session_.camera).forward));
+  const ClipPlane plane = *session_.view.clip_plane();
+  EXPECT_TRUE(plane.cuts(session_.view.camera.eye));
+  EXPECT_FALSE(plane.cuts(session_.view.camera.target + 1e-6 * axes(session_.view.camera).forward));
 }
 
 }  // namespace

@@ -26,12 +26,12 @@ TEST(first_camera, is_the_usual_one_where_more_than_one_side_is_seen_or_there_is
 
 TEST(first_camera, turns_where_a_solid_would_look_like_a_face) {
   Session session(seen_first("tetrahedron.off"));
-  const Camera usual = session.camera;
-  session.turns_to_solids = true;
+  const Camera usual = session.view.camera;
+  session.frontend.turns_to_solids = true;
   session.set_document(seen_first("tetrahedron.off"));
-  EXPECT_NE(session.camera, usual);
+  EXPECT_NE(session.view.camera, usual);
   EXPECT_TRUE(session.is_framed());
-  const glm::dvec3 to_eye = -axes(session.camera).forward;
+  const glm::dvec3 to_eye = -axes(session.view.camera).forward;
   EXPECT_GT(glm::dot(to_eye, -axes(usual).forward), 0.5) << "as little as it takes";
   EXPECT_GT(glm::dot(to_eye, glm::dvec3(1)), 0.2) << "the slanted side is seen,";
   EXPECT_LT(std::min({to_eye.x, to_eye.y, to_eye.z}), -0.2) << "and one of those in the planes of the axes";

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "app/editor/session/session.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
@@ -22,20 +23,20 @@ std::unique_ptr<Session> session_of(const std::string& name) {
 }
 
 bool is_in_view(const Session& session, const glm::dvec3& place) {
-  const auto at = project(session.camera, session.view, place);
-  return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.width &&
-         at->pixel.y <= session.view.height;
+  const auto at = project(session.view.camera, session.view.size, place);
+  return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.size.width &&
+         at->pixel.y <= session.view.size.height;
 }
 
 TEST(fly, shows_elements_beside_what_a_tab_has_opened) {
   const auto session = session_of("torus.off");
-  session->covered_px = {0, 0.5 * session->view.width};
+  session->view.covered_px = {0, 0.5 * session->view.size.width};
   ASSERT_TRUE(session->run("select v0").done());
   ASSERT_TRUE(session->run("frame selected").done());
-  const auto at = project(session->camera, session->view, session->mesh().position(Vertex(0)));
+  const auto at = project(session->view.camera, session->view.size, session->mesh().position(Vertex(0)));
   ASSERT_TRUE(at);
-  EXPECT_NEAR(at->pixel.x, 0.25 * session->view.width, 0.05 * session->view.width);
-  EXPECT_NEAR(at->pixel.y, 0.5 * session->view.height, 0.05 * session->view.height);
+  EXPECT_NEAR(at->pixel.x, 0.25 * session->view.size.width, 0.05 * session->view.size.width);
+  EXPECT_NEAR(at->pixel.y, 0.5 * session->view.size.height, 0.05 * session->view.size.height);
 }
 
 TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
@@ -53,7 +54,8 @@ TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
         for (Vertex w : neighbours(m, v)) EXPECT_TRUE(is_in_view(*session, m.position(w))) << name << " f" << f.index;
       glm::dvec3 middle{0};
       for (Vertex v : vertices_around(m, f)) middle += m.position(v) / double(corner_count(m, f));
-      const auto front = session->pick(project(session->camera, session->view, middle)->pixel, PickMode::face);
+      const auto front =
+          session->pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
       shown += front && front->face == f;
     }
     EXPECT_GE(shown, asked - 1) << name;
@@ -64,28 +66,29 @@ TEST(fly, keeps_the_direction_where_that_shows_it) {
   const auto session = session_of("torus.off");
   const auto front = session->pick({640, 560}, PickMode::face);
   ASSERT_TRUE(front);
-  const glm::dvec3 before = axes(session->camera).forward;
+  const glm::dvec3 before = axes(session->view.camera).forward;
   session->selection = {front->face};
   ASSERT_TRUE(session->run("frame selected").done());
-  EXPECT_LT(glm::length(axes(session->camera).forward - before), 1e-9);
+  EXPECT_LT(glm::length(axes(session->view.camera).forward - before), 1e-9);
 }
 
 TEST(fly, a_walk_stays_beside_what_a_tab_has_opened) {
   const auto session = session_of("torus.off");
-  session->covered_px = {0.6 * session->view.width, 0};
+  session->view.covered_px = {0.6 * session->view.size.width, 0};
   ASSERT_TRUE(session->run("select h0").done());
   ASSERT_TRUE(session->run("frame selected").done());
-  const glm::dvec3 eye = session->camera.eye;
+  const glm::dvec3 eye = session->view.camera.eye;
   const Mesh& m = session->mesh();
   for (int i = 0; i < 60; ++i) {
     ASSERT_TRUE(session->run(i % 3 == 2 ? "walk twin" : "walk next").done());
     const Halfedge h = session->selection[0].halfedge();
-    const auto at = project(session->camera, session->view, (m.position(m.from(h)) + m.position(m.to(h))) / 2.0);
+    const auto at =
+        project(session->view.camera, session->view.size, (m.position(m.from(h)) + m.position(m.to(h))) / 2.0);
     ASSERT_TRUE(at);
-    EXPECT_GE(at->pixel.x, 0.6 * session->view.width - 1e-6) << i;
-    EXPECT_LE(at->pixel.x, session->view.width) << i;
+    EXPECT_GE(at->pixel.x, 0.6 * session->view.size.width - 1e-6) << i;
+    EXPECT_LE(at->pixel.x, session->view.size.width) << i;
   }
-  EXPECT_NE(session->camera.eye, eye) << "else nothing was tried";
+  EXPECT_NE(session->view.camera.eye, eye) << "else nothing was tried";
 }
 
 TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
@@ -94,13 +97,13 @@ TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
   session->selection = {Halfedge(0)};
   int turned = 0;
   for (int i = 0; i < 60; ++i) {  // around the torus: across each quad
-    const Camera before = session->camera;
+    const Camera before = session->view.camera;
     for (const char* line : {"walk next", "walk next", "walk twin"}) ASSERT_TRUE(session->run(line).done());
-    turned += !(before == session->camera);
+    turned += !(before == session->view.camera);
     const Halfedge h = session->selection[0].halfedge();
     const glm::dvec3 middle = (m.position(m.from(h)) + m.position(m.to(h))) / 2.0;
     ASSERT_TRUE(is_in_view(*session, middle));
-    const auto front = session->pick(project(session->camera, session->view, middle)->pixel, PickMode::face);
+    const auto front = session->pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
     if (!front) continue;  // on the silhouette
     EXPECT_TRUE(front->face == m.face(h) || front->face == m.face(twin(h))) << i;
   }
@@ -114,19 +117,19 @@ TEST(fly, stands_upright_where_it_turns_and_knows_what_an_orthographic_picture_s
   for (const char* first : {"view top", "view front", "projection orthographic"}) {
     ASSERT_TRUE(session->run(first).done()) << first;
     for (std::uint32_t f = 0; f < m.face_slots(); f += 7) {
-      const glm::dvec3 before = axes(session->camera).forward;
+      const glm::dvec3 before = axes(session->view.camera).forward;
       ASSERT_TRUE(session->run("select f" + std::to_string(f)).done());
       ASSERT_TRUE(session->run("frame selected").done());
-      const CameraAxes now = axes(session->camera);
+      const CameraAxes now = axes(session->view.camera);
       if (glm::length(now.forward - before) > 1e-9) {
         EXPECT_NEAR(now.right.y, 0, 1e-9) << first << " f" << f;
       }
       glm::dvec3 middle{0};
       for (Vertex v : vertices_around(m, Face(f))) middle += m.position(v) / double(corner_count(m, Face(f)));
-      Camera far = session->camera;
+      Camera far = session->view.camera;
       if (far.ortho_height) far.eye -= 100.0 * now.forward;
-      const auto at = project(far, session->view, middle);
-      const auto front = session->picker().pick(m, far, session->view, at->pixel, PickMode::face);
+      const auto at = project(far, session->view.size, middle);
+      const auto front = session->picker().pick(m, far, session->view.size, at->pixel, PickMode::face);
       ASSERT_TRUE(front) << first << " f" << f;
       EXPECT_EQ(front->face, Face(f)) << first;
     }
@@ -142,10 +145,10 @@ TEST(fly, copes_with_what_has_no_place_and_with_nothing) {
   for (const char* line : {"select h0", "walk next", "walk twin", "walk next", "walk next", "select v2",
                            "frame selected", "select f0 f1", "frame selected", "frame all"})
     ASSERT_TRUE(session.run(line).done()) << line;
-  EXPECT_TRUE(is_finite(session.camera.eye) && is_finite(session.camera.target));
+  EXPECT_TRUE(is_finite(session.view.camera.eye) && is_finite(session.view.camera.target));
   Session empty(std::make_unique<Document>());
   fly_to(empty, {});
-  EXPECT_TRUE(is_finite(empty.camera.eye));
+  EXPECT_TRUE(is_finite(empty.view.camera.eye));
 }
 
 // Each face at the hub would bring all of its neighbours again.

@@ -112,7 +112,8 @@ TEST(framing, named_views_show_what_all_is_framed_by) {
   ASSERT_TRUE(playing.run("steps script cube").done() && playing.run("steps at 1").done());
   ASSERT_FALSE(playing.shown.player()->places_at_end.empty());
   ASSERT_TRUE(playing.run("view front").done());
-  EXPECT_TRUE(shows_all(playing.camera, playing.view, covered_view(playing), playing.shown.player()->places_at_end));
+  EXPECT_TRUE(
+      shows_all(playing.view.camera, playing.view.size, covered_view(playing), playing.shown.player()->places_at_end));
 
   const test::TemporaryFolder folder;
   Session far_off(std::make_unique<Document>());
@@ -123,22 +124,22 @@ TEST(framing, named_views_show_what_all_is_framed_by) {
   ASSERT_TRUE(session.run("compare " + file).done());
   ASSERT_TRUE(session.run("view front").done());
   ASSERT_TRUE(session.beside());
-  EXPECT_TRUE(shows_all(session.camera, session.beside()->view, {}, session.beside()->mesh().positions()));
+  EXPECT_TRUE(shows_all(session.view.camera, session.beside()->view.size, {}, session.beside()->mesh().positions()));
 }
 
 TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_them) {
   for (const Size size : {Size{748, 754}, Size{620, 640}}) {
     Session session(std::move(Document::open(test::asset("isolated_vertex.obj"))).value());
-    session.view = size;
+    session.view.size = size;
     const PixelRect corner = *room_of_axes(size, 1);
     const auto is_under = [&] {
-      const auto at = project(session.camera, size, session.mesh().position(Vertex(3)));
+      const auto at = project(session.view.camera, size, session.mesh().position(Vertex(3)));
       const glm::dvec2 middle(corner.x0 + 0.5 * corner.width(), 0.5 * corner.height());
       return at && glm::length(at->pixel - middle) < 0.5 * corner.width();
     };
     session.frame_all();
     EXPECT_TRUE(is_under());
-    session.shows_axes = true;
+    session.view.shows_axes = true;
     session.frame_all();
     EXPECT_FALSE(is_under()) << size.width;
     ASSERT_TRUE(session.run("view front").done());
@@ -147,10 +148,10 @@ TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_th
     EXPECT_FALSE(is_under()) << size.width;
   }
   Session session(std::move(Document::open(test::asset("torus.off"))).value());
-  const Camera before = session.camera;
-  session.shows_axes = true;
+  const Camera before = session.view.camera;
+  session.view.shows_axes = true;
   session.frame_all();
-  EXPECT_LT(glm::length(session.camera.eye - before.eye), 1e-9) << "nothing lies there";
+  EXPECT_LT(glm::length(session.view.camera.eye - before.eye), 1e-9) << "nothing lies there";
 }
 
 TEST(framing, counts_until_the_camera_moves) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
@@ -11,7 +12,7 @@ std::unique_ptr<Session> laid_out(const char* asset) {
   auto document = Document::open(test::asset(asset));
   EXPECT_TRUE(document);
   auto session = std::make_unique<Session>(std::move(document).value());
-  session->view = {640, 480};
+  session->view.size = {640, 480};
   session->frame_all();
   return session;
 }
@@ -23,7 +24,7 @@ void run(Session& session, std::initializer_list<const char*> lines) {
 glm::dvec2 middle_of(const Session& session, Face f) {
   glm::dvec3 sum(0);
   for (const Vertex v : vertices_around(session.mesh(), f)) sum += session.mesh().position(v);
-  return project(session.camera, session.view, sum / double(corner_count(session.mesh(), f)))->pixel;
+  return project(session.view.camera, session.view.size, sum / double(corner_count(session.mesh(), f)))->pixel;
 }
 
 TEST(hiding, is_no_edit_and_leaves_the_selection) {
@@ -112,8 +113,8 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
   run(*session, {"isolate f0..f9"});
   for (const PickMode mode : {PickMode::vertex, PickMode::edge, PickMode::face}) {
     Session anew(Document::open(test::asset("torus.off")).value());
-    anew.view = session->view;
-    anew.camera = session->camera;
+    anew.view.size = session->view.size;
+    anew.view.camera = session->view.camera;
     anew.run("isolate f0..f9");  // before there is a tree to pick from
     for (int x = 5; x < 640; x += 11)
       for (int y = 3; y < 480; y += 13) {

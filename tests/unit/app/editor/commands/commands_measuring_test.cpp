@@ -5,6 +5,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/editor/texts/measure_text.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/shapes.h"
@@ -22,16 +23,16 @@ TEST(commands_measuring, colours_say_what_the_numbers_are_and_keep_their_range) 
   const auto session = measured_cube();
   EXPECT_EQ(session->run("colours edge_length").sentence.en, "Edge length: 1 to 1, mean 1, median 1, of 12");
   EXPECT_EQ(session->run("colours dihedral").sentence.en, "Dihedral angle: 90° to 90°, mean 90°, median 90°, of 12");
-  EXPECT_EQ(session->colouring->range, (MapRange{90, 270}));
+  EXPECT_EQ(session->view.colouring->range, (MapRange{90, 270}));
   ASSERT_TRUE(session->run("colours area 0 4").done());
   ASSERT_TRUE(session->run("poke f0").done());
-  EXPECT_EQ(session->colouring->range, (MapRange{0, 4}));
+  EXPECT_EQ(session->view.colouring->range, (MapRange{0, 4}));
   EXPECT_EQ(figures_of(session->map_values().all()).count, 9u);
   EXPECT_DOUBLE_EQ(figures_of(session->map_values().all()).lowest, 0.25);
   ASSERT_TRUE(session->run("undo").done());
   EXPECT_EQ(figures_of(session->map_values().all()).count, 6u);
   ASSERT_TRUE(session->run("colours off").done());
-  EXPECT_FALSE(session->colouring);
+  EXPECT_FALSE(session->view.colouring);
 }
 
 TEST(commands_measuring, colours_show_the_middle_of_the_values_first_and_all_where_asked) {
@@ -39,9 +40,9 @@ TEST(commands_measuring, colours_show_the_middle_of_the_values_first_and_all_whe
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("colours area").done());
   const MapFigures figures = figures_of(session.map_values().all());
-  EXPECT_EQ(session.colouring->range, first_range(*session.colouring->map, figures));
+  EXPECT_EQ(session.view.colouring->range, first_range(*session.view.colouring->map, figures));
   ASSERT_TRUE(session.run("colours area all").done());
-  EXPECT_EQ(session.colouring->range, (MapRange{figures.lowest, figures.highest}));
+  EXPECT_EQ(session.view.colouring->range, (MapRange{figures.lowest, figures.highest}));
   EXPECT_EQ(session.map_extent(), (MapRange{figures.lowest, figures.highest}));
   ASSERT_TRUE(session.run("move_vertex v0 9,9,9").done());
   EXPECT_GT(session.map_extent().high, figures.highest) << "followed";
@@ -74,7 +75,7 @@ TEST(commands_measuring, a_legend_of_counts_names_none_that_there_cannot_be) {
 TEST(commands_measuring, a_measure_is_told_with_the_same_digits_everywhere) {
   const auto session = measured_cube();
   ASSERT_TRUE(session->run("move_vertex v0 -0.123456789,0,0").done());
-  session->language = Language::english;
+  session->preferences.language = Language::english;
   const std::string said = session->run("measure v0 v2").sentence.en;
   EXPECT_GT(said.size(), 16u) << "scripts have all digits";
   std::vector<Label> labels;
@@ -94,7 +95,7 @@ TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) 
   EXPECT_NE(session->run("colours edge_lenght").sentence.en.find("edge_length"), std::string::npos);
   session->run("new");
   EXPECT_EQ(session->run("colours area").exit_code, ExitCode::refused);
-  EXPECT_FALSE(session->colouring);
+  EXPECT_FALSE(session->view.colouring);
 }
 
 TEST(commands_measuring, select_by_takes_what_lies_in_a_range_with_both_ends) {

@@ -2,6 +2,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/keys.h"
+#include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 

@@ -9,6 +9,7 @@
 #include "app/cli/run.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/recovery/autosave.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/probe_command.h"
 #include "tests/support/app/program.h"
 
@@ -58,7 +59,7 @@ TEST(commands, one_that_is_new_is_kept_for_after_a_crash) {
   {
     Session crashed(std::make_unique<Document>());
     Autosave autosave(recovery_folder());
-    crashed.autosave = &autosave;
+    crashed.frontend.autosave = &autosave;
     autosave.begin(crashed.document());
     for (const char* line : {"make_vertex 1,1,1", " probe  2", "make_edge v0 v1"})
       ASSERT_TRUE(crashed.run(line).done()) << line;

@@ -8,6 +8,7 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/session/asking.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/analysis/invariants.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/random_lines.h"
@@ -51,7 +52,7 @@ void run_script(std::uint64_t seed, const std::vector<std::string>& ids) {
     script += line + "\n";
     running << line << std::endl;
     int reports = 0;
-    session.on_progress = [&reports](double) { return ++reports < most_reports; };
+    session.frontend.on_progress = [&reports](double) { return ++reports < most_reports; };
     session.run(line);
     first.follow(session);
   }

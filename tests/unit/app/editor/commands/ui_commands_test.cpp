@@ -13,11 +13,11 @@ namespace {
 TEST(ui_commands, set_what_they_name) {
   Session session(std::make_unique<Document>());
   EXPECT_TRUE(session.run("language ja").done());
-  EXPECT_EQ(session.language, Language::japanese);
+  EXPECT_EQ(session.preferences.language, Language::japanese);
   EXPECT_TRUE(session.run("theme light").done());
-  EXPECT_EQ(session.settings.theme, Theme::light);
+  EXPECT_EQ(session.view.settings.theme, Theme::light);
   EXPECT_TRUE(session.run("panel keys").done());
-  EXPECT_EQ(session.open_panel, "keys");
+  EXPECT_EQ(session.layout.open_panel, "keys");
   for (const char* wrong : {"language", "language de", "theme pink", "panel", "panel kyes", "cancel all"})
     EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
   EXPECT_TRUE(session.log().empty()) << "a script of the edits does not hold how the window looked";
@@ -27,13 +27,13 @@ TEST(ui_commands, panels_over_the_view_take_turns_and_those_of_the_columns_are_h
   Session session(std::make_unique<Document>());
   for (const char* line : {"panel keys", "panel history off", "panel open", "panel keys off"})
     EXPECT_TRUE(session.run(line).done()) << line;
-  EXPECT_EQ(session.open_panel, "open") << "another than the one that was to be closed";
-  EXPECT_FALSE(session.is_shown(*find_panel("history")));
-  EXPECT_TRUE(session.is_shown(*find_panel("tools")));
+  EXPECT_EQ(session.layout.open_panel, "open") << "another than the one that was to be closed";
+  EXPECT_FALSE(session.layout.is_shown(*find_panel("history")));
+  EXPECT_TRUE(session.layout.is_shown(*find_panel("tools")));
   for (const char* line : {"panel none", "panel tools off", "panel history"}) EXPECT_TRUE(session.run(line).done());
-  EXPECT_EQ(session.open_panel, "");
-  EXPECT_TRUE(session.is_shown(*find_panel("history")));
-  EXPECT_FALSE(session.is_shown(*find_panel("tools")));
+  EXPECT_EQ(session.layout.open_panel, "");
+  EXPECT_TRUE(session.layout.is_shown(*find_panel("history")));
+  EXPECT_FALSE(session.layout.is_shown(*find_panel("tools")));
   for (const char* wrong : {"panel history maybe", "panel none off", "panel history on on"})
     EXPECT_EQ(session.run(wrong).exit_code, ExitCode::usage) << wrong;
   EXPECT_EQ(session.run("panel histroy").sentence.en, "there is no panel 'histroy'; did you mean history?");
@@ -46,20 +46,20 @@ TEST(ui_commands, panels_begin_as_their_rows_say) {
       {"quiet", PanelPlace::right, "Quiet", "静か", PanelMenu::view, PanelOpener::nothing, PanelAtFirst::hidden});
   {
     Session session(std::make_unique<Document>());
-    EXPECT_EQ(session.open_panel, "");
-    for (const PanelRow& row : panel_list()) EXPECT_EQ(session.is_shown(row), row.shown_at_first()) << row.id;
+    EXPECT_EQ(session.layout.open_panel, "");
+    for (const PanelRow& row : panel_list()) EXPECT_EQ(session.layout.is_shown(row), row.shown_at_first()) << row.id;
     const PanelRow row = *find_panel("quiet");
     for (const bool on : {true, false}) {
       EXPECT_TRUE(session.run(on ? "panel quiet" : "panel quiet off").done());
-      EXPECT_EQ(session.is_shown(row), on);
+      EXPECT_EQ(session.layout.is_shown(row), on);
       EXPECT_TRUE(session.run(on ? "panel quiet on" : "panel quiet off").done()) << "once more changes nothing";
-      EXPECT_EQ(session.is_shown(row), on);
+      EXPECT_EQ(session.layout.is_shown(row), on);
     }
   }
   const ScopedPanel loud(
       {"loud", PanelPlace::over, "Loud", "声高", PanelMenu::none, PanelOpener::nothing, PanelAtFirst::shown});
   Session session(std::make_unique<Document>());
-  EXPECT_EQ(session.open_panel, "loud");
+  EXPECT_EQ(session.layout.open_panel, "loud");
 }
 
 TEST(ui_commands, each_opener_opens_one_panel) {
@@ -87,7 +87,7 @@ TEST(ui_commands, cancel_steps_out_of_one_thing_at_a_time) {
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
   for (const char* line : {"select v0", "tool collapse", "panel keys", "cancel"}) ASSERT_TRUE(session.run(line).done());
-  EXPECT_EQ(session.open_panel, "");
+  EXPECT_EQ(session.layout.open_panel, "");
   EXPECT_EQ(session.tool, "collapse");
   ASSERT_TRUE(session.run("cancel").done());
   EXPECT_EQ(session.tool, "");
@@ -101,7 +101,7 @@ TEST(ui_commands, every_key_sends_a_command_that_is_understood) {
     auto document = Document::open(test::asset("torus.off"));
     ASSERT_TRUE(document);
     Session session(std::move(document).value());
-    session.take_picture = [](const std::filesystem::path&) { return success(); };
+    session.frontend.take_picture = [](const std::filesystem::path&) { return success(); };
     if (key.command == "save") continue;  // would write the asset
     EXPECT_NE(session.run(key.command).exit_code, ExitCode::usage) << key.chord;
   }
@@ -138,7 +138,7 @@ TEST(ui_commands, pixels_count_from_the_windows_corner_and_end_with_the_view) {
   Session session(std::move(document).value());
   const auto inside = session.pick({640, 560}, PickMode::face);
   ASSERT_TRUE(inside);
-  session.view_origin = {200, 30};
+  session.view.origin = {200, 30};
   const auto moved = session.pick({840, 590}, PickMode::face);
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->element, inside->element);

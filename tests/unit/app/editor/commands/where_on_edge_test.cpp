@@ -28,7 +28,7 @@ class WhereOnEdge : public testing::Test {
     session_.tool = tool;
     const Mesh& m = session_.mesh();
     const glm::dvec3 place = m.position(m.from(half_)) * (1 - along) + m.position(m.to(half_)) * along;
-    session_.point_at(project(session_.camera, session_.view, place)->pixel, modifiers);
+    session_.point_at(project(session_.view.camera, session_.view.size, place)->pixel, modifiers);
     if (!session_.hover() || !session_.hover()->op) return "nothing";
     return command_of(m, *session_.hover()->op);
   }
@@ -62,8 +62,8 @@ TEST_F(WhereOnEdge, a_collapse_goes_to_the_middle_or_to_the_end_whose_third_it_i
   EXPECT_EQ(line(0.6, "collapse"), "collapse " + to_ + "-" + from_ + " mid");
   EXPECT_EQ(line(0.2, "collapse"), "collapse " + to_ + "-" + from_) << "the other end goes";
   EXPECT_EQ(line(0.8, "collapse"), "collapse " + from_ + "-" + to_);
-  const glm::dvec3 away = session_.camera.eye - session_.camera.target;
-  session_.camera.eye = session_.camera.target + 8.0 * away;  // under 24 pixels
+  const glm::dvec3 away = session_.view.camera.eye - session_.view.camera.target;
+  session_.view.camera.eye = session_.view.camera.target + 8.0 * away;  // under 24 pixels
   EXPECT_EQ(line(0.2, "collapse"), "collapse " + from_ + "-" + to_ + " mid");
 }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

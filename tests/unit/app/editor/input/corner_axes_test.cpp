@@ -26,7 +26,7 @@ class CornerAxesTest : public testing::Test {
   glm::dvec2 pixel_of(std::string_view name) const {
     const auto axes = session_.axes_in_corner();
     for (const PlacedAxisEnd& placed : axes->ends)
-      if (placed.end->name == name) return placed.pixel + session_.view_origin;
+      if (placed.end->name == name) return placed.pixel + session_.view.origin;
     ADD_FAILURE() << name;
     return {};
   }
@@ -40,13 +40,13 @@ class CornerAxesTest : public testing::Test {
 
 TEST_F(CornerAxesTest, lie_as_the_axes_of_the_mesh_do_in_the_view) {
   const CornerAxes corner = *session_.axes_in_corner();
-  const glm::dvec3 middle = session_.camera.target;
-  const double unit = 1e-3 * glm::length(session_.camera.target - session_.camera.eye);
+  const glm::dvec3 middle = session_.view.camera.target;
+  const double unit = 1e-3 * glm::length(session_.view.camera.target - session_.view.camera.eye);
   for (const PlacedAxisEnd& placed : corner.ends) {
     glm::dvec3 along(0);
     along[placed.end->axis] = placed.end->is_negative ? -unit : unit;
-    const glm::dvec2 seen = project(session_.camera, session_.view, middle + along)->pixel -
-                            project(session_.camera, session_.view, middle)->pixel;
+    const glm::dvec2 seen = project(session_.view.camera, session_.view.size, middle + along)->pixel -
+                            project(session_.view.camera, session_.view.size, middle)->pixel;
     const glm::dvec2 drawn = placed.pixel - corner.middle;
     EXPECT_GT(glm::dot(glm::normalize(seen), glm::normalize(drawn)), 0.999) << placed.end->name;
   }
@@ -54,22 +54,22 @@ TEST_F(CornerAxesTest, lie_as_the_axes_of_the_mesh_do_in_the_view) {
 
 TEST_F(CornerAxesTest, a_click_on_an_end_looks_from_there_and_keeps_centre_and_distance) {
   run("wheel 3 640,360");
-  const glm::dvec3 target = session_.camera.target;
-  const double distance = glm::length(target - session_.camera.eye);
+  const glm::dvec3 target = session_.view.camera.target;
+  const double distance = glm::length(target - session_.view.camera.eye);
   for (const auto& [name, from] : {std::pair("+X", glm::dvec3(1, 0, 0)), std::pair("+Y", glm::dvec3(0, 1, 0)),
                                    std::pair("-Z", glm::dvec3(0, 0, -1))}) {
     run("drag 300,600 340,640");  // so that every end can be clicked
     click(name);
-    EXPECT_LT(glm::length(glm::normalize(session_.camera.eye - session_.camera.target) - from), 1e-9) << name;
-    EXPECT_NEAR(glm::length(session_.camera.eye - session_.camera.target), distance, 1e-9 * distance);
+    EXPECT_LT(glm::length(glm::normalize(session_.view.camera.eye - session_.view.camera.target) - from), 1e-9) << name;
+    EXPECT_NEAR(glm::length(session_.view.camera.eye - session_.view.camera.target), distance, 1e-9 * distance);
   }
-  EXPECT_LT(glm::length(session_.camera.target - target), 1e-9 * distance);
+  EXPECT_LT(glm::length(session_.view.camera.target - target), 1e-9 * distance);
 }
 
 TEST_F(CornerAxesTest, a_second_click_looks_from_the_opposite_side) {
   click("+X");
   click("+X");
-  EXPECT_GT(glm::dot(axes(session_.camera).forward, glm::dvec3(1, 0, 0)), 1 - 1e-9);
+  EXPECT_GT(glm::dot(axes(session_.view.camera).forward, glm::dvec3(1, 0, 0)), 1 - 1e-9);
 }
 
 TEST_F(CornerAxesTest, take_the_click_and_the_pointer_from_tools_and_mesh) {
@@ -89,12 +89,12 @@ TEST_F(CornerAxesTest, take_the_click_and_the_pointer_from_tools_and_mesh) {
 
 TEST_F(CornerAxesTest, are_sized_by_the_display_and_absent_where_there_is_no_room) {
   const CornerAxes usual = *session_.axes_in_corner();
-  session_.display_scale = 2;
+  session_.preferences.display_scale = 2;
   const CornerAxes large = *session_.axes_in_corner();
   EXPECT_DOUBLE_EQ(large.ends[0].radius_px, 2 * usual.ends[0].radius_px);
   EXPECT_NEAR(glm::length(large.ends[0].pixel - large.middle), 2 * glm::length(usual.ends[0].pixel - usual.middle),
               1e-9);
-  session_.view = {400, 300};
+  session_.view.size = {400, 300};
   EXPECT_FALSE(session_.axes_in_corner());
 }
 

@@ -36,7 +36,7 @@ class GizmoTest : public testing::Test {
       const glm::dvec3 place = way == HandleWay::free ? gizmo->middle
                                : handle.plate.empty() ? (handle.strokes[0].a + handle.strokes[0].b) * 0.5
                                                       : (handle.plate[0] + handle.plate[2]) * 0.5;
-      return project(session_->camera, session_->view, place)->pixel + session_->view_origin;
+      return project(session_->view.camera, session_->view.size, place)->pixel + session_->view.origin;
     }
     ADD_FAILURE() << "the handle is not there";
     return {};
@@ -55,12 +55,12 @@ class GizmoTest : public testing::Test {
 TEST_F(GizmoTest, a_drag_of_an_arrow_moves_along_its_axis_as_one_command) {
   for (const auto& [way, axis] : {std::pair(HandleWay::x, 0), std::pair(HandleWay::y, 1)}) {
     const glm::dvec3 before = middle();
-    const Camera camera = session_->camera;
+    const Camera camera = session_->view.camera;
     drag(way, {60, -50});
     const glm::dvec3 moved = middle() - before;
     EXPECT_GT(std::abs(moved[axis]), 1e-3);
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(k == axis || std::abs(moved[k]) < 1e-12) << k << ": " << moved[k];
-    EXPECT_EQ(session_->camera, camera);
+    EXPECT_EQ(session_->view.camera, camera);
     EXPECT_TRUE(session_->log().back().starts_with("translate by=")) << session_->log().back();
   }
   EXPECT_EQ(session_->document().history().size(), 2u);
@@ -87,7 +87,7 @@ TEST_F(GizmoTest, a_plate_moves_in_its_plane) {
 TEST_F(GizmoTest, escape_takes_back_and_a_click_does_nothing) {
   const std::uint64_t hash = session_->mesh().hash();
   const Elements selected = session_->selection;
-  const Camera camera = session_->camera;
+  const Camera camera = session_->view.camera;
   const glm::dvec2 from = pixel_of(HandleWay::y);
   run({"press left " + text(from), "move " + text(from + glm::dvec2(50, 20))});
   ASSERT_TRUE(session_->gesture());
@@ -97,7 +97,7 @@ TEST_F(GizmoTest, escape_takes_back_and_a_click_does_nothing) {
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
   EXPECT_EQ(session_->selection, selected);
-  EXPECT_EQ(session_->camera, camera);
+  EXPECT_EQ(session_->view.camera, camera);
 }
 
 // The neighbours of what was clicked mostly lie under the handles that come there with it.
@@ -111,8 +111,8 @@ TEST_F(GizmoTest, a_click_goes_through_to_what_lies_under_a_handle_where_no_more
   const auto gizmo = session_->gizmo();
   for (const GizmoHandle& handle : gizmo->handles) {
     if (handle.strokes.empty() || handle.row->way == HandleWay::free) continue;
-    const auto seen = project(session_->camera, session_->view, handle.strokes[0].b);
-    at = seen->pixel + session_->view_origin;
+    const auto seen = project(session_->view.camera, session_->view.size, handle.strokes[0].b);
+    at = seen->pixel + session_->view.origin;
     const auto picked = session_->pick(at, PickMode::face);
     if (picked && picked->element != Element(Face(20))) below = picked->element;
     if (below) break;
@@ -142,7 +142,7 @@ TEST_F(GizmoTest, a_double_click_makes_the_centre_though_the_first_brings_handle
   EXPECT_EQ(session_->selection, Elements{picked->element});
   ASSERT_TRUE(session_->handle_at(at, {}));
   run({"press left " + text(at), "release left " + text(at)});
-  EXPECT_NEAR(glm::distance(session_->camera.target, picked->place), 0, 1e-6);
+  EXPECT_NEAR(glm::distance(session_->view.camera.target, picked->place), 0, 1e-6);
 }
 
 TEST_F(GizmoTest, ctrl_snaps_to_the_grid) {
@@ -164,9 +164,9 @@ TEST_F(GizmoTest, the_pointer_finds_a_handle_before_an_element_and_elsewhere_the
   EXPECT_FALSE(session_->pointed_handle()) << "Shift adds to the selection there";
   run({"move " + text(pixel_of(HandleWay::x)), "open \"" + test::asset("cube.obj") + "\""});
   EXPECT_FALSE(session_->pointed_handle()) << "another mesh has none at first";
-  const Camera camera = session_->camera;
+  const Camera camera = session_->view.camera;
   run({"press left 20,20", "move 80,60", "release left 80,60"});
-  EXPECT_NE(session_->camera, camera);
+  EXPECT_NE(session_->view.camera, camera);
   EXPECT_TRUE(session_->document().history().empty());
 }
 
@@ -185,8 +185,8 @@ TEST_F(GizmoTest, keeps_its_size_in_pixels_and_leaves_out_what_points_at_the_eye
     const auto gizmo = session_->gizmo();
     for (const GizmoHandle& handle : gizmo->handles)
       if (handle.row->way == way)
-        return glm::length(project(session_->camera, session_->view, handle.strokes[0].b)->pixel -
-                           project(session_->camera, session_->view, middle())->pixel);
+        return glm::length(project(session_->view.camera, session_->view.size, handle.strokes[0].b)->pixel -
+                           project(session_->view.camera, session_->view.size, middle())->pixel);
     return 0.0;
   };
   run({"view front", "projection orthographic"});

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/editor/camera/view_switches.h"
+#include "app/editor/session/session.h"
 
 namespace ryosen {
 namespace {
@@ -24,12 +25,12 @@ TEST(preferences, are_set_by_a_command_each_and_begin_as_their_rows_say) {
     EXPECT_EQ(session.run("prefer " + id + " nonsense").exit_code, ExitCode::usage) << id;
     EXPECT_EQ(row.value(session), value) << "a wrong value changes nothing";
   }
-  EXPECT_EQ(session.language, Language::japanese);
-  EXPECT_EQ(session.ui_scale, 2);
-  EXPECT_EQ(session.font_size_px, 20);
-  EXPECT_EQ(session.samples, 2);
+  EXPECT_EQ(session.preferences.language, Language::japanese);
+  EXPECT_EQ(session.preferences.ui_scale, 2);
+  EXPECT_EQ(session.preferences.font_size_px, 20);
+  EXPECT_EQ(session.preferences.samples, 2);
   ASSERT_TRUE(session.run("prefer scale initial").done());
-  EXPECT_EQ(session.ui_scale, 1);
+  EXPECT_EQ(session.preferences.ui_scale, 1);
   ASSERT_TRUE(session.run("prefer all initial").done());
   for (const PreferenceRow& row : preference_table()) EXPECT_EQ(row.value(session), row.field.initial);
 }
@@ -46,29 +47,29 @@ TEST(preferences, bind_keys_and_say_which_other_command_loses_its_key) {
   Session session(std::make_unique<Document>());
   ASSERT_TRUE(session.run("bind Shift+Ctrl+K frame all").done());
   const std::vector<KeyBinding> one{{"Ctrl+Shift+K", "frame all"}};
-  EXPECT_EQ(session.bindings, one) << "modifiers in their usual order";
+  EXPECT_EQ(session.preferences.bindings, one) << "modifiers in their usual order";
   const Outcome taken = session.run("bind G frame all");
   ASSERT_TRUE(taken.done());
   EXPECT_NE(taken.sentence.en.find("G did 'move the selection"), std::string::npos) << taken.sentence.en;
   EXPECT_NE(taken.sentence.en.find("(gesture move)"), std::string::npos) << taken.sentence.en;
   const InputPreset& preset = input_presets()[0];
-  EXPECT_EQ(find_key("G", preset, session.bindings)->command, "frame all");
-  EXPECT_EQ(find_key("G", preset, session.bindings)->help_en, find_key("Home")->help_en);
-  ASSERT_EQ(rows_without_key(preset, session.bindings).size(), 1u);
-  EXPECT_EQ(rows_without_key(preset, session.bindings)[0].command, "gesture move");
+  EXPECT_EQ(find_key("G", preset, session.preferences.bindings)->command, "frame all");
+  EXPECT_EQ(find_key("G", preset, session.preferences.bindings)->help_en, find_key("Home")->help_en);
+  ASSERT_EQ(rows_without_key(preset, session.preferences.bindings).size(), 1u);
+  EXPECT_EQ(rows_without_key(preset, session.preferences.bindings)[0].command, "gesture move");
   ASSERT_TRUE(session.run("bind M gesture move").done());
-  EXPECT_EQ(rows_without_key(preset, session.bindings)[0].command, "weld selected");
+  EXPECT_EQ(rows_without_key(preset, session.preferences.bindings)[0].command, "weld selected");
   ASSERT_TRUE(session.run("bind Home none").done());
-  EXPECT_FALSE(find_key("Home", preset, session.bindings));
+  EXPECT_FALSE(find_key("Home", preset, session.preferences.bindings));
   ASSERT_TRUE(session.run("bind G initial").done());
-  EXPECT_EQ(find_key("G", preset, session.bindings)->command, "gesture move");
+  EXPECT_EQ(find_key("G", preset, session.preferences.bindings)->command, "gesture move");
   ASSERT_TRUE(session.run("bind M weld selected").done());
-  EXPECT_EQ(session.bindings.size(), 2u) << "what the preset says is no binding of one's own";
+  EXPECT_EQ(session.preferences.bindings.size(), 2u) << "what the preset says is no binding of one's own";
   ASSERT_TRUE(session.run("bind all initial").done());
-  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_TRUE(session.preferences.bindings.empty());
   for (const char* line : {"bind", "bind G", "bind Clrt+G shot", "bind Escape shot", "bind G nonsense", "bind Q mode"})
     EXPECT_EQ(session.run(line).exit_code, ExitCode::usage) << line;
-  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_TRUE(session.preferences.bindings.empty());
 }
 
 TEST(preferences, a_bound_key_does_its_command_in_scripts) {
@@ -76,7 +77,7 @@ TEST(preferences, a_bound_key_does_its_command_in_scripts) {
   EXPECT_EQ(session.run("key Ctrl+K").exit_code, ExitCode::usage);
   ASSERT_TRUE(session.run("bind Ctrl+K theme light").done());
   ASSERT_TRUE(session.run("key Ctrl+K").done());
-  EXPECT_EQ(session.settings.theme, Theme::light);
+  EXPECT_EQ(session.view.settings.theme, Theme::light);
 }
 
 // Nested, bind was read again from each bind on, and deeper than the stack is.
@@ -98,7 +99,7 @@ TEST(preferences, a_key_binds_no_other_key_however_deep) {
   for (const char* line : {"bind Ctrl+K bind G none", "bind Ctrl+K bind all initial", "bind Ctrl+K bind",
                            "bind Ctrl+K either undo | bind G none", "bind Ctrl+K either bind G undo | redo"})
     EXPECT_EQ(session.run(line).exit_code, ExitCode::usage) << line;
-  EXPECT_TRUE(session.bindings.empty());
+  EXPECT_TRUE(session.preferences.bindings.empty());
   EXPECT_TRUE(session.run("bind Ctrl+K either undo | redo").done());
 }
 
@@ -116,7 +117,7 @@ TEST(preferences, keys_that_press_each_other_in_a_circle_are_refused) {
         << outcome.sentence.en;
   }
   EXPECT_TRUE(session.run("key F8").done()) << "one key may press another";
-  EXPECT_EQ(session.settings.theme, Theme::light);
+  EXPECT_EQ(session.view.settings.theme, Theme::light);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/editor/preferences/user_folders.h"
+#include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -39,11 +40,11 @@ TEST_F(KeptByUser, is_as_it_was_left_the_next_time) {
   open({"theme light", "prefer scale 1.5", "language ja", "bind Ctrl+K shot", "bind G none", "panel history off",
         "panel growth on", "panel totals right", "columns left 300"});
   EXPECT_EQ(open({}).en, "");
-  EXPECT_EQ(session_->settings.theme, Theme::light);
-  EXPECT_EQ(session_->ui_scale, 1.5);
-  EXPECT_EQ(session_->language, Language::japanese);
+  EXPECT_EQ(session_->view.settings.theme, Theme::light);
+  EXPECT_EQ(session_->preferences.ui_scale, 1.5);
+  EXPECT_EQ(session_->preferences.language, Language::japanese);
   const std::vector<KeyBinding> own{{"Ctrl+K", "shot"}, {"G", ""}};
-  EXPECT_EQ(session_->bindings, own);
+  EXPECT_EQ(session_->preferences.bindings, own);
   const std::vector<std::string> layout{"panel totals right", "panel history off", "panel growth on",
                                         "columns left 300"};
   EXPECT_EQ(session_->layout.commands(), layout);
@@ -61,7 +62,7 @@ TEST_F(KeptByUser, is_not_what_a_flag_said) {
   Session session(std::make_unique<Document>());
   UserFiles files(folder());
   files.begin(session);
-  session.language = Language::japanese;  // --lang ja
+  session.preferences.language = Language::japanese;  // --lang ja
   files.take_as_given(session);
   ASSERT_TRUE(session.run("prefer samples 2").done());
   EXPECT_FALSE(files.keep(session));
@@ -75,12 +76,12 @@ TEST_F(KeptByUser, broken_preferences_are_a_sentence_and_the_defaults_and_are_pu
   write("preferences", broken);
   const Text said = open({});
   EXPECT_NE(said.en.find((folder() / "preferences").string() + ":3: scale is"), std::string::npos) << said.en;
-  EXPECT_EQ(session_->settings.theme, Theme::dark) << "all or nothing";
+  EXPECT_EQ(session_->view.settings.theme, Theme::dark) << "all or nothing";
   EXPECT_EQ(content("preferences"), broken) << "as long as nothing is changed";
   open({"prefer samples 3"});
   EXPECT_EQ(content("preferences.broken"), broken);
   EXPECT_EQ(open({}).en, "");
-  EXPECT_EQ(session_->samples, 3);
+  EXPECT_EQ(session_->preferences.samples, 3);
 }
 
 TEST_F(KeptByUser, broken_lines_of_every_kind_are_told_with_their_place) {
@@ -105,7 +106,7 @@ TEST_F(KeptByUser, lines_of_another_version_stay_and_are_told_of) {
   write("preferences", "theme light\nhologram on\n");
   const Text said = open({"prefer samples 2"});
   EXPECT_NE(said.en.find("hologram"), std::string::npos) << said.en;
-  EXPECT_EQ(session_->settings.theme, Theme::light);
+  EXPECT_EQ(session_->view.settings.theme, Theme::light);
   EXPECT_NE(content("preferences").find("hologram on\n"), std::string::npos);
 }
 
@@ -125,11 +126,11 @@ TEST_F(KeptByUser, a_folder_that_cannot_be_written_is_said_once) {
 TEST_F(KeptByUser, the_last_ten_files_the_latest_first) {
   for (int i = 0; i < 12; ++i) open({}, folder_.copy(test::asset("torus.off"), "torus " + std::to_string(i) + ".off"));
   open({}, folder_.at("torus 5.off"));
-  ASSERT_EQ(session_->recent.size(), UserFiles::most_recent);
-  EXPECT_EQ(session_->recent[0], folder_.at("torus 5.off"));
-  EXPECT_EQ(session_->recent[1], folder_.at("torus 11.off"));
+  ASSERT_EQ(session_->preferences.recent.size(), UserFiles::most_recent);
+  EXPECT_EQ(session_->preferences.recent[0], folder_.at("torus 5.off"));
+  EXPECT_EQ(session_->preferences.recent[1], folder_.at("torus 11.off"));
   open({});
-  EXPECT_EQ(session_->recent[9], folder_.at("torus 2.off"));
+  EXPECT_EQ(session_->preferences.recent[9], folder_.at("torus 2.off"));
 }
 
 TEST(user_folder, is_named_by_the_variables_of_the_desktop) {

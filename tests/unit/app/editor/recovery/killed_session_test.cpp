@@ -89,7 +89,7 @@ Death walk_and_die(const std::string& file, const std::filesystem::path& folder,
     cli::end_window_by_signals();
     const auto session = open(file);
     Autosave autosave(folder);
-    session->autosave = &autosave;
+    session->frontend.autosave = &autosave;
     autosave.begin(session->document());
     const auto tell = [&] {
       if (::write(ends[1], &mark, 1) != 1) ::_exit(2);

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/io/file_state.h"
 #include "tests/unit/app/editor/recovery/recovery_fixture.h"
 

@@ -26,7 +26,7 @@ class RecoveryTest : public testing::Test {
   // A session as the window has it.
   struct Window {
     explicit Window(std::unique_ptr<Document> document) : session(std::move(document)) {
-      session.autosave = &autosave;
+      session.frontend.autosave = &autosave;
       autosave.begin(session.document());
     }
     void run(const std::string& line) {

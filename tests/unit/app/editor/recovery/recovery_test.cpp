@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/session/session.h"
 #include "ryosen/io/gzip.h"
 #include "tests/unit/app/editor/recovery/recovery_fixture.h"
 
@@ -475,10 +476,10 @@ TEST_F(RecoveryTest, what_is_recovered_is_in_view) {
   next->run("recover 1");
   const Session& session = next->session;
   for (const glm::dvec3& place : session.mesh().positions()) {
-    const auto seen = project(session.camera, session.view, place);
+    const auto seen = project(session.view.camera, session.view.size, place);
     ASSERT_TRUE(seen);
-    EXPECT_TRUE(seen->pixel.x > 0 && seen->pixel.x < session.view.width) << seen->pixel.x;
-    EXPECT_TRUE(seen->pixel.y > 0 && seen->pixel.y < session.view.height) << seen->pixel.y;
+    EXPECT_TRUE(seen->pixel.x > 0 && seen->pixel.x < session.view.size.width) << seen->pixel.x;
+    EXPECT_TRUE(seen->pixel.y > 0 && seen->pixel.y < session.view.size.height) << seen->pixel.y;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/view/camera.h"
 #include "tests/support/app/program.h"
 
@@ -17,8 +18,8 @@ class AskingTest : public testing::Test {
     session_ = std::make_unique<Session>(std::move(document).value());
   }
   Outcome click_on(std::uint32_t vertex) {
-    const auto at = project(session_->camera, session_->view, session_->mesh().position(Vertex(vertex)));
-    return session_->click(session_->view_origin + at->pixel, "");
+    const auto at = project(session_->view.camera, session_->view.size, session_->mesh().position(Vertex(vertex)));
+    return session_->click(session_->view.origin + at->pixel, "");
   }
   // A vertex of a face that is seen, and the one across.
   std::pair<std::uint32_t, std::uint32_t> corners_across() {

@@ -18,17 +18,17 @@ TEST(comparing, shares_the_picture_and_looks_the_same_way) {
   ASSERT_TRUE(session.run("compare " + test::asset("torus.off")).done());
   Session* const other = session.beside();
   ASSERT_NE(other, nullptr);
-  EXPECT_EQ(session.view.width + other->view.width, 798) << "with a line between them";
-  EXPECT_EQ(session.view_origin, glm::dvec2(100, 20));
-  EXPECT_EQ(other->view_origin, glm::dvec2(100 + session.view.width + 2, 20));
+  EXPECT_EQ(session.view.size.width + other->view.size.width, 798) << "with a line between them";
+  EXPECT_EQ(session.view.origin, glm::dvec2(100, 20));
+  EXPECT_EQ(other->view.origin, glm::dvec2(100 + session.view.size.width + 2, 20));
   session.run("view top");
   session.run("wire off");
-  EXPECT_EQ(session.beside()->camera.eye, session.camera.eye);
-  EXPECT_EQ(session.beside()->settings.wire, session.settings.wire);
+  EXPECT_EQ(session.beside()->view.camera.eye, session.view.camera.eye);
+  EXPECT_EQ(session.beside()->view.settings.wire, session.view.settings.wire);
   EXPECT_EQ(session.document().history().size(), 0u) << "it is no edit";
   EXPECT_TRUE(session.run("compare off").done());
   EXPECT_FALSE(session.has_beside());
-  EXPECT_EQ(session.view.width, 800);
+  EXPECT_EQ(session.view.size.width, 800);
   session.run("compare " + test::asset("torus.off"));
   session.run("new");
   EXPECT_FALSE(session.has_beside());
@@ -56,7 +56,7 @@ TEST(comparing, colours_both_by_the_distance_from_the_other_and_follows_edits) {
   EXPECT_EQ(figures_of(session.map_values().all()).highest, 0);
   EXPECT_EQ(figures_of(session.beside()->map_values().all()).highest, 0);
   session.run("compare off");
-  EXPECT_FALSE(session.colouring);
+  EXPECT_FALSE(session.view.colouring);
 }
 
 TEST(comparing, points_at_either_mesh_and_works_on_the_open_one_alone) {
@@ -66,7 +66,7 @@ TEST(comparing, points_at_either_mesh_and_works_on_the_open_one_alone) {
   session.run("mode face");
   session.beside();
   const auto middle = [](const Session& one) {
-    return one.view_origin + 0.5 * glm::dvec2(one.view.width, one.view.height);
+    return one.view.origin + 0.5 * glm::dvec2(one.view.size.width, one.view.size.height);
   };
   session.frame_all();
   // The torus has a hole in the middle; beside it there is a face.
@@ -98,22 +98,23 @@ TEST(comparing, both_halves_speak_one_language) {
   session.place_view({800, 600}, {0, 0});
   ASSERT_TRUE(session.run("compare " + test::asset("torus.off")).done());
   ASSERT_TRUE(session.run("language ja").done());
-  EXPECT_EQ(session.beside()->language, Language::japanese);
+  EXPECT_EQ(session.beside()->preferences.language, Language::japanese);
 }
 
 TEST(comparing, the_wheel_goes_to_what_is_under_the_pointer_in_either_half) {
   Session session(opened("cube.obj"));
   session.place_view({800, 600}, {0, 0});
   ASSERT_TRUE(session.run("compare " + test::asset("cube.obj")).done());
-  const Camera before = session.camera;
-  const glm::dvec2 here = 0.5 * glm::dvec2(session.view.width, session.view.height) + glm::dvec2(20, 30);
+  const Camera before = session.view.camera;
+  const glm::dvec2 here = 0.5 * glm::dvec2(session.view.size.width, session.view.size.height) + glm::dvec2(20, 30);
   Navigation navigation;
   navigation.wheel(session, here, 2);
-  const Camera left = session.camera;
-  session.camera = before;
-  navigation.wheel(session, here + session.beside()->view_origin, 2);
-  EXPECT_NE(session.camera, before);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(session.camera.eye[k], left.eye[k], 1e-9) << "the same mesh, the same camera";
+  const Camera left = session.view.camera;
+  session.view.camera = before;
+  navigation.wheel(session, here + session.beside()->view.origin, 2);
+  EXPECT_NE(session.view.camera, before);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(session.view.camera.eye[k], left.eye[k], 1e-9) << "the same mesh, the same camera";
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class HeldVerdict : public testing::Test {
     const Mesh& m = session_.mesh();
     for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
       const auto [a, b] = ends(m, Edge(i));
-      const auto at = project(session_.camera, session_.view, (m.position(a) + m.position(b)) / 2.0);
+      const auto at = project(session_.view.camera, session_.view.size, (m.position(a) + m.position(b)) / 2.0);
       const auto picked = session_.pick(at->pixel, PickMode::edge);
       if (picked && picked->element == Element(Edge(i))) return at->pixel;
     }
@@ -85,7 +85,7 @@ TEST_F(HeldVerdict, enter_carries_out_the_first_remedy_and_asks_again) {
 TEST_F(HeldVerdict, is_of_the_same_element_though_the_camera_has_gone_round) {
   refuse();
   const Element held = session_.hover()->picked.element;
-  session_.camera.eye = 2.0 * session_.camera.target - session_.camera.eye;
+  session_.view.camera.eye = 2.0 * session_.view.camera.target - session_.view.camera.eye;
   ASSERT_TRUE(session_.run("remedy").done());
   if (session_.is_verdict_held()) {
     EXPECT_EQ(session_.hover()->picked.element, held);
@@ -98,7 +98,8 @@ TEST_F(HeldVerdict, goes_with_its_element) {
   ASSERT_TRUE(session_.run("tool make_ring").done());
   const glm::dvec2 pixel = on_edge();
   if (session_.click(pixel, session_.tool).kind != Outcome::Kind::refused) return;
-  session_.camera.eye = session_.hover()->picked.place + 0.5 * (session_.camera.target - session_.camera.eye);
+  session_.view.camera.eye =
+      session_.hover()->picked.place + 0.5 * (session_.view.camera.target - session_.view.camera.eye);
   ASSERT_TRUE(session_.run("undo").done());
   if (session_.hover()) {
     EXPECT_TRUE(session_.mesh().exists(session_.hover()->picked.element.edge()));

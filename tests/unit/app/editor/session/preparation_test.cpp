@@ -113,7 +113,7 @@ TEST(preparation, every_stage_can_be_interrupted) {
   }
   int picked = 0;
   for (int x = 100; x < 1200; x += 50)
-    picked += picker.pick(mesh, session->camera, session->view, {x, 360}, PickMode::face).has_value();
+    picked += picker.pick(mesh, session->view.camera, session->view.size, {x, 360}, PickMode::face).has_value();
   EXPECT_GT(picked, 5);
 }
 

@@ -38,7 +38,7 @@ std::unique_ptr<Session> sheet_session() {
 }
 
 glm::dvec2 pixel_of(const Session& session, const glm::dvec3& place) {
-  return project(session.camera, session.view, place)->pixel;
+  return project(session.view.camera, session.view.size, place)->pixel;
 }
 
 TEST(session, a_click_sends_the_command_of_the_edge_under_it) {
@@ -98,8 +98,8 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
       for (double y = 0.2; y < 6; y += 0.9) {
         const glm::dvec2 pixel = pixel_of(*session, {x, y, 0});
         for (const PickMode mode : {PickMode::face, PickMode::edge, PickMode::vertex}) {
-          const auto a = session->picker().pick(session->mesh(), session->camera, session->view, pixel, mode);
-          const auto b = anew.pick(session->mesh(), session->camera, session->view, pixel, mode);
+          const auto a = session->picker().pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
+          const auto b = anew.pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
           ASSERT_EQ(a.has_value(), b.has_value()) << line;
           if (!a) continue;
           EXPECT_EQ(a->element, b->element) << line;
@@ -241,7 +241,7 @@ TEST(session, a_file_name_typed_with_blanks_is_logged_in_quotes) {
 TEST(session, outcomes_tell_what_was_done_to_the_mesh_and_to_files_only) {
   const test::TemporaryFolder folder;
   const auto session = sheet_session();
-  session->take_picture = [](const std::filesystem::path&) { return success(); };
+  session->frontend.take_picture = [](const std::filesystem::path&) { return success(); };
   const auto performed = [&](const std::string& line) { return session->run(line).performed; };
   EXPECT_EQ(performed("split 9-10"), "split 9-10");
   EXPECT_EQ(performed("key Ctrl+Z"), "undo");

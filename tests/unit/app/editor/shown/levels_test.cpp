@@ -38,7 +38,7 @@ TEST_F(LevelsTest, are_shown_beside_the_history_forward_and_back) {
   EXPECT_EQ(say("levels at 10").exit_code, ExitCode::refused) << "there are none yet";
   ASSERT_TRUE(say("levels").done());
   ASSERT_TRUE(session_.shown.levels());
-  EXPECT_TRUE(session_.is_shown(panel_opened_by(PanelOpener::levelled)));
+  EXPECT_TRUE(session_.layout.is_shown(panel_opened_by(PanelOpener::levelled)));
   EXPECT_EQ(faces(), all);
   for (const std::size_t wanted : {all / 2, all / 4, all / 3, std::size_t{0}, all}) {
     const Outcome outcome = say("levels at " + std::to_string(wanted));
@@ -228,7 +228,7 @@ TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   const std::vector<std::uint8_t> rules = session_.account()->rules;
   ASSERT_TRUE(say("account free").done());
   EXPECT_EQ(session_.selection.size(), session_.account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
-  session_.gizmo_kind = GizmoKind::move;
+  session_.view.gizmo_kind = GizmoKind::move;
   EXPECT_FALSE(session_.gizmo()) << "nothing of a level is moved";
   ASSERT_TRUE(say("levels at 300").done());
   EXPECT_FALSE(session_.account()) << "that is another mesh";

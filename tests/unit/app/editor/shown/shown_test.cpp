@@ -8,6 +8,7 @@
 #include <new>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 #include "tests/support/app/program.h"

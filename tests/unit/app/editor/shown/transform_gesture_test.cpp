@@ -7,6 +7,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/view_input.h"
 #include "app/editor/labels/labels.h"
+#include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -139,11 +140,11 @@ TEST_F(GestureTest, a_movement_of_what_an_operator_makes_is_called_by_its_name) 
 TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
   const glm::dvec3 held = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
   run({"move 740,280"});
-  const auto before = project(session_->camera, session_->view, held);
+  const auto before = project(session_->view.camera, session_->view.size, held);
   run({"press left 740,280", "release left 740,280"});
   std::vector<Vertex> points;
   for (const Element& e : session_->selection) points.push_back(e.vertex());
-  const auto after = project(session_->camera, session_->view, middle_of(session_->mesh(), points));
+  const auto after = project(session_->view.camera, session_->view.size, middle_of(session_->mesh(), points));
   EXPECT_NEAR(after->pixel.x - before->pixel.x, 100, 1e-6);
   EXPECT_NEAR(after->pixel.y - before->pixel.y, -80, 1e-6);
 }
@@ -151,7 +152,7 @@ TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
 class SnapTest : public GestureTest {
  protected:
   glm::dvec2 pixel_of(Vertex v) const {
-    return project(session_->camera, session_->view, session_->mesh().position(v))->pixel;
+    return project(session_->view.camera, session_->view.size, session_->mesh().position(v))->pixel;
   }
   static std::string at(glm::dvec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
   bool is_selected(Vertex v) const {
@@ -398,7 +399,8 @@ TEST_F(GestureTest, splitting_begins_under_the_tool) {
   ASSERT_EQ(session_->document().history().size(), 1u);
   EXPECT_TRUE(session_->document().history()[0].command.starts_with("split "));
   const Vertex made(mesh.vertex_slots() - 1);
-  EXPECT_LT(glm::length(project(session_->camera, session_->view, mesh.position(made))->pixel - glm::dvec2(478, 488)),
+  EXPECT_LT(glm::length(project(session_->view.camera, session_->view.size, mesh.position(made))->pixel -
+                        glm::dvec2(478, 488)),
             pick_radius_px + 1);
   run({"tool none", "select none"});
   EXPECT_EQ(session_->run("gesture split").exit_code, ExitCode::refused);
@@ -608,9 +610,9 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
 
 TEST_F(GestureTest, a_button_that_ends_it_is_told_from_one_that_turns_the_view) {
   run({"key G", "press middle 640,360", "press left 640,360", "release middle 640,360"});
-  const Camera camera = session_->camera;
+  const Camera camera = session_->view.camera;
   run({"release left 640,360", "move 700,400"});
-  EXPECT_EQ(session_->camera.eye, camera.eye) << "no drag is left over";
+  EXPECT_EQ(session_->view.camera.eye, camera.eye) << "no drag is left over";
 }
 
 TEST_F(GestureTest, a_second_dot_types_nothing) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/commands.h"
+#include "app/editor/session/session.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/app/program.h"
 
@@ -26,8 +27,8 @@ void do_all(Session& session, std::initializer_list<const char*> lines) {
 // Over all of the view.
 template <class Visit>
 void over_the_view(const Session& session, Visit visit) {
-  for (int x = 20; x < session.view.width; x += 60)
-    for (int y = 20; y < session.view.height; y += 60) visit(glm::dvec2(x, y));
+  for (int x = 20; x < session.view.size.width; x += 60)
+    for (int y = 20; y < session.view.size.height; y += 60) visit(glm::dvec2(x, y));
 }
 
 TEST(playing, what_is_written_is_the_document) {
@@ -211,20 +212,20 @@ TEST(playing, players_differ_though_one_takes_the_place_of_the_other) {
 TEST(playing, what_begins_with_nothing_is_seen_whole_whatever_was_looked_at) {
   const auto session = playing_session("cube.obj");
   session->run("view top");
-  const Camera before = session->camera;
+  const Camera before = session->view.camera;
   do_all(*session, {"steps script cube_with_hole", "steps last"});
   const Mesh& mesh = session->mesh();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const auto at = project(session->camera, session->view, mesh.position(Vertex(i)));
+    const auto at = project(session->view.camera, session->view.size, mesh.position(Vertex(i)));
     ASSERT_TRUE(at) << i;
-    EXPECT_TRUE(at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session->view.width &&
-                at->pixel.y < session->view.height)
+    EXPECT_TRUE(at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session->view.size.width &&
+                at->pixel.y < session->view.size.height)
         << i;
   }
   do_all(*session, {"steps close"});
-  EXPECT_EQ(session->camera, before);
+  EXPECT_EQ(session->view.camera, before);
   do_all(*session, {"steps walk v0"});
-  EXPECT_EQ(session->camera, before) << "on the mesh that is open nobody moves it";
+  EXPECT_EQ(session->view.camera, before) << "on the mesh that is open nobody moves it";
 }
 
 }  // namespace

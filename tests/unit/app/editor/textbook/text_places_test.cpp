@@ -57,8 +57,8 @@ double area_seen(const Session& session, Face f) {
   const Mesh& mesh = session.mesh();
   double area = 0;
   for (const Halfedge h : loop(mesh, mesh.halfedge(f))) {
-    const glm::dvec2 a = project(session.camera, session.view, mesh.position(mesh.from(h)))->pixel,
-                     b = project(session.camera, session.view, mesh.position(mesh.to(h)))->pixel;
+    const glm::dvec2 a = project(session.view.camera, session.view.size, mesh.position(mesh.from(h)))->pixel,
+                     b = project(session.view.camera, session.view.size, mesh.position(mesh.to(h)))->pixel;
     area += a.y * b.x - a.x * b.y;
   }
   return area;
@@ -82,16 +82,17 @@ TEST(text_places, select_what_faces_the_viewer_with_all_its_labels) {
     const double turn = place.text == "003" ? -1 : 1;
     for (const Face f : faces_of(session->mesh(), session->selection.back())) {
       ASSERT_TRUE(f) << place.lines;
-      EXPECT_GT(turn * area_seen(*session, f), 0.02 * session->view.width * session->view.height) << place.lines;
+      EXPECT_GT(turn * area_seen(*session, f), 0.02 * session->view.size.width * session->view.size.height)
+          << place.lines;
     }
     const Element element = session->selection.back();
     if (element.kind == Element::Kind::halfedge && session->mesh().live().faces > 1) {
       EXPECT_TRUE(session->mesh().face(twin(element.halfedge()))) << place.lines << ": its pair is shown, too";
     }
-    if (!session->links.is_on(*session)) continue;
+    if (!session->view.links.is_on(*session)) continue;
     const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 16}; };
     std::multiset<std::string> wanted, placed;
-    for (const LinkArrow& arrow : session->links.of(*session))
+    for (const LinkArrow& arrow : session->view.links.of(*session))
       if (!arrow.label.en.empty()) wanted.insert(arrow.label.en);
     for (const PlacedLabel& label : placed_labels(*session, size_of, 1)) placed.insert(label.text);
     for (const std::string& text : wanted) EXPECT_TRUE(placed.contains(text)) << place.lines << ": " << text;
@@ -127,7 +128,7 @@ TEST(text_places, draw_the_six_halfedges_that_text_003_counts) {
   EXPECT_EQ(session->mesh().live().edges, 5u);
   std::map<std::uint32_t, int> by_face;
   int with_opposite = 0;
-  for (const LinkArrow& arrow : session->links.of(*session)) {
+  for (const LinkArrow& arrow : session->view.links.of(*session)) {
     ASSERT_TRUE(session->mesh().face(arrow.halfedge));
     ++by_face[session->mesh().face(arrow.halfedge).index];
     with_opposite += !arrow.is_boundary;

@@ -1,0 +1,35 @@
+// What a person prefers: the values that the table of preferences sets (preferences.h), and the scale of the display.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/editor/camera/navigation.h"
+#include "app/editor/input/keys.h"
+#include "ryosen/base/message.h"
+
+namespace ryosen {
+
+struct Preferences {
+  static constexpr int usual_font_px = 15;
+
+  Language language = Language::english;
+  double ui_scale = 1;               // of all of the window, times that of the display
+  double display_scale = 1;          // set by the window
+  int font_size_px = usual_font_px;  // at scale 1
+  int samples = 1;                   // a side of each pixel of the view
+  double crease_deg = 30;            // edges that bend by more stay sharp where the surface is smooth
+  OrbitAbout orbit_about = OrbitAbout::point;
+  std::size_t input_preset = 0;       // of input_presets()
+  std::vector<KeyBinding> bindings;   // the user's own keys
+  std::vector<std::string> recent{};  // files that were open before, the latest first; kept by the window
+
+  // How many pixels of the view lines, points, handles, labels and the reach of the pointer count as one.
+  double size_scale() const { return display_scale * ui_scale; }
+  // The same of what is written there, which grows with the letters that somebody prefers.
+  double label_scale() const { return size_scale() * std::max(1.0, double(font_size_px) / usual_font_px); }
+};
+
+}  // namespace ryosen

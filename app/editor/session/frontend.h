@@ -1,0 +1,35 @@
+// What a frontend does for a session, and what it wants of one: a window, a picture without a window, a script.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "ryosen/base/progress.h"
+#include "ryosen/document/document.h"
+
+namespace ryosen {
+
+class Autosave;
+class Input;
+
+struct Frontend {
+  // Renders a picture of the session. Commands that need it fail if unset.
+  std::function<Status(const std::filesystem::path&)> take_picture;
+  // Gets the events of scripts, where a frontend runs scripts with panels; else the view alone gets them. A window has
+  // its own events, so that what is said in its command panel goes to the view.
+  std::weak_ptr<Input> input;
+  // Reads files of meshes; a frontend that shows meanwhile what is read sets another way. One that was given up fails
+  // as cancelled.
+  std::function<Result<std::unique_ptr<Document>>(const std::filesystem::path&)> read_document = Document::open;
+  // Is told of the progress of long operations, and may cancel them.
+  Progress::Report on_progress;
+  // Ends the session.
+  std::function<void()> quit;
+  // Crash recovery; null where there is none.
+  Autosave* autosave = nullptr;
+  bool asks_in_slices = false;   // verdicts of a tool on all elements are asked a slice at a time, in prepare()
+  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h)
+};
+
+}  // namespace ryosen

@@ -199,18 +199,19 @@ class AlgorithmRun {
       calls_[i].result = joined(std::move(calls_[i].result), std::move(result.steps[i]));
   }
 
-  // Runs the steps again and again on what the file gives back, where points at one place are one, until they leave it no
-  // better. The last run is undone then. What is found is counted as the file has it.
+  // Runs the steps on the document, and again on what its file gives back, where points at one place are one, until they
+  // make that no better. A run that does not is undone. What is found is counted as the file has it.
   void run_as_written(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events) {
     const RecipeGoal goal(steps);
     waits_ = true;
-    for (bool is_kept = true; is_kept;) {
+    bool was_no_better = false;
+    for (bool is_over = false; !is_over;) {
       const WrittenMesh before(document_->contents(), *format_);
       RecipeResult result = document_->run(steps, command, events).value();
-      const WrittenMesh after(document_->contents(), *format_);
       const bool is_changed = result.is_changed;
-      is_kept = is_changed && goal.is_nearer(after.found(), before.found());
-      const bool is_over = !is_kept || after.is_like(document_->mesh());
+      std::optional<WrittenMesh> after;
+      if (is_changed) after.emplace(document_->contents(), *format_);
+      const bool is_kept = after && goal.is_nearer(after->found(), before.found());
       if (is_changed && !is_kept) {
         document_->undo();
         result.rounds = 0;
@@ -219,13 +220,14 @@ class AlgorithmRun {
       for (AlgorithmResult& step : result.steps)
         std::erase_if(step.left_for, tells_of_loose_pieces);  // one with the rest
       print_waiting(is_kept || !is_changed);
-      if (is_changed && !is_kept && rounds_ == 0) print_no_better();
+      was_no_better = was_no_better || (is_changed && !is_kept);
       add_run(std::move(result));
-      count_as_written(is_kept ? after : before);
-      if (is_over) break;
-      read_again();
+      count_as_written(is_kept ? *after : before);
+      is_over = !is_kept && (reread_ || before.is_like(*document_));
+      if (!is_over) read_again();
     }
     waits_ = false;
+    if (was_no_better && rounds_ == 0) print_no_better();
   }
 
   void count_as_written(const WrittenMesh& mesh) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ryosen/algo/repair/recipe_goal.h"
+#include "ryosen/document/document.h"
 #include "ryosen/io/given_back.h"
 
 namespace ryosen::cli {
@@ -15,8 +16,8 @@ class WrittenMesh {
   FoundInMesh found() const { return {&mesh_, counts_, quarantine_.size()}; }
   // Into these findings, as count_kinds does.
   void count(std::size_t KindCount::*at, std::vector<KindCount>& findings) const;
-  // Whether it has as many elements and findings as the repaired mesh, so that repairing it again would change nothing.
-  bool is_like(const Mesh& mesh) const;
+  // Whether repairing the document is repairing this mesh.
+  bool is_like(const Document& document) const;
   std::size_t boundary_edges() const { return counts_[static_cast<std::size_t>(ProblemKind::boundary_loop)]; }
 
  private:

@@ -217,7 +217,8 @@ TEST(repair, counts_what_every_file_has_in_each_format) {
                                 "f 2 3 6\nf 3 4 6\nf 4 2 6\nf 2 4 3\n",  // a solid on a wall
                                 "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",  // a solid on the same points
                                 "f 2 3 4\n",                             // a face that is there twice
-                                "f 4 3 2\n"};                            // and turned over
+                                "f 4 3 2\n",                             // and turned over
+                                "f 1 2 6 3\n"};  // a fin whose cure helps only where the unused points are gone
   for (const char* const more : beside) {
     const std::string input = folder.write("in.obj", corners + solid + more);
     for (const char* const ending : {".stl", ".ply", ".off", ".obj"}) {

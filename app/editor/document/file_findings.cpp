@@ -2,11 +2,9 @@
 
 #include <utility>
 
-#include "ryosen/algo/repair/guard.h"
+#include "app/editor/document/written_mesh.h"
 #include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/elements.h"
-#include "ryosen/io/given_back.h"
 
 namespace ryosen {
 
@@ -17,7 +15,7 @@ std::optional<Text> file_findings_text(const Document& document, const std::file
   if (!gives_back_others(contents, *format)) return std::nullopt;
   const std::vector<Vertex> on_lines = vertices_on_lines(document.file(), document.mesh().file_vertices());
   const FindingCounts before = count_findings(document.mesh(), on_lines);
-  const FindingCounts after = count_findings(from_indexed(given_back(std::move(contents), *format).mesh));
+  const FindingCounts after = WrittenMesh(std::move(contents), *format).counts();
   Text numbers;
   for (const ProblemRow& row : problem_table()) {
     const auto kind = static_cast<std::size_t>(row.kind);

@@ -7,12 +7,13 @@
 #include "ryosen/document/document.h"
 #include "ryosen/io/given_back.h"
 
-namespace ryosen::cli {
+namespace ryosen {
 
 class WrittenMesh {
  public:
   WrittenMesh(MeshFile contents, const Format& format);
 
+  const FindingCounts& counts() const { return counts_; }
   FoundInMesh found() const { return {&mesh_, counts_, quarantine_.size()}; }
   // Into these findings, as count_kinds does.
   void count(std::size_t KindCount::*at, std::vector<KindCount>& findings) const;
@@ -27,10 +28,4 @@ class WrittenMesh {
   FindingCounts counts_{};
 };
 
-// Adds what a repair did in a further run.
-AlgorithmResult joined(AlgorithmResult first, AlgorithmResult then);
-
-// Tells that a repair was undone because its file would be no better.
-AlgorithmResult undone_in_file(AlgorithmResult result);
-
-}  // namespace ryosen::cli
+}  // namespace ryosen

@@ -1,0 +1,185 @@
+#include "app/cli/repair_run.h"
+
+#include <algorithm>
+
+#include "app/cli/progress_line.h"
+#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/io/given_back.h"
+
+namespace ryosen::cli {
+
+namespace {
+
+// Adds what a repair did in a further run.
+AlgorithmResult joined(AlgorithmResult first, AlgorithmResult then) {
+  if (first.changed == 0) return then;
+  if (then.changed > 0) {
+    first.text = first.text + Text{" ", ""} + then.text;
+    first.changed += then.changed;
+    if (then.crossings) first.crossings = first.crossings.value_or(0) + *then.crossings;
+    first.drops_quarantined |= then.drops_quarantined;
+  }
+  first.left = then.left;
+  first.left_for = std::move(then.left_for);
+  return first;
+}
+
+// Tells that a repair was undone because its file would be no better.
+AlgorithmResult undone_in_file(AlgorithmResult result) {
+  result.left += result.changed;
+  if (result.changed > 0)
+    result.text = {"Undone, since points at one place are one in the file.",
+                   "ファイルでは同じ位置の点が一つになるため、元に戻しました。"};
+  result.changed = 0;
+  result.crossings = {};
+  result.drops_quarantined = false;
+  return result;
+}
+
+// "weld_close=0.001" as --kinds has it, without initial values.
+std::string name_of(const Call& call) {
+  std::string name(call.row->id);
+  char between = '=';
+  for (const ParameterRow& row : call.row->parameters) {
+    const std::string text = call.values.text(row.id);
+    if (text.empty() || text == row.initial) continue;
+    name += between + (&row == &call.row->parameters[0] ? text : std::string(row.id) + "=" + text);
+    between = ' ';
+  }
+  return name;
+}
+
+}  // namespace
+
+std::optional<Failure> RepairRun::run(std::vector<Call>& calls) {
+  calls_ = &calls;
+  std::vector<std::string> names;
+  std::vector<RecipeStep> steps;
+  std::string command = "repair ";
+  for (Call& call : calls) {
+    command += (names.empty() ? "" : ",") + names.emplace_back(name_of(call));
+    steps.push_back({call.row, call.values});
+    if (auto failure = look_up_values(call, document().mesh())) return failure;
+  }
+  const RecipeEvents events = events_of(steps, names);
+  if (job_.format && gives_back_others(document().file(), *job_.format))
+    run_as_written(steps, command, events);
+  else
+    add_run(job_.document->run(steps, command, events).value());
+  for (const Call& call : calls)
+    for (const LeftForReason& left : call.result.left_for)
+      if (tells_of_loose_pieces(left)) loose_ = left.elements;
+  return std::nullopt;
+}
+
+RecipeEvents RepairRun::events_of(std::span<const RecipeStep> steps, const std::vector<std::string>& names) {
+  const auto name_in = [this, steps, &names](const RecipeStep& step, std::size_t round) {
+    const std::string name = names[static_cast<std::size_t>(&step - steps.data())];
+    if (rounds_ + round == 1) return name;
+    return std::string(console_.text("round ", "")) + std::to_string(rounds_ + round) +
+           console_.text(", ", " 巡目、").data() + name;
+  };
+  RecipeEvents events;
+  events.progress = [this, name_in](const RecipeStep& step, std::size_t round, double share) {
+    return report_on(console_, name_in(step, round))(share);
+  };
+  events.step_done = [this, name_in](const RecipeStep& step, std::size_t round, const AlgorithmResult& result) {
+    if (rounds_ + round == 1 || result.changed > 0) print_step(name_in(step, round), result);
+  };
+  events.round_undone = [this](std::size_t round) { print_undone(rounds_ + round); };
+  return events;
+}
+
+void RepairRun::add_run(RecipeResult result) {
+  if (rounds_ == 0) {
+    findings_ = std::move(result.findings);
+    boundary_edges_ = {result.boundary_edges_before, result.boundary_edges_after};
+  }
+  rounds_ += result.rounds;
+  for (std::size_t i = 0; i < calls_->size(); ++i) {
+    AlgorithmResult& sum = (*calls_)[i].result;
+    sum = joined(std::move(sum), std::move(result.steps[i]));
+  }
+}
+
+void RepairRun::run_as_written(std::span<const RecipeStep> steps, const std::string& command,
+                               const RecipeEvents& events) {
+  waits_ = true;
+  while (!run_once(steps, command, events)) read_again();
+  waits_ = false;
+  if (was_no_better_ && rounds_ == 0) print_no_better();
+}
+
+// Runs the steps on the document, and undoes them where the file would be no better. What is found is counted as the file
+// has it. Returns whether another run on what the file gives back would change nothing.
+bool RepairRun::run_once(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events) {
+  const WrittenMesh before(document().contents(), *job_.format);
+  RecipeResult result = job_.document->run(steps, command, events).value();
+  const bool is_changed = result.is_changed;
+  std::optional<WrittenMesh> after;
+  if (is_changed) after.emplace(document().contents(), *job_.format);
+  const bool is_kept = after && RecipeGoal(steps).is_nearer(after->found(), before.found());
+  if (is_changed && !is_kept) {
+    job_.document->undo();
+    was_no_better_ = true;
+    result.rounds = 0;
+    for (AlgorithmResult& step : result.steps) step = undone_in_file(std::move(step));
+  }
+  for (AlgorithmResult& step : result.steps) std::erase_if(step.left_for, tells_of_loose_pieces);  // one with the rest
+  print_waiting(is_kept || !is_changed);
+  add_run(std::move(result));
+  count_as_written(is_kept ? *after : before);
+  return !is_kept && (reread_ || before.is_like(document()));
+}
+
+void RepairRun::count_as_written(const WrittenMesh& mesh) {
+  for (KindCount& kind : findings_) kind.after = 0;
+  mesh.count(&KindCount::after, findings_);
+  boundary_edges_.second = mesh.boundary_edges();
+}
+
+// Reads the document as it would be written. What the format cannot hold is told now, since it is lost then.
+void RepairRun::read_again() {
+  std::vector<Message>& told = job_.given_up;
+  if (job_.output)
+    for (Message& loss : document().losses(*job_.output))
+      if (std::none_of(told.begin(), told.end(), [&](const Message& m) { return m.code == loss.code; }))
+        told.push_back(std::move(loss));
+  MeshFile file = given_back(document().contents(), *job_.format);
+  file.messages = document().file().messages;
+  reread_ = std::make_unique<Document>(std::move(file), job_.input);
+  job_.document = reread_.get();
+}
+
+void RepairRun::print_step(const std::string& name, const AlgorithmResult& result) {
+  print(line_of_result(name, result, console_));
+}
+
+// At once, unless what is done may be undone in the end.
+void RepairRun::print(std::string line) {
+  if (console_.json) return;
+  if (waits_)
+    waiting_.push_back(std::move(line));
+  else
+    console_.print_now(line);
+}
+
+void RepairRun::print_waiting(bool prints) {
+  for (const std::string& line : waiting_)
+    if (prints) console_.print_now(line);
+  waiting_.clear();
+}
+
+void RepairRun::print_no_better() {
+  print(std::string(
+      console_.text("nothing to do: points at one place are one in the file, which would have as many problems\n",
+                    "変更なし：ファイルでは同じ位置の点が一つになり、問題が減らないため\n")));
+}
+
+void RepairRun::print_undone(std::size_t round) {
+  const std::string n = std::to_string(round);
+  print(std::string(console_.text("round " + n + ": undone, since it takes away nothing that the repairs are for\n",
+                                  n + " 巡目：対象の問題が減らないため、元に戻しました\n")));
+}
+
+}  // namespace ryosen::cli

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "ryosen/io/formats.h"
@@ -30,6 +31,8 @@ class Growth : public testing::Test {
 };
 
 constexpr int seconds = 4;
+
+glm::dvec3 on_circle(double turns) { return {std::cos(2 * 3.14159265 * turns), std::sin(2 * 3.14159265 * turns), 0}; }
 
 TEST_F(Growth, verdicts_on_every_edge) {
   for (const std::string op : {"collapse", "swap"}) {
@@ -86,8 +89,32 @@ TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
   EXPECT_EQ(run_within(seconds, equal_triangles(4000), "remesh", "--length 20%"), 0);
   for (const auto family : {equal_triangles, book, fan, apex_soup, spokes_on_a_line})
     EXPECT_GE(run_within(seconds, family(4000), "repair", "--kinds stitch"), 0);
+  EXPECT_GE(run_within(seconds, seams_at_a_point(32000), "repair", "--kinds stitch"), 0);
   for (const auto family : {book, apex_soup})
     EXPECT_GE(run_within(seconds, family(8000), "repair", "--kinds orient"), 0);
+}
+
+// Faces on each other, with points of their own: in turned directions, with four corners, moved a little, each larger than
+// the one before, turned in their plane.
+TEST_F(Growth, refusals_on_soups_of_alike_faces) {
+  using Place = glm::dvec3 (*)(double face, double corner);
+  constexpr std::uint32_t faces = 16000;
+  const std::pair<std::uint32_t, Place> soups[] = {
+      {3, [](double f, double c) { return on_circle(std::fmod(f, 2) == 0 ? c / 3 : -c / 3); }},
+      {4, [](double, double c) { return on_circle(c / 4); }},
+      {3, [](double f, double c) { return on_circle(c / 3) + glm::dvec3(f * 1e-6, 0, 0); }},
+      {3, [](double f, double c) { return on_circle(c / 3) * (1 + f * 1e-4); }},
+      {3, [](double f, double c) { return on_circle(c / 3 + f * 0.1); }}};
+  for (const auto& [corners, place] : soups) {
+    IndexedMesh mesh;
+    for (std::uint32_t i = 0; i < corners * faces; ++i) {
+      mesh.corners.push_back(i);
+      mesh.positions.push_back(place(i / corners, i % corners));
+    }
+    for (std::uint32_t f = 1; f <= faces; ++f) mesh.face_offsets.push_back(corners * f);
+    EXPECT_EQ(run_within(seconds, mesh, "simplify", "--ratio 0.1 --no-self-intersections"), 6);
+    EXPECT_GE(run_within(seconds, mesh, "simplify", "--ratio 0.1"), 0);
+  }
 }
 
 }  // namespace

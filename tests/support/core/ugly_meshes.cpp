@@ -31,6 +31,7 @@ constexpr std::array families{
     UglyFamily{"slivers", "thin triangles around one corner", sliver_fan},
     UglyFamily{"flat_chain", "flat triangles in a row", flat_chain},
     UglyFamily{"spokes", "triangles between a point and a line, and flat ones on it", spokes_on_a_line},
+    UglyFamily{"seams", "pairs of triangles along seams through one point", seams_at_a_point},
     UglyFamily{"grid", "triangles of a regular grid", clean_grid},
 };
 
@@ -143,6 +144,19 @@ IndexedMesh spokes_on_a_line(std::uint32_t n) {
   mesh.positions.push_back({0, 1, 0});
   for (std::uint32_t i = 0; i + 1 < points; ++i) add_polygon(mesh, {i, i + 1, points});
   for (std::uint32_t i = 0; i + 2 < points; i += 2) add_polygon(mesh, {i, i + 2, i + 1});
+  return mesh;
+}
+
+IndexedMesh seams_at_a_point(std::uint32_t n) {
+  IndexedMesh mesh;
+  const auto end = static_cast<double>(n / 2);
+  for (std::uint32_t i = 0; i < n / 2; ++i) {
+    const double x = 1.0 + i;  // a whole multiple of (x, end) leads along the seam
+    mesh.positions.insert(mesh.positions.end(),
+                          {{-x, -end, 0}, {x, end, 0}, {0, 0, x}, {0, 0, 0}, {x, end, 0}, {0, 0, -x}});
+    add_polygon(mesh, {6 * i, 6 * i + 1, 6 * i + 2});
+    add_polygon(mesh, {6 * i + 4, 6 * i + 3, 6 * i + 5});
+  }
   return mesh;
 }
 

@@ -10,6 +10,7 @@
 #include "ryosen/algo/repair/new_crossings.h"
 #include "ryosen/algo/repair/t_junctions.h"
 #include "ryosen/algo/repair/weld_points.h"
+#include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
@@ -51,17 +52,11 @@ class Stitching {
  private:
   // Gives each fan at a junction a point of its own, since only points of one fan are welded.
   static void take_bow_ties_apart(Edit& edit, const std::vector<TJunction>& junctions) {
-    const Mesh& m = edit.mesh();
     std::vector<Vertex> bow_ties;
-    for (const TJunction& junction : junctions) {
-      bool is_cut = false;  // an edge of three or more faces ends there
-      for_each_copy(m, junction.point, [&](Vertex copy) {
-        if (m.is_isolated(copy)) return;
-        for (const Edge e : edges_around(m, copy)) is_cut = is_cut || point_edge(m, halfedge(e, 0)).faces() > 2;
-      });
-      if (!is_cut) bow_ties.push_back(point(m, junction.point));
-    }
+    for (const TJunction& junction : junctions) bow_ties.push_back(point(edit.mesh(), junction.point));
     sort_unique(bow_ties);
+    Neighbourhood around(edit.mesh());
+    std::erase_if(bow_ties, [&](Vertex p) { return around.star(p).has_nonmanifold_edge; });
     detach_points(edit, std::move(bow_ties), {});
   }
 

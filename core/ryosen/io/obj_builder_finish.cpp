@@ -1,6 +1,8 @@
 // The parts of ObjBuilder that need the whole file, and library lines.
 #include <algorithm>
+#include <cmath>
 
+#include "ryosen/io/byte_colours.h"
 #include "ryosen/io/material_libraries.h"
 #include "ryosen/io/obj_builder.h"
 
@@ -14,6 +16,21 @@ constexpr std::size_t most_libraries = 100;
 void drop_if_all_none(std::vector<std::uint32_t>& indices) {
   if (std::all_of(indices.begin(), indices.end(), [](std::uint32_t index) { return index == no_index; }))
     indices = std::vector<std::uint32_t>();
+}
+
+// Colours of red, green and blue are bytes where all their numbers are, and one is above 1.
+void scale_bytes(MeshFile& file) {
+  std::vector<glm::dvec4>& colours = file.mesh.vertex_colours;
+  if (file.mesh.colour_components != 3) return;
+  bool is_large = false;
+  for (const glm::dvec4& colour : colours)
+    for (int i = 0; i < 3 && !std::isnan(colour.x); ++i) {
+      if (!(colour[i] >= 0 && colour[i] <= byte_scale && std::trunc(colour[i]) == colour[i])) return;
+      is_large = is_large || colour[i] > 1;
+    }
+  if (!is_large) return;
+  file.byte_colours = true;
+  for (glm::dvec4& colour : colours) colour = glm::dvec4(glm::dvec3(colour) / byte_scale, colour.w);
 }
 
 }  // namespace
@@ -153,6 +170,7 @@ Result<MeshFile> ObjBuilder::finish() {
   report_unknown();
   report_whole_file();
   if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;
+  scale_bytes(file_);
   file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "ryosen/io/byte_colours.h"
 #include "ryosen/io/obj.h"
 #include "ryosen/io/text_lines.h"
 #include "ryosen/io/text_out.h"
@@ -51,11 +52,26 @@ class NameWriter {
   std::uint32_t current_ = no_index;
 };
 
+// Whether the file had its colours as bytes in this format, and they still are.
+bool writes_bytes(const MeshFile& file) {
+  const std::vector<glm::dvec4>& colours = file.mesh.vertex_colours;
+  if (!file.byte_colours || !file.format || file.format->id != "obj" || file.mesh.colour_components != 3) return false;
+  bool is_large = false;
+  for (const glm::dvec4& colour : colours)
+    for (int i = 0; i < 3 && !std::isnan(colour.x); ++i) {
+      const double byte = as_byte(colour[i]);
+      if (!(byte >= 0 && byte <= byte_scale && std::trunc(byte) == byte)) return false;
+      is_large = is_large || byte > 1;
+    }
+  return is_large;
+}
+
 class ObjWriter {
  public:
   explicit ObjWriter(const MeshFile& file)
       : file_(file),
         mesh_(file.mesh),
+        are_bytes_(writes_bytes(file)),
         out_(64 * mesh_.positions.size() + 16 * mesh_.corners.size()),
         objects_(out_, "o", "", mesh_.objects),
         groups_(out_, "g", "", mesh_.groups),
@@ -90,7 +106,7 @@ class ObjWriter {
       out_ << "v " << p.x << ' ' << p.y << ' ' << p.z;
       if (v < mesh_.vertex_colours.size() && !std::isnan(mesh_.vertex_colours[v].x)) {
         const glm::dvec4& colour = mesh_.vertex_colours[v];
-        out_ << ' ' << colour.x << ' ' << colour.y << ' ' << colour.z;
+        for (int i = 0; i < 3; ++i) out_ << ' ' << (are_bytes_ ? as_byte(colour[i]) : colour[i]);
         if (mesh_.colour_components == 4) out_ << ' ' << colour.w;
       } else if (v < mesh_.vertex_weights.size() && !std::isnan(mesh_.vertex_weights[v])) {
         out_ << ' ' << mesh_.vertex_weights[v];
@@ -191,6 +207,7 @@ class ObjWriter {
 
   const MeshFile& file_;
   const IndexedMesh& mesh_;
+  const bool are_bytes_;  // colours
   TextOut out_;
   NameWriter objects_, groups_, materials_, smoothing_;
 };

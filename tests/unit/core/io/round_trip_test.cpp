@@ -104,6 +104,29 @@ TEST(round_trip, colours_brighter_than_white_come_back_from_off) {
   EXPECT_EQ(io_test::loss_codes(huge, "off"), "loses_exact_colours");
 }
 
+// OBJ has colours from 0 to 1, but many programs write bytes there.
+TEST(round_trip, colours_of_obj_may_be_bytes) {
+  const auto with = [](const std::string& first) {
+    return io_test::read_sound("obj", "v 0 0 0 " + first + "\nv 1 0 0 0 0 0\nv 0 1 0 255 255 255\nf 1 2 3\n");
+  };
+  const MeshFile file = with("128 64 255");
+  EXPECT_EQ(file.mesh.vertex_colours[0], glm::dvec4(128 / 255.0, 64 / 255.0, 1, 1));
+  const auto text = [&](const char* format) { return bytes_of(file, *find_format(format), Encoding::ascii); };
+  EXPECT_NE(text("obj").find("v 0 0 0 128 64 255\n"), std::string::npos) << text("obj");
+  EXPECT_NE(text("off").find("0 0 0 128 64 255\n"), std::string::npos) << text("off");
+  EXPECT_NE(text("ply").find("property uchar red\n"), std::string::npos) << text("ply");
+  for (const char* format : {"obj", "off"}) EXPECT_EQ(io_test::difference_after_round_trip(file, format), "") << format;
+  EXPECT_EQ(io_test::read_sound("ply", text("ply")).mesh.vertex_colours, file.mesh.vertex_colours);
+  // No bytes: a part of one, too large, below zero, with alpha, no number.
+  for (const char* first : {"128.5 64 255", "128 64 256", "-1 64 255", "128 64 255 0.5", "64 nan 255"})
+    EXPECT_EQ(with(first).mesh.vertex_colours[2].x, 255) << first;
+  MeshFile edited = file;
+  edited.mesh.vertex_colours[0].x = 0.3;
+  EXPECT_EQ(io_test::difference_after_round_trip(edited, "obj"), "") << "no byte any more";
+  edited.mesh.vertex_colours.assign(3, glm::dvec4(0, 1 / 255.0, 0, 1));
+  EXPECT_EQ(io_test::difference_after_round_trip(edited, "obj"), "") << "as bytes it would be read as 0 and 1";
+}
+
 TEST(round_trip, dark_colours_that_came_as_bytes_stay_dark) {
   MeshFile file = io_test::read_sound("off", "COFF\n3 1 0\n0 0 0 1 1 0\n1 0 0 0 0 0\n0 1 0 255 0 0\n3 0 1 2\n");
   file.mesh.vertex_colours[2] = glm::dvec4(0, 0, 0, 1);

@@ -41,21 +41,18 @@ HoleTriangles unprojected_triangles(const HoleLoop& hole, Progress& progress) {
 
 constexpr WayToFill fair_ways[] = {
     {best_triangles, Fineness::fair},    {other_triangles, Fineness::fair},   {best_triangles, Fineness::even},
-    {other_triangles, Fineness::even},   {best_triangles, Fineness::divided}, {other_triangles, Fineness::divided},
-    {best_triangles, Fineness::bare},    {other_triangles, Fineness::bare},   {fan_around_middle, Fineness::fair},
-    {fan_around_middle, Fineness::bare},
+    {other_triangles, Fineness::even},   {best_triangles, Fineness::bare},    {other_triangles, Fineness::bare},
+    {fan_around_middle, Fineness::fair}, {fan_around_middle, Fineness::bare},
 };
 
 constexpr WayToFill unfaired_ways[] = {
-    {best_triangles, Fineness::even},     {other_triangles, Fineness::even}, {best_triangles, Fineness::divided},
-    {other_triangles, Fineness::divided}, {best_triangles, Fineness::bare},  {other_triangles, Fineness::bare},
-    {fan_around_middle, Fineness::bare},
+    {best_triangles, Fineness::even},  {other_triangles, Fineness::even},   {best_triangles, Fineness::bare},
+    {other_triangles, Fineness::bare}, {fan_around_middle, Fineness::bare},
 };
 
 constexpr WayToFill planar_ways[] = {
-    {projected_triangles, Fineness::even},    {unprojected_triangles, Fineness::even},
-    {projected_triangles, Fineness::divided}, {unprojected_triangles, Fineness::divided},
-    {projected_triangles, Fineness::bare},    {unprojected_triangles, Fineness::bare},
+    {projected_triangles, Fineness::even}, {unprojected_triangles, Fineness::even},
+    {projected_triangles, Fineness::bare}, {unprojected_triangles, Fineness::bare},
     {fan_around_middle, Fineness::bare},
 };
 
@@ -95,7 +92,7 @@ void fair_in_turn(std::size_t turn, HolePatch& patch, const HoleLoop& hole, Prog
 void fair_and_refine(HolePatch& patch, const HoleLoop& hole, Progress& progress) {
   for (std::size_t turn = 0; turn < last_turn; ++turn) {
     fair_in_turn(turn, patch, hole, progress);
-    refine(patch, hole, {growth_of_fair}, progress);
+    refine(patch, hole, growth_of_fair, progress);
   }
 }
 
@@ -121,12 +118,12 @@ PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const 
   patch.places = hole.places;
   patch.triangles = base.triangles;
   if (patch.triangles.size() == patch.corners) add_middle(patch);
-  const bool refines = way.fineness >= Fineness::divided, fairs = way.fineness == Fineness::fair;
+  const bool refines = way.fineness >= Fineness::even, fairs = way.fineness == Fineness::fair;
   if (refines) swap_edges(patch, hole, progress);
   if (has_flat_triangle(patch)) return {WhyOpen::without_area};
   if (!style.may_cross && is_flat(hole))
     if (const auto side = side_on_surroundings(hole, patch)) return {WhyOpen::crosses, hole.sides[*side]};
-  if (refines) refine(patch, hole, {fairs ? growth_of_fair : growth_of_flat, way.fineness >= Fineness::even}, progress);
+  if (refines) refine(patch, hole, fairs ? growth_of_fair : growth_of_flat, progress);
   if (fairs) fair_and_refine(patch, hole, progress);
   return {};
 }

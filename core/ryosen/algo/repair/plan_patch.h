@@ -10,10 +10,9 @@
 namespace ryosen {
 
 enum class Fineness : std::uint8_t {
-  bare,     // triangles between the corners of the rim, and at most one vertex in the middle
-  divided,  // refined on these triangles
-  even,     // and new vertices moved towards the middle of their neighbours
-  fair,     // and then to where the patch bends least
+  bare,  // triangles between the corners of the rim, and at most one vertex in the middle
+  even,  // refined on these triangles, and new vertices moved towards the middle of their neighbours
+  fair,  // and then to where the patch bends least
 };
 
 struct WayToFill {

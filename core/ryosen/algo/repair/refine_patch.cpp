@@ -226,10 +226,10 @@ class PatchRefiner {
 
 }  // namespace
 
-void refine(HolePatch& patch, const HoleLoop& loop, const Refinement& refinement, Progress& progress) {
-  PatchRefiner refiner(patch, loop, refinement.most_growth, progress);
+void refine(HolePatch& patch, const HoleLoop& loop, double most_growth, Progress& progress) {
+  PatchRefiner refiner(patch, loop, most_growth, progress);
   refiner.divide_all();
-  if (refinement.evens) refiner.even_out_all();
+  refiner.even_out_all();
 }
 
 void swap_edges(HolePatch& patch, const HoleLoop& loop, Progress& progress) {

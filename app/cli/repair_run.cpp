@@ -62,10 +62,13 @@ std::optional<Failure> RepairRun::run(std::vector<Call>& calls) {
     if (auto failure = look_up_values(call, document().mesh())) return failure;
   }
   const RecipeEvents events = events_of(steps, names);
-  if (job_.format && gives_back_others(document().file(), *job_.format))
+  if (job_.format && gives_back_others(document().file(), *job_.format)) {
     run_as_written(steps, command, events);
-  else
+  } else {
     add_run(job_.document->run(steps, command, events).value());
+    if (MeshFile file = document().contents(); job_.format && file.kept_vertices > 0)
+      count_as_written({std::move(file), *job_.format});
+  }
   for (const Call& call : calls)
     for (const LeftForReason& left : call.result.left_for)
       if (tells_of_loose_pieces(left)) loose_ = left.elements;

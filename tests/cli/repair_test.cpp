@@ -206,6 +206,24 @@ TEST(repair, a_script_tells_what_an_stl_that_it_saves_has) {
   EXPECT_EQ(said("expect F 8", "o.stl").find(told), std::string::npos) << "nothing differs";
 }
 
+// A vertex that goes stays in the file at its place, where others lie, if a face set aside, a line or a point uses it.
+TEST(repair, counts_removed_vertices_that_stay_in_the_file) {
+  const TemporaryFolder folder;
+  for (const char* const aside : {"f 1 1 3\n", "f 1 3 1\n", "f 3 1 3\n", "f 1 2 1\nf 4 4 1\n", "l 1 3\n", "p 1 3 4\n"})
+    for (const char* const ending : {".obj", ".ply", ".off", ".stl"}) {
+      const std::string out = folder.at(std::string("out") + ending);
+      const std::string input = folder.write("in.obj",
+                                             "v 1 1 1\nv 1 0 1\nv 0 1 0\nv 0 1 0\nf 3 1 2\nf 1 3 2\nf 1 2 4\n"
+                                             "f 2 3 4\nf 1 4 3\nf 3 1 2\n" +
+                                                 std::string(aside));
+      const Json report = run_program({"repair", input, "-o", out, "--overwrite", "--json"}).line();
+      const Json check = run_program({"check", out, "--json"}).line();
+      for (const Json& problem : check["problems"])
+        EXPECT_EQ(counts_of(report, problem["kind"]).second, problem["count"]) << aside << ending << problem["kind"];
+      EXPECT_EQ(report["problems"].size(), check["problems"].size()) << aside << ending;
+    }
+}
+
 // Solids and sheets that share points, edges and faces, some twice.
 TEST(repair, counts_what_every_file_has_in_each_format) {
   const TemporaryFolder folder;

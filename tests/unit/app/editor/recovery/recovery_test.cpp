@@ -423,7 +423,13 @@ TEST_F(RecoveryTest, a_script_that_begins_with_new_names_no_file_and_ends_its_se
     fs::remove(state_.at("ryosen/recovery/session-1.ryosen"));
     return outcome.sentence;
   };
+  const std::string edits = "make_vertex 0,0,0\nmake_vertex 1,0,0\nmake_edge v0 v1\n";
   EXPECT_EQ(recovered("new\nmake_vertex 0,0,0\n", true).en, "1 edit is recovered and not saved yet.");
+  for (const char* begin : {"new\n", "new # by hand\n", "  new \n", "new\r\n", "new\n# a comment\n\n"})
+    EXPECT_EQ(recovered(begin + edits, true).en, "3 edits are recovered and not saved yet.") << begin;
+  for (const char* second : {"new\n", "open nosuch.obj\n"})
+    EXPECT_NE(recovered("new\n" + std::string(second) + edits, false).en.find("it is not an edit. The script stays"),
+              std::string::npos);
   for (const char* wrong : {"split 40-41", "nonsense", "poke f7", "select v9", "view top", "save"}) {
     const Text said = recovered("new\nmake_vertex 0,0,0\n" + std::string(wrong) + "\n", false);
     EXPECT_NE(said.en.find(". The script stays there."), std::string::npos) << said.en;

@@ -173,7 +173,9 @@ TEST(pairing, unions_of_solids_come_apart_closed_with_their_volume_merged_by_poi
   EXPECT_GT(parts, 800u);
 }
 
-// Where faces have points of their own those back to back stay apart at one edge, for none may be there twice.
+// Where faces have points of their own those back to back stay apart at one edge, for none may be there twice. They are
+// pockets without room: two of their edges are paired with each other, and at the third, the mouth, each would be paired
+// with a face beyond. Both edges of the mouth would join the same two vertices, which have one edge at most.
 TEST(pairing, closed_parts_of_loose_faces_close) {
   std::size_t closed = 0;
   for (std::uint64_t seed = 1; seed <= pairing_seeds && !HasFailure(); ++seed) {

@@ -22,7 +22,9 @@ glm::dvec3 on_circle(std::uint32_t i, std::uint32_t n, double z) {
 
 constexpr std::array families{
     UglyFamily{"fan", "triangles around one vertex", fan},
+    UglyFamily{"bipyramid", "triangles around two vertices", bipyramid},
     UglyFamily{"book", "triangles on one edge", book},
+    UglyFamily{"squares", "squares on one edge", book_of_squares},
     UglyFamily{"equal", "times the same triangle", equal_triangles},
     UglyFamily{"voxels", "cubes of six quads", voxel_block},
     UglyFamily{"large_face", "corners of one face", large_face},
@@ -49,12 +51,34 @@ IndexedMesh fan(std::uint32_t n) {
   return mesh;
 }
 
+IndexedMesh bipyramid(std::uint32_t n) {
+  IndexedMesh mesh;
+  mesh.positions = {{0, 0, 1}, {0, 0, -1}};
+  const std::uint32_t ring = n < 6 ? 3 : n / 2;
+  for (std::uint32_t i = 0; i < ring; ++i) {
+    mesh.positions.push_back(on_circle(i, ring, 0));
+    add_polygon(mesh, {0, 2 + i, 2 + (i + 1) % ring});
+    add_polygon(mesh, {1, 2 + (i + 1) % ring, 2 + i});
+  }
+  return mesh;
+}
+
 IndexedMesh book(std::uint32_t n) {
   IndexedMesh mesh;
   mesh.positions = {{0, 0, 0}, {0, 0, 1}};
   for (std::uint32_t i = 0; i < n; ++i) {
     mesh.positions.push_back(on_circle(i, n, 0.5));
     add_polygon(mesh, {0, 1, 2 + i});
+  }
+  return mesh;
+}
+
+IndexedMesh book_of_squares(std::uint32_t n) {
+  IndexedMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 0, 1}};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    mesh.positions.insert(mesh.positions.end(), {on_circle(i, n, 0), on_circle(i, n, 1)});
+    add_polygon(mesh, {0, 1, 3 + 2 * i, 2 + 2 * i});
   }
   return mesh;
 }

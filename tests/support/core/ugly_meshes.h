@@ -20,8 +20,12 @@ std::span<const UglyFamily> ugly_families();
 
 // A ring of n triangles around one vertex.
 IndexedMesh fan(std::uint32_t n);
+// About n triangles between a ring of points and the two ends of its axis, closed.
+IndexedMesh bipyramid(std::uint32_t n);
 // n triangles on one edge, their third points on a circle around it.
 IndexedMesh book(std::uint32_t n);
+// n squares on one edge.
+IndexedMesh book_of_squares(std::uint32_t n);
 // n times the same triangle.
 IndexedMesh equal_triangles(std::uint32_t n);
 // About n unit cubes in a block, six quads each, on shared points: the inner quads lie back to back.

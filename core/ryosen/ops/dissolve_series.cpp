@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -57,7 +58,14 @@ void DissolveSeries::refuse(Face f, Face g, Rule rule) {
 
 std::optional<Rule> DissolveSeries::broken_rule(const Dissolve& op) {
   plain_.clear();
+  plain_star_ = {};
   if (op.vertex.is_none() && is_there(mesh(), op.halfedge)) return broken_rule_of_edge(op.halfedge);
+  const Union star = op.vertex && is_there(mesh(), op.vertex) ? judge_star(op.vertex) : Union::unsure;
+  if (star == Union::touching) return Rule::loop;
+  if (star == Union::plain) {
+    plain_star_ = op.vertex;
+    return std::nullopt;
+  }
   const Verdict verdict = op.check(mesh());
   return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
 }
@@ -76,7 +84,9 @@ std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
   for (const Halfedge side : chain)
     if (is_cut_on_points(m, side) || (side != chain[0] && has_copies(m, m.from(side)))) return Rule::copies;
   if (known) {
-    for (const Halfedge side : chain) known_chains_[edge(side)] = changes(f, g);
+    // A closed chain begins at the edge that is asked about.
+    if (m.from(chain.front()) != m.to(chain.back()) || !has_copies(m, m.from(chain.front())))
+      for (const Halfedge side : chain) known_chains_[edge(side)] = changes(f, g);
     return *known;
   }
   const Union both = judge_union(m, chain, known_, &looks_);
@@ -90,7 +100,10 @@ std::optional<Rule> DissolveSeries::broken_rule_of_edge(Halfedge h) {
   }
   looks_ += known_.corner_count(m, f) + known_.corner_count(m, g);
   const Verdict verdict = takes_ == Takes::chain ? Dissolve{h}.check(m) : UniteLoop{h}.check(m);
-  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  if (verdict.legal()) return std::nullopt;
+  // Two faces with several chains between them are refused at each by `loop`, and with one by one rule all along it.
+  if (verdict.reasons[0].rule != Rule::copies) refuse(f, g, verdict.reasons[0].rule);
+  return verdict.reasons[0].rule;
 }
 
 // Faces that may be united have one chain between them, so that what is said of it is said of the two.
@@ -104,10 +117,12 @@ std::optional<Rule> DissolveSeries::doubt(const Dissolve& op) {
 
 void DissolveSeries::apply(const Dissolve& op) {
   if (!plain_.empty()) {
+    merge_values(plain_);
     unite(plain_);
     plain_.clear();
     return;
   }
+  if (plain_star_) return unite_star(std::exchange(plain_star_, {}));
   settle();
   if (takes_ == Takes::chain)
     op.apply(edit_);
@@ -115,13 +130,15 @@ void DissolveSeries::apply(const Dissolve& op) {
     UniteLoop{op.halfedge}.apply(edit_);
 }
 
-void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
-  const Mesh& m = mesh();
+void DissolveSeries::merge_values(std::span<const Halfedge> halves) {
   std::vector<Edge> edges;
-  for (const Halfedge h : chain) edges.push_back(edge(h));
+  for (const Halfedge h : halves) edges.push_back(edge(h));
   std::sort(edges.begin(), edges.end());
   merge_corner_values(edit_, edges, [&](Face f) { return number(f).index; });
+}
 
+void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
+  const Mesh& m = mesh();
   const Face left = m.face(chain[0]), right = m.face(twin(chain[0]));
   const std::uint32_t of_left = known_.corner_count(m, left), of_right = known_.corner_count(m, right);
   const Face large = of_left < of_right ? right : left, small = large == left ? right : left;
@@ -132,6 +149,7 @@ void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
   const Halfedge past = left_stays ? m.next(twin(chain.front())) : m.next(chain.back());
   for (const Halfedge h : chain)
     if (start == (left_stays ? h : twin(h))) start = past;
+  known_.unites(m, large, small);
   give_corners(small, large);
   const std::vector<Vertex> inner = inner_vertices(m, chain);
   for (const Halfedge h : chain) unlink_edge(edit_, h);
@@ -143,7 +161,7 @@ void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
     if (slot != large && slot != stays && m.is_alive(slot)) edit_.remove(slot);
   numbers_.erase(small);
   numbers_[large] = stays;
-  known_.united(large, small, of_left + of_right - static_cast<std::uint32_t>(2 * chain.size()));
+  known_.united(large, small, of_left + of_right - static_cast<std::uint32_t>(2 * chain.size()), inner);
   changes_.erase(small);
   changes_[large] = ++change_;
 }
@@ -172,6 +190,7 @@ void DissolveSeries::forget_all() {
   refused_.clear();
   known_chains_.clear();
   plain_.clear();
+  plain_star_ = {};
 }
 
 namespace {
@@ -193,9 +212,6 @@ class Dissolves : public OpSeries {
     if (is_two_edged(op)) {
       of_edges_.settle();
       of_vertices_.apply(op.vertex);
-    } else if (op.vertex) {
-      of_edges_.settle();
-      of_vertices_.forget(op.apply(edit_));
     } else {
       of_edges_.apply(op);
       of_vertices_ = UniteSeries(edit_);

@@ -9,11 +9,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include "ryosen/ops/dissolve.h"
 #include "ryosen/ops/rules/local_facts.h"
+#include "ryosen/ops/rules/plain_faces.h"
 
 namespace ryosen {
 
@@ -43,6 +45,10 @@ class DissolveSeries {
 
   const Mesh& mesh() const { return edit_.mesh(); }
   std::optional<Rule> broken_rule_of_edge(Halfedge h);
+  // Of an interior vertex whose faces are simple loops; unsure where anything about it is out of the ordinary.
+  Union judge_star(Vertex v);
+  std::vector<std::vector<Halfedge>> plain_chains(Vertex v);
+  bool may_another_lie_on(std::span<const std::uint32_t> points, std::size_t corners, Vertex v);
   Face number(Face slot) const;
   std::uint64_t changes(Face f, Face g) const;
   std::uint64_t key(Face f, Face g) const;
@@ -50,7 +56,10 @@ class DissolveSeries {
   void refuse(Face f, Face g, Rule rule);
   std::vector<Halfedge> chain_of(Halfedge h) const;
   bool is_known_chain(Halfedge h) const;
+  void merge_values(std::span<const Halfedge> halves);
   void unite(const std::vector<Halfedge>& chain);
+  void unite_star(Vertex v);
+  void take_spike_away(const std::vector<Halfedge>& chain);
   void give_corners(Face from, Face to);
   void forget_all();
 
@@ -62,6 +71,7 @@ class DissolveSeries {
   std::unordered_map<std::uint64_t, Refusal> refused_;    // by both faces
   std::unordered_map<Edge, std::uint64_t> known_chains_;  // the number of changes of both faces then
   std::vector<Halfedge> plain_;  // the chain that was found to be one whose faces may be united
+  Vertex plain_star_;            // or the vertex
   std::uint64_t looks_ = 0, change_ = 0;
 };
 

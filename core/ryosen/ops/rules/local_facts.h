@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "ryosen/mesh/mesh.h"
 
@@ -19,16 +21,24 @@ class LocalFacts {
   bool has_equal_face(const Mesh& mesh, Face f);
   // `is_new` tells whether they were counted for it.
   std::uint32_t corner_count(const Mesh& mesh, Face f, bool* is_new = nullptr);
+  // See rules/face_lists.h. Of a large face the points are kept, so that it is read once; those that are looked at are
+  // added to `looks`.
+  bool touches(const Mesh& mesh, Face f, Vertex v, std::uint64_t& looks);
   void forget(Face f);
+  // Call before a legal collapse: what is known of fans and of simple loops holds after it.
+  void collapses(const Mesh& mesh, Halfedge h);
   // A simple loop whose corners are known has one less, and no other face is on its points.
   void lost_corner(Face f);
-  // One of two faces has taken the other in, is a simple loop of so many corners, and no other face is on its points.
-  void united(Face stays, Face goes, std::uint32_t corners);
+  // Call before one of two faces, without rings, takes the other in. Cost: the corners of that one.
+  void unites(const Mesh& mesh, Face stays, Face goes);
+  // Then it is a simple loop of so many corners, without the points left out, and no other face is on its points.
+  void united(Face stays, Face goes, std::uint32_t corners, std::span<const Vertex> left_out);
 
  private:
   std::unordered_map<Vertex, bool> several_fans_;
   std::unordered_map<Face, bool> one_simple_loop_, equal_face_;
   std::unordered_map<Face, std::uint32_t> corner_count_;
+  std::unordered_map<Face, std::unordered_set<Vertex>> points_;  // of large faces
 };
 
 }  // namespace ryosen

@@ -16,8 +16,7 @@ bool may_lie_on_both(const Mesh& m, Face third, Face f, Face g, std::uint32_t co
                      std::uint64_t& looks) {
   if (!third || third == f || third == g || known.corner_count(m, third) < corners) return false;
   for (const Vertex v : vertices_around(m, third)) {
-    ++looks;
-    if (!touches(m, f, v) && !touches(m, g, v)) return false;
+    if (!known.touches(m, f, v, looks) && !known.touches(m, g, v, looks)) return false;
   }
   return true;
 }
@@ -40,8 +39,7 @@ Union judge_union(const Mesh& m, std::span<const Halfedge> chain, LocalFacts& kn
   const Face larger = left_is_larger ? f : g;
   std::vector<std::uint32_t> united{m.to(from).index, m.from(to).index};
   for (Halfedge corner = m.next(m.next(from)); corner != to && m.prev(corner) != to; corner = m.next(corner)) {
-    ++look;
-    if (touches(m, larger, m.from(corner))) return Union::touching;
+    if (known.touches(m, larger, m.from(corner), look)) return Union::touching;
     united.push_back(m.from(corner).index);
   }
   const bool is_unsure = any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {

@@ -8,6 +8,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/ops/each.h"
+#include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"
@@ -38,10 +39,11 @@ Mesh with_corner_values(const SeededMesh& seeded) {
   return from_indexed(std::move(source));
 }
 
-// Edges, and here and there a vertex, in a random order with repetitions: each judged and done as by itself. Where it is
+// Edges, and here and there or every other time a vertex, in a random order with repetitions: each judged and done as by itself. Where it is
 // strict, warnings refuse too.
 void expect_same_as_one_by_one(const Mesh& start, Dice& dice) {
   const bool is_strict = dice.one_in(2);
+  const int of_vertices = dice.one_in(3) ? 2 : 20;
   Mesh single = start, many = start;
   Journal journal;
   {
@@ -49,7 +51,7 @@ void expect_same_as_one_by_one(const Mesh& start, Dice& dice) {
     DissolveSeries series(edit);
     for (std::uint32_t call = 0; call < 4 * start.edge_slots(); ++call) {
       Dissolve op{random_halfedge(single, dice)};
-      if (dice.one_in(20)) op = {{}, random_vertex(single, dice)};
+      if (dice.one_in(of_vertices)) op = {{}, random_vertex(single, dice)};
       std::vector<Reason> reasons = op.check(single).reasons;
       if (is_strict && reasons.empty()) reasons = op.warnings(single);
       std::optional<Rule> rule = series.broken_rule(op);
@@ -129,6 +131,48 @@ TEST(dissolve_series, cost_grows_with_what_is_near_the_edges) {
   expect_growth("strip", looks_at(strip(500), 1002), looks_at(strip(2000), 4002));
   expect_growth("fan", looks_at(closed_fan(500), 501), looks_at(closed_fan(2000), 2001));
   expect_growth("torus", looks_at(torus_grid(20, 25), 500), looks_at(torus_grid(40, 50), 2000));
+}
+
+// All vertices in ascending order.
+std::uint64_t looks_at_vertices(const Mesh& start) {
+  Mesh mesh = start;
+  Edit edit(mesh, nullptr);
+  DissolveSeries series(edit);
+  std::size_t done = 0;
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    if (!mesh.is_alive(Vertex(i)) || has_two_edges(mesh, Vertex(i))) continue;
+    const Dissolve op{{}, Vertex(i)};
+    if (series.broken_rule(op)) continue;
+    series.apply(op);
+    ++done;
+  }
+  series.settle();
+  edit.commit();
+  EXPECT_GT(done, 0u);
+  return series.looks();
+}
+
+TEST(dissolve_series, cost_grows_with_what_is_near_the_vertices) {
+  for (const auto family : {bipyramid, fan, sliver_fan, clean_grid}) {
+    const std::uint64_t small = looks_at_vertices(from_indexed(family(500))),
+                        large = looks_at_vertices(from_indexed(family(2000)));
+    EXPECT_LE(large, 5 * small + 1000) << "four times the faces";
+  }
+}
+
+// Two faces on one ring of points, at each edge of which the whole ring lies between them.
+TEST(dissolve_series, of_two_faces_on_one_ring_is_refused_at_the_cost_of_one_look) {
+  const auto looks = [](std::uint32_t n) {
+    std::vector<std::uint32_t> front, back;
+    for (std::uint32_t i = 0; i < n; ++i) front.push_back(i);
+    back.assign(front.rbegin(), front.rend());
+    Mesh mesh = make_mesh({front, back}, n);
+    Edit edit(mesh, nullptr);
+    DissolveSeries series(edit);
+    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) EXPECT_TRUE(series.broken_rule({halfedge(Edge(i), 0)}));
+    return series.looks();
+  };
+  EXPECT_LE(looks(2000), 5 * looks(500));
 }
 
 TEST(dissolve_series, of_a_selection_leaves_the_lowest_number) {

@@ -9,6 +9,7 @@
 #include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/pinch.h"
+#include "ryosen/ops/rules/pinch_watch.h"
 #include "ryosen/ops/rules/settled_points.h"
 #include "ryosen/ops/rules/sheets.h"
 
@@ -130,14 +131,21 @@ namespace {
 
 class Deletes : public OneByOne {
  public:
-  explicit Deletes(Edit& edit) : OneByOne(edit), sheets_(edit), known_(sheets_) {}
+  explicit Deletes(Edit& edit) : OneByOne(edit), sheets_(edit), known_(sheets_), pinches_(edit.mesh()) {}
+  std::optional<Rule> doubt(const AnyOp& op) override {
+    const Deletion deletion = deletion_of(edit_.mesh(), std::get<Delete>(op).element);
+    return pinches_.is_pinched_without(deletion.faces) ? std::optional(Rule::pinch) : std::nullopt;
+  }
   void apply(const AnyOp& op) override {
-    delete_elements(edit_, sheets_, deletion_of(edit_.mesh(), std::get<Delete>(op).element), &known_);
+    const Deletion deletion = deletion_of(edit_.mesh(), std::get<Delete>(op).element);
+    pinches_.loses(deletion.faces);
+    delete_elements(edit_, sheets_, deletion, &known_);
   }
 
  private:
   Sheets sheets_;
   SettledPoints known_;
+  PinchWatch pinches_;
 };
 
 }  // namespace

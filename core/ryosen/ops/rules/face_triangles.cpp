@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "ryosen/base/sort_unique.h"
@@ -45,14 +46,10 @@ std::vector<glm::dvec3> round_places(const FacePolygon& face) {
 class Search {
  public:
   Search(const Mesh& mesh, const FacePolygon& face)
-      : face_(face), places_(face.is_finite() ? face.places() : round_places(face)) {
+      : mesh_(mesh), face_(face), places_(face.is_finite() ? face.places() : round_places(face)) {
     for (Halfedge h : face.corners()) {
       points_.push_back(point(mesh, mesh.from(h)).index);
-      joined_.emplace_back();
-      for_each_copy(mesh, mesh.from(h), [&](Vertex copy) {
-        for (Vertex v : neighbours(mesh, copy)) joined_.back().push_back(point(mesh, v).index);
-      });
-      std::sort(joined_.back().begin(), joined_.back().end());
+      joined_.push_back(joined_to(mesh.from(h)));
     }
     normal_ = polygon_normal(face.is_finite() ? face.keyhole_walk() : places_);
     for (const glm::dvec3& p : places_) extent_ = std::max(extent_, glm::length(p - places_[0]));
@@ -90,8 +87,28 @@ class Search {
     return triangles;
   }
 
+  // The points that edges lead to, ascending; none where there are very many.
+  std::optional<std::vector<std::uint32_t>> joined_to(Vertex corner) const {
+    constexpr std::size_t most = 64;
+    std::vector<std::uint32_t> joined;
+    const bool are_many = any_of_copies(mesh_, corner, [&](Vertex copy) {
+      for (const Vertex v : neighbours(mesh_, copy)) {
+        if (joined.size() == most) return true;
+        joined.push_back(point(mesh_, v).index);
+      }
+      return false;
+    });
+    if (are_many) return std::nullopt;
+    std::sort(joined.begin(), joined.end());
+    return joined;
+  }
   bool may_join(std::uint32_t a, std::uint32_t b) const {
-    return points_[a] != points_[b] && !std::binary_search(joined_[a].begin(), joined_[a].end(), points_[b]);
+    if (points_[a] == points_[b]) return false;
+    for (const auto& [at, other] : {Pair(a, b), Pair(b, a)})
+      if (joined_[at]) return !std::binary_search(joined_[at]->begin(), joined_[at]->end(), points_[other]);
+    const auto [are, is_new] = are_joined_.try_emplace(pair_of(a, b));
+    if (is_new) are->second = are_joined(mesh_, Vertex(points_[a]), Vertex(points_[b]));
+    return !are->second;
   }
   // The two points of an edge, whichever corners represent them.
   Pair pair_of(std::uint32_t a, std::uint32_t b) const { return std::minmax(points_[a], points_[b]); }
@@ -229,10 +246,12 @@ class Search {
     return triangles;
   }
 
+  const Mesh& mesh_;
   const FacePolygon& face_;
   std::vector<glm::dvec3> places_;
   std::vector<std::uint32_t> points_;
-  std::vector<std::vector<std::uint32_t>> joined_;
+  std::vector<std::optional<std::vector<std::uint32_t>>> joined_;
+  mutable std::map<Pair, bool> are_joined_;  // of corners with very many edges
   glm::dvec3 normal_{};
   double extent_ = 0;
 };

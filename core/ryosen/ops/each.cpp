@@ -82,13 +82,59 @@ std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfe
   return same;
 }
 
-// The halfedge between two vertices, on points; none where no edge joins them. Between two points that both have copies
-// nothing may collapse, by whichever sheet.
-Halfedge halfedge_between(const Mesh& mesh, Vertex from, Vertex to) {
-  if (has_copies(mesh, from) && has_copies(mesh, to)) return any_sheet_between(mesh, from, to);
-  const std::vector<Halfedge> sheets = sheets_between(mesh, from, to);
-  return sheets.empty() ? Halfedge() : sheets.front();
-}
+// Halfedges between two vertices, on points, one after another, at the cost of one where the first is one of many copies.
+class HalfedgesBetween {
+ public:
+  // None where no edge joins them. Between two points that both have copies nothing may collapse, by whichever sheet.
+  Halfedge find(const Mesh& mesh, Vertex from, Vertex to) {
+    if (same_point(mesh, from, to)) return Halfedge();
+    if (has_copies(mesh, from) && has_copies(mesh, to)) return any_between(mesh, point(mesh, from), point(mesh, to));
+    if (has_copies(mesh, from) && is_asked_again(point(mesh, from), to)) return from_copy(mesh, from, to);
+    const std::vector<Halfedge> sheets = sheets_between(mesh, from, to);
+    return sheets.empty() ? Halfedge() : sheets.front();
+  }
+  bool are_joined(const Mesh& mesh, Vertex a, Vertex b) {
+    const bool are_known = has_copies(mesh, a) && has_copies(mesh, b);
+    return are_known ? bool(find(mesh, a, b)) : ryosen::are_joined(mesh, a, b);
+  }
+  // Call when the mesh has changed.
+  void forget() {
+    places_.clear();
+    any_from_ = asked_from_ = {};
+  }
+
+ private:
+  bool is_asked_again(Vertex from, Vertex to) {
+    return std::exchange(asked_from_, from) == from && std::exchange(asked_to_, to) == to;
+  }
+  Halfedge any_between(const Mesh& mesh, Vertex from, Vertex to) {
+    if (from != any_from_ || to != any_to_) any_ = any_sheet_between(mesh, from, to);
+    any_from_ = from;
+    any_to_ = to;
+    return any_;
+  }
+
+  // The first one that is met from there on.
+  Halfedge from_copy(const Mesh& mesh, Vertex from, Vertex to) {
+    if (places_.empty() || !same_point(mesh, from, first_) || to != to_) {
+      places_.clear();
+      first_ = from;
+      to_ = to;
+      for_each_copy(mesh, from, [&](Vertex copy) { places_.emplace(copy, places_.size()); });
+      sheets_ = sheets_between(mesh, from, to);
+    }
+    if (sheets_.empty()) return Halfedge();
+    const auto is_before = [&](Halfedge h, std::size_t place) { return places_.at(mesh.from(h)) < place; };
+    const auto found = std::lower_bound(sheets_.begin(), sheets_.end(), places_.at(from), is_before);
+    return found == sheets_.end() ? sheets_.front() : *found;
+  }
+
+  Vertex first_, to_;
+  std::unordered_map<Vertex, std::size_t> places_;    // of the copies, in their cycle from the first one
+  std::vector<Halfedge> sheets_;                      // in this order
+  Vertex any_from_, any_to_, asked_from_, asked_to_;  // points
+  Halfedge any_;
+};
 
 class Calls {
  public:
@@ -127,6 +173,9 @@ class Calls {
     return true;
   }
 
+  bool are_joined(const Element& e, const Element& with) {
+    return between_.are_joined(mesh(), e.vertex(), with.vertex());
+  }
   // The operator that does the same along the edge between them; none where it may not or there is none.
   std::optional<AnyOp> legal_along_edge(const Element& e, const Element& with) {
     const auto along = read_along_edge(e, with);
@@ -135,6 +184,7 @@ class Calls {
   // After it was found to be legal.
   void apply(const AnyOp& op) {
     series_->apply(op);
+    between_.forget();
     ++result_.done;
     ++result_.calls;
   }
@@ -165,10 +215,10 @@ class Calls {
     return parse_op(mesh(), op_.id, words);
   }
   // The operator that does the same along the edge between the two, if there is one and the row names such an operator.
-  std::optional<AnyOp> read_along_edge(const Element& e, const Element& with) const {
+  std::optional<AnyOp> read_along_edge(const Element& e, const Element& with) {
     if (op_.along_edge.empty() || e.kind != Element::Kind::vertex || with.kind != Element::Kind::vertex)
       return std::nullopt;
-    const Halfedge h = halfedge_between(mesh(), e.vertex(), with.vertex());
+    const Halfedge h = between_.find(mesh(), e.vertex(), with.vertex());
     if (!h) return std::nullopt;
     const std::string name = "h" + std::to_string(h.index);
     std::vector<std::string_view> words{name};
@@ -197,6 +247,7 @@ class Calls {
   bool strict_;
   std::unique_ptr<OpSeries> series_;
   AskedSubjects subjects_;
+  HalfedgesBetween between_;
   EachResult result_;
 };
 
@@ -285,7 +336,7 @@ void call_along_edges(Calls& calls, std::vector<Element>& taken, Element& last, 
     if (next.empty() && std::exchange(has_done, false)) next.swap(refused);
     if (next.empty()) break;
     const Element e = next.extract(next.begin()).value();
-    if (!is_alive(mesh, e) || !are_joined(mesh, e.vertex(), last.vertex())) continue;
+    if (!is_alive(mesh, e) || !calls.are_joined(e, last)) continue;
     if (const auto along = calls.legal_along_edge(e, last)) {
       const std::vector<Element> around = beside(mesh, e, left), heirs = heirs_of(mesh, last, e);
       calls.apply(*along);

@@ -14,6 +14,7 @@
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
@@ -107,14 +108,23 @@ std::optional<Rule> first_rule_of_copies(const Mesh& m, Vertex a, Vertex b) {
   return can_be_one(m, a, b) ? std::nullopt : std::optional(Rule::common_neighbour);
 }
 
+// By both points, whether a face has them both, as far as that was asked.
+using CommonFaces = std::map<std::pair<Vertex, Vertex>, bool>;
+
 // The first rule that a weld breaks.
-std::optional<Rule> first_rule_of(const Mesh& m, const Weld& op) {
+std::optional<Rule> first_rule_of(const Mesh& m, const Weld& op, CommonFaces& common) {
   Verdict verdict;
   if (op.first) {
     if (!is_gone(m, op.first, verdict) && !is_gone(m, op.second, verdict))
       check_sides_to_weld(m, op.first, op.second, verdict);
     if (!verdict.legal()) return verdict.reasons[0].rule;
-    return first_rule_of_weld(m, pairs_of_edges(m, op.first, op.second));
+    const WeldPairs pairs = pairs_of_edges(m, op.first, op.second);
+    for (const auto& pair : pairs) {
+      const auto [has_common, is_new] = common.try_emplace(pair);
+      if (is_new) has_common->second = have_common_face(m, pair);
+      if (has_common->second) return Rule::common_face;
+    }
+    return first_rule_of_weld(m, pairs);
   }
   if (is_gone(m, op.a, verdict) || is_gone(m, op.b, verdict)) return Rule::deleted;
   if (op.a == op.b) return Rule::same_vertex;
@@ -306,21 +316,27 @@ class Welds : public OneByOne {
   explicit Welds(Edit& edit) : OneByOne(edit), rings_(edit) { known_.rings = &rings_; }
   std::optional<Rule> broken_rule(const AnyOp& op) override {
     const Weld* const weld = std::get_if<Weld>(&op);
-    if (!weld) return OneByOne::broken_rule(op);
+    if (!weld) {
+      const Verdict verdict = std::get<CollapseEdge>(op).check(edit_.mesh(), facts_);
+      return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+    }
     const Mesh& m = edit_.mesh();
     const bool are_points =
         !weld->first && is_there(m, weld->a) && is_there(m, weld->b) && !same_point(m, weld->a, weld->b);
-    if (!are_points) return first_rule_of(m, *weld);
+    if (!are_points) return first_rule_of(m, *weld, common_);
     const auto [rule, is_new] = rules_.try_emplace({point(m, weld->a), point(m, weld->b)});
-    if (is_new) rule->second = first_rule_of(m, *weld);
+    if (is_new) rule->second = first_rule_of(m, *weld, common_);
     return rule->second;
   }
   void apply(const AnyOp& op) override {
     rules_.clear();
-    if (const Weld* const weld = std::get_if<Weld>(&op))
+    common_.clear();
+    if (const Weld* const weld = std::get_if<Weld>(&op)) {
       weld->apply(edit_, known_);
-    else
+      facts_ = {};
+    } else {
       collapse(op);
+    }
   }
 
  private:
@@ -331,8 +347,9 @@ class Welds : public OneByOne {
     const Vertex both[] = {m.from(h), m.to(h)};
     std::vector<Vertex> around;
     for (const Halfedge side : {h, twin(h)})
-      if (!m.is_outside(side))
+      if (!m.is_outside(side) && !known_.beside.empty())
         for (const Vertex v : vertices_around(m, m.face(side))) around.push_back(v);
+    facts_.collapses(m, h);
     ryosen::apply(edit_, op);
     if (!known_.at) return;
     for (const Vertex v : around)
@@ -347,7 +364,10 @@ class Welds : public OneByOne {
 
   CopyRings rings_;
   SettledPoint known_;
-  std::map<std::pair<Vertex, Vertex>, std::optional<Rule>> rules_;  // by both points, until something is done
+  LocalFacts facts_;  // for collapses
+  // By both points, until something is done.
+  std::map<std::pair<Vertex, Vertex>, std::optional<Rule>> rules_;
+  CommonFaces common_;
 };
 
 }  // namespace

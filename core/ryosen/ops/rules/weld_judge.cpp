@@ -190,4 +190,9 @@ std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs)
   return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
 }
 
+bool have_common_face(const Mesh& mesh, const WeldPairs::value_type& pair) {
+  Verdict unused;
+  return WeldJudge(mesh, {pair}, unused).has_common_face();
+}
+
 }  // namespace ryosen

@@ -25,5 +25,7 @@ void judge_weld(const Mesh& mesh, const WeldPairs& pairs, Verdict& verdict, std:
 // The first rule that it refuses by. Cost: no more than that, and where a face has both points of a pair, what is met
 // around the smaller point before it.
 std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs);
+// Whether a face has both points of a pair, which it refuses by before all else. Cost: what is around the smaller point.
+bool have_common_face(const Mesh& mesh, const WeldPairs::value_type& pair);
 
 }  // namespace ryosen

@@ -38,6 +38,26 @@ class BoxTree {
     return true;
   }
 
+  // The same, of two halves first into the one whose key(box) is less.
+  template <class May, class Key, class Visit>
+  bool visit_by(const May& may, const Key& key, const Visit& visit) const {
+    std::vector<std::uint32_t> open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+      const std::uint32_t k = open.back();
+      open.pop_back();
+      if (!may(nodes_[k].box)) continue;
+      for (std::uint32_t i = nodes_[k].first; i < nodes_[k].first + nodes_[k].count; ++i)
+        if (may(boxes_[order_[i]]) && !visit(order_[i])) return false;
+      if (nodes_[k].count > 0) continue;
+      const std::uint32_t left = k + 1, right = nodes_[left].behind;
+      const bool is_right_first = key(nodes_[right].box) < key(nodes_[left].box);
+      open.push_back(is_right_first ? left : right);
+      open.push_back(is_right_first ? right : left);
+    }
+    return true;
+  }
+
  private:
   static constexpr std::uint32_t leaf_size = 4;
   // In depth-first order; `behind` is the first one that is not below this one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -128,15 +129,21 @@ class Looking {
     if (!(area > 0)) return nowhere;
     const auto [a, b, c] = corners_of(t);
     const glm::dvec3 centre = (a + b + c) / 3.0;
-    const auto is_free = [&](double sign) { return !meets_any({centre, normal * (sign / area), first_step}); };
+    const glm::dvec3 middle = box_of(corners_of(t)).middle();
+    const auto is_free = [&](double sign) { return !meets_any({centre, normal * (sign / area), first_step}, middle); };
     return static_cast<std::uint8_t>((is_free(1) ? from_front : nowhere) | (is_free(-1) ? from_behind : nowhere));
   }
 
-  // Ends at the first one that is found, wherever it is along the ray.
-  bool meets_any(const Ray& ray) const {
+  // Ends at the first one that is found, wherever it is along the ray. Boxes ahead of that with this middle come before
+  // those behind, and the nearer ones first: where many lie over each other, those just ahead are most likely met.
+  bool meets_any(const Ray& ray, const glm::dvec3& middle) const {
     const RayCaster caster(ray);
     const auto may = [&](const Box& box) { return passes(ray, box); };
-    return !tree_.visit(may, [&](std::uint32_t i) {
+    const auto key = [&](const Box& box) {
+      const double ahead = glm::dot(box.middle() - middle, ray.direction);
+      return std::pair(ahead < 0, std::abs(ahead));
+    };
+    return !tree_.visit_by(may, key, [&](std::uint32_t i) {
       const auto [a, b, c] = corners_of(surface_.at(mesh_, slots_[i]));
       return !caster.hit(a, b, c);
     });

@@ -58,14 +58,15 @@ struct OnAll {
   std::uint32_t n;
   const char *mode, *op;
   int exit_code = 0;
+  const char* flags = "";
 };
 
 class GrowthOnAll : public Growth, public testing::WithParamInterface<OnAll> {};
 
 TEST_P(GrowthOnAll, is_as_quick_as_its_elements_by_themselves) {
-  const auto& [mesh, n, mode, op, exit_code] = GetParam();
+  const auto& [mesh, n, mode, op, exit_code, flags] = GetParam();
   const std::string line = std::string("mode ") + mode + "; select all; " + op + " selected; undo";
-  EXPECT_EQ(run_within(seconds, mesh(n), "edit", "--do '" + line + "'"), exit_code) << line;
+  EXPECT_EQ(run_within(seconds, mesh(n), "edit", "--do '" + line + "' " + flags), exit_code) << line;
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -78,10 +79,27 @@ INSTANTIATE_TEST_SUITE_P(
                     OnAll{equal_triangles, 16000, "face", "delete_loop"},
                     OnAll{large_face, 20000, "vertex", "unite_edge"}, OnAll{book, 20000, "vertex", "unite_edge", 6},
                     OnAll{fan, 12000, "vertex", "dissolve"}, OnAll{fan, 10000, "edge", "unite_loop"},
-                    OnAll{clean_grid, 16000, "edge", "unite_loop"}),
+                    OnAll{clean_grid, 16000, "edge", "unite_loop"}, OnAll{bipyramid, 16000, "edge", "dissolve"},
+                    OnAll{bipyramid, 16000, "vertex", "dissolve"}, OnAll{book_of_squares, 16000, "face", "triangulate"},
+                    OnAll{bipyramid, 16000, "face", "delete", 0, "--strict"},
+                    OnAll{apex_soup, 8000, "edge", "delete", 0, "--strict"},
+                    OnAll{book, 20000, "edge", "weld", 6}, OnAll{large_face, 40000, "vertex", "weld"},
+                    OnAll{book_of_squares, 16000, "face", "weld"}),
     [](const auto& info) {
       return std::string(info.param.op) + "_every_" + info.param.mode + "_" + std::to_string(info.index);
     });
+
+// n triangles over each other, tilted alike, so that the box of each meets those of all.
+IndexedMesh tilted_pile(std::uint32_t n) {
+  IndexedMesh mesh;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double z = i / 8192.0;
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, z}, {1, 0, z + 1}, {0, 1, z + 1}});
+    mesh.corners.insert(mesh.corners.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    mesh.face_offsets.push_back(3 * i + 3);
+  }
+  return mesh;
+}
 
 // Faces that cross or lie on each other, of which one pair is enough, and two repairs.
 TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
@@ -92,6 +110,7 @@ TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
   EXPECT_GE(run_within(seconds, seams_at_a_point(32000), "repair", "--kinds stitch"), 0);
   for (const auto family : {book, apex_soup})
     EXPECT_GE(run_within(seconds, family(8000), "repair", "--kinds orient"), 0);
+  EXPECT_GE(run_within(seconds, tilted_pile(16000), "repair", "--kinds orient"), 0);
 }
 
 // Faces on each other, with points of their own: in turned directions, with four corners, moved a little, each larger than

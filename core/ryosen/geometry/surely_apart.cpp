@@ -14,14 +14,6 @@ constexpr double margin = 1e-12;
 
 glm::dvec3 sizes_of(const Triangle& t) { return glm::max(glm::max(glm::abs(t[0]), glm::abs(t[1])), glm::abs(t[2])); }
 
-bool separates(const glm::dvec3& axis, const Triangle& a, const Triangle& b, const glm::dvec3& reach) {
-  const auto along = [&](const glm::dvec3& p) { return glm::dot(axis, p); };
-  const auto [low_a, high_a] = std::minmax({along(a[0]), along(a[1]), along(a[2])});
-  const auto [low_b, high_b] = std::minmax({along(b[0]), along(b[1]), along(b[2])});
-  const double wide = margin * glm::dot(glm::abs(axis), reach);
-  return high_a + wide < low_b || high_b + wide < low_a;
-}
-
 }  // namespace
 
 bool are_surely_apart(const Triangle& triangle, const Box& box) {
@@ -40,16 +32,23 @@ bool are_surely_apart(const Triangle& triangle, const Box& box) {
   return is_apart_along(glm::cross(sides[0], sides[1]));
 }
 
-bool are_surely_apart(const Triangle& a, const Triangle& b) {
-  const glm::dvec3 origin = a[0];
-  const Triangle u{a[0] - origin, a[1] - origin, a[2] - origin}, v{b[0] - origin, b[1] - origin, b[2] - origin};
-  const glm::dvec3 reach = glm::max(sizes_of(u), sizes_of(v));
-  for (const Triangle* t : {&u, &v}) {
-    const Triangle sides{(*t)[1] - (*t)[0], (*t)[2] - (*t)[1], (*t)[0] - (*t)[2]};
-    const glm::dvec3 normal = glm::cross(sides[0], sides[1]);
-    if (separates(normal, u, v, reach)) return true;
-    for (const glm::dvec3& side : sides)
-      if (separates(glm::cross(normal, side), u, v, reach)) return true;
+TriangleSlabs::TriangleSlabs(const Triangle& t) : origin_(t[0]) {
+  const glm::dvec3 b = t[1] - origin_, c = t[2] - origin_, normal = glm::cross(b, c);
+  reach_ = glm::max(glm::abs(b), glm::abs(c));
+  const std::array axes{normal, glm::cross(normal, b), glm::cross(normal, c - b), glm::cross(normal, c)};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const double at_b = glm::dot(axes[i], b), at_c = glm::dot(axes[i], c);
+    slabs_[i] = {axes[i], std::min({0.0, at_b, at_c}), std::max({0.0, at_b, at_c})};
+  }
+}
+
+bool TriangleSlabs::separate(const Triangle& other) const {
+  const Triangle v{other[0] - origin_, other[1] - origin_, other[2] - origin_};
+  const glm::dvec3 reach = glm::max(reach_, sizes_of(v));
+  for (const Slab& slab : slabs_) {
+    const double a = glm::dot(slab.axis, v[0]), b = glm::dot(slab.axis, v[1]), c = glm::dot(slab.axis, v[2]);
+    const double wide = margin * glm::dot(glm::abs(slab.axis), reach);
+    if (std::min(std::min(a, b), c) > slab.high + wide || std::max(std::max(a, b), c) < slab.low - wide) return true;
   }
   return false;
 }

@@ -10,7 +10,26 @@ namespace ryosen {
 // Whether an axis separates a triangle from a box, whatever the rounding. False says nothing. Boxes of slivers overlap
 // where the slivers are far apart.
 bool are_surely_apart(const std::array<glm::dvec3, 3>& triangle, const Box& box);
-// The same of two triangles, along their normals and across their sides: also of triangles in one plane.
-bool are_surely_apart(const std::array<glm::dvec3, 3>& a, const std::array<glm::dvec3, 3>& b);
+
+// A triangle of which it is asked about many: whether its normal, or a line across one of its sides in its plane, separates
+// it from another one for certain.
+class TriangleSlabs {
+ public:
+  explicit TriangleSlabs(const std::array<glm::dvec3, 3>& triangle);
+  bool separate(const std::array<glm::dvec3, 3>& other) const;
+
+ private:
+  struct Slab {
+    glm::dvec3 axis;
+    double low, high;
+  };
+  glm::dvec3 origin_, reach_;
+  std::array<Slab, 4> slabs_;
+};
+
+// Of two triangles, by the slabs of both: also of triangles in one plane.
+inline bool are_surely_apart(const std::array<glm::dvec3, 3>& a, const std::array<glm::dvec3, 3>& b) {
+  return TriangleSlabs(a).separate(b) || TriangleSlabs(b).separate(a);
+}
 
 }  // namespace ryosen

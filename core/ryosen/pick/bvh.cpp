@@ -180,6 +180,29 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
   }
 }
 
+void Bvh::visit_box_nodes(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit,
+                          void* target) const {
+  if (live_ == 0) return;
+  const FloatBox local = local_box(box);
+  const std::array<float, 4> lowest = floats_of(local.lowest), highest = floats_of(local.highest);
+  SmallStack<std::uint32_t> stack;
+  stack.push(0);
+  while (!stack.empty()) {
+    const Node& here = node(stack.pop());
+    bool is_apart = false;
+    for (std::size_t i = 0; i < 3; ++i) is_apart |= here.highest[i] < lowest[i] || highest[i] < here.lowest[i];
+    if (is_apart) continue;
+    if (here.count == 0) {
+      stack.push(here.first + 1);
+      stack.push(here.first);
+      continue;
+    }
+    for (std::uint32_t i = 0; i < here.count; ++i)
+      if (const std::uint32_t slot = blocks_[here.first][i]; box.overlaps(box_of(positions, primitives_[slot])))
+        visit(target, slot);
+  }
+}
+
 std::optional<NearestHit> Bvh::nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,
                                        double max_distance) const {
   if (live_ == 0 || !::ryosen::is_finite(point)) return std::nullopt;

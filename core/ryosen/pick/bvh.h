@@ -72,6 +72,15 @@ class Bvh {
         &visit);
   }
 
+  // The same of a box, and faster.
+  template <class Visit>
+  void visit_box(std::span<const glm::dvec3> positions, const Box& box, Visit&& visit) const {
+    visit_box_nodes(
+        positions, box,
+        [](void* target, std::uint32_t slot) { (*static_cast<std::remove_reference_t<Visit>*>(target))(slot); },
+        &visit);
+  }
+
   // The nearest point on any primitive, at most max_distance away; on a tie the smallest slot.
   std::optional<NearestHit> nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,
                                     double max_distance) const;
@@ -134,6 +143,7 @@ class Bvh {
   using SlotVisitor = void (*)(void*, std::uint32_t);
   void visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
                            void* target) const;
+  void visit_box_nodes(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit, void* target) const;
 
   std::vector<Primitive> primitives_;   // by slot
   std::vector<std::uint32_t> leaf_of_;  // by slot: its leaf, or no_index

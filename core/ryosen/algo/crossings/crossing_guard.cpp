@@ -18,8 +18,26 @@ bool is_flat(const NumberedTriangle& t) { return are_collinear(t.places[0], t.pl
 
 }  // namespace
 
-CrossingGuard::CrossingGuard(const Mesh& mesh, Surface surface)
-    : mesh_(mesh), faces_(mesh), may_cross_(surface == Surface::perhaps_with_crossings) {}
+const MetPlaces& CrossingGuard::nowhere() {
+  static const MetPlaces none;
+  return none;
+}
+
+// A face that a split has made is of the part of those beside it.
+void CrossingGuard::follow(Vertex kept) {
+  faces_.follow(kept);
+  if (parts_.size() >= mesh_.face_slots() || parts_.empty()) return;
+  std::uint32_t part = 0;
+  for (const Face f : faces_around(mesh_, kept))
+    if (f && f.index < parts_.size()) part = parts_[f.index];
+  parts_.resize(mesh_.face_slots(), part);
+}
+
+bool CrossingGuard::meet(const Changed& a, const Changed& b) const {
+  if (!meet_elsewhere(a.triangle, b.triangle)) return false;
+  return parts_.empty() || !met_.have_met(parts_[a.face.index], parts_[b.face.index]) ||
+         !met_.hold(a.triangle.places, b.triangle.places);
+}
 
 void CrossingGuard::Step::begin(std::uint32_t face_slots) {
   changed.clear();
@@ -43,7 +61,8 @@ void CrossingGuard::begin() const {
 
 void CrossingGuard::change(const NumberedTriangle& t, Face f) const {
   if (!is_flat(t)) {
-    step_.changed.push_back({f, t});
+    const Changed changed{f, t};
+    if (parts_.empty() || !met_.enclose(changed.box, parts_[f.index])) step_.changed.push_back(changed);
     step_.mark(f);
   } else if (!is_flat(triangle(f))) {
     loses_area_ = true;
@@ -117,13 +136,17 @@ bool CrossingGuard::would_meet_split(Halfedge h, const glm::dvec3& position) con
 // A face without area before meets none; so it is not among those that `before` counts.
 bool CrossingGuard::would_meet() const {
   if (loses_area_) return true;
-  const std::size_t most = may_cross_ ? 1000 : 1, after = meetings(step_.changed, most);
-  if (after == 0 || !may_cross_) return after > 0;
+  if (step_.changed.empty()) return false;
+  constexpr std::size_t most = 1000;
+  if (meetings(step_.changed, 1) == 0) return false;
+  if (met_.is_empty()) return true;
   std::vector<Changed> before;
-  for (const Changed& one : step_.changed) before.push_back({one.face, triangle(one.face)});
+  for (const Changed& one : step_.changed)  // of a split both halves
+    if (before.empty() || before.back().face != one.face) before.push_back({one.face, triangle(one.face)});
   for (const Face f : step_.gone) before.push_back({f, triangle(f)});
   std::erase_if(before, [](const Changed& one) { return is_flat(one.triangle); });
-  return after > meetings(before, most);
+  const std::size_t now = meetings(before, most);
+  return now == 0 || meetings(step_.changed, now + 1) > now;
 }
 
 std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size_t most) const {
@@ -132,14 +155,13 @@ std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size
   if (faces.size() * (faces.size() / 2 + near_.size()) > many_pairs && faces.size() > 64)
     return meetings_by_tree(faces, most);
   std::size_t found = 0;
-  const auto boxed = [](const Changed& one) { return box_of(one.triangle.places); };
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (std::size_t k = i + 1; k < faces.size(); ++k)
-      if (meet_elsewhere(faces[i].triangle, faces[k].triangle) && ++found == most) return found;
-    const Box box = boxed(faces[i]);
+      if (meet(faces[i], faces[k]) && ++found == most) return found;
+    const TriangleSlabs slabs(faces[i].triangle.places);
     for (const Changed& other : near_)
-      if (box.overlaps(boxed(other)) && !are_surely_apart(faces[i].triangle.places, other.triangle.places) &&
-          meet_elsewhere(faces[i].triangle, other.triangle) && ++found == most)
+      if (faces[i].box.overlaps(other.box) && !slabs.separate(other.triangle.places) && meet(faces[i], other) &&
+          ++found == most)
         return found;
   }
   return found;
@@ -148,7 +170,7 @@ std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size
 std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const {
   // Where one is enough it is mostly found between neighbours around the vertex.
   for (std::size_t i = 1; most == 1 && i < faces.size(); ++i)
-    if (meet_elsewhere(faces[i - 1].triangle, faces[i].triangle)) return 1;
+    if (meet(faces[i - 1], faces[i])) return 1;
   std::vector<std::pair<std::uint32_t, glm::dvec3>> corners;
   const auto for_all = [&](const auto& visit) {
     for (const Changed& one : faces) visit(one.triangle);
@@ -177,7 +199,8 @@ std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, s
   std::size_t found = 0;
   const auto is_of_step = [&](std::uint32_t a, std::uint32_t b) { return a < faces.size() || b < faces.size(); };
   const auto counts = [&](std::uint32_t a, std::uint32_t b) {
-    found += meet_elsewhere(surface.triangle(a), surface.triangle(b)) ? 1 : 0;
+    const auto one = [&](std::uint32_t i) { return i < faces.size() ? &faces[i] : &near_[i - faces.size()]; };
+    found += meet(*one(a), *one(b)) ? 1 : 0;
     return found < most;
   };
   for (std::uint32_t node = 0; node < tree.node_count(); ++node)

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ryosen/algo/crossings/met_places.h"
 #include "ryosen/algo/crossings/near_faces.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/mesh.h"
@@ -12,10 +13,12 @@ namespace ryosen {
 
 class CrossingGuard {
  public:
-  enum class Surface { without_crossings, perhaps_with_crossings };
-
-  // Of a mesh of triangles. On one that has crossings a step may make as many as it takes away. O(n log n).
-  explicit CrossingGuard(const Mesh& mesh, Surface surface = Surface::without_crossings);
+  // Of a mesh of triangles. O(n log n).
+  explicit CrossingGuard(const Mesh& mesh) : CrossingGuard(mesh, nowhere()) {}
+  // Of one in which parts meet at some places, which outlive the guard: what becomes of these there is not asked. Where
+  // faces meet elsewhere, a step may make as many such pairs as it takes away.
+  CrossingGuard(const Mesh& mesh, const MetPlaces& met)
+      : mesh_(mesh), met_(met), parts_(met.parts()), faces_(mesh) {}
 
   // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
   // area counts too. Cost: n log n of the faces around both ends and those near them.
@@ -28,7 +31,7 @@ class CrossingGuard {
   bool would_meet_split(Halfedge h, const glm::dvec3& position) const;
 
   // The vertex stands for another one too, and has come to its place, or has new faces: those around it are up to date.
-  void follow(Vertex kept) { faces_.follow(kept); }
+  void follow(Vertex kept);
   // It has moved, and that is all.
   void follow_move(Vertex moved) { faces_.follow_move(moved); }
   // A face that has other corners.
@@ -43,6 +46,7 @@ class CrossingGuard {
   struct Changed {
     Face face;
     NumberedTriangle triangle;
+    Box box = box_of(triangle.places);
   };
   // What a step does: faces that change, and those that go.
   struct Step {
@@ -57,21 +61,25 @@ class CrossingGuard {
     bool concerns(Face f) const { return last[f.index] == number; }
   };
 
+  static const MetPlaces& nowhere();
   NumberedTriangle triangle(Face f) const { return triangle(mesh_.halfedge(f)); }
   // The triangle at a halfedge, from its start on.
   NumberedTriangle triangle(Halfedge h) const;
   void begin() const;
   void change(const NumberedTriangle& t, Face f) const;
   bool would_meet() const;
-  // How many pairs of faces one of which is among these meet elsewhere, at most so many.
+  // Whether two triangles meet elsewhere than at what they share, and than where their parts met before.
+  bool meet(const Changed& a, const Changed& b) const;
+  // How many pairs of faces one of which is among these do, at most so many.
   std::size_t meetings(const std::vector<Changed>& faces, std::size_t most) const;
   // The same of very many, by a tree.
   std::size_t meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const;
   void find_near(const std::vector<Changed>& faces) const;
 
   const Mesh& mesh_;
+  const MetPlaces& met_;
+  std::vector<std::uint32_t> parts_;  // by face; empty where none met
   mutable NearFaces faces_;
-  bool may_cross_;
   // Of the step that is judged.
   mutable Step step_;
   mutable bool loses_area_ = false;

@@ -55,7 +55,7 @@ void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Fa
   auto add = [&](std::uint32_t slot) { found.emplace_back(slot); };
   auto add_face = [&](Face f) { found.push_back(f); };
   if (around_groups_.is_worn()) around_groups_.rebuild(ends_);
-  if (!each) tree_.visit_frustum(mesh_.positions(), inside, add);
+  if (!each) tree_.visit_box(mesh_.positions(), around, add);
   for (std::size_t i = 0; each && i < triangles.size(); ++i)
     tree_.visit_frustum(mesh_.positions(), seen_from::slab_of(triangles[i].places), add);
   around_groups_.visit_frustum(ends_, inside, [&](std::uint32_t slot) {

@@ -8,11 +8,10 @@
 #include "ryosen/algo/remesh/remesher.h"
 #include "ryosen/algo/shared_values.h"
 #include "ryosen/algo/unit_scale.h"
-#include "ryosen/analysis/box_tree.h"
+#include "ryosen/analysis/components.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/resource_limits.h"
-#include "ryosen/geometry/common_part.h"
 
 namespace ryosen::remesh {
 
@@ -128,24 +127,12 @@ std::optional<std::vector<FacePair>> crossings_of(const Mesh& mesh, std::size_t 
   return std::move(found->pairs);
 }
 
-// Of two faces that meet: the box of both, and of the part that they have in common.
-struct Crossing {
-  Box faces, common;
-};
-
-Crossing crossing_of(const Mesh& mesh, const FacePair& pair) {
-  const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
-                        b = corners_of(mesh, mesh.halfedge(pair.second));
-  Crossing crossing{box_of(a), box_of_common_part(a, b)};
-  crossing.faces.add(box_of(b));
-  if (crossing.common.is_empty()) crossing.common = crossing.faces;
-  return crossing;
-}
-
 // Boxes of the part that two faces have in common. Of a line, along it: one box of all would hold what lies far from it.
 std::vector<Box> pieces_of_common_part(const Mesh& mesh, const FacePair& pair, double length) {
   constexpr double most = 256;
-  const Box all = crossing_of(mesh, pair).common;
+  const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
+                        b = corners_of(mesh, mesh.halfedge(pair.second));
+  const Box all = common_box(a, b);
   const glm::dvec3 way = all.highest - all.lowest,
                    along = glm::cross(unit_normal(mesh, mesh.halfedge(pair.first)),
                                       unit_normal(mesh, mesh.halfedge(pair.second)));
@@ -167,17 +154,16 @@ std::vector<Box> pieces_of_common_part(const Mesh& mesh, const FacePair& pair, d
 }
 
 // The places at which faces meet, and those that lie within a reach of them.
-BoxTree places_of(const Mesh& mesh, std::span<const FacePair> pairs, double reach) {
-  std::vector<Box> boxes;
+MetPlaces places_of(const Mesh& mesh, std::span<const FacePair> pairs, double reach) {
+  Neighbourhood around(mesh);
+  std::vector<std::uint32_t> parts = find_face_components(around).of_face;
+  std::vector<MetPlaces::Place> places;
   for (const FacePair& pair : pairs)
     for (const Box& common : pieces_of_common_part(mesh, pair, reach))
-      boxes.push_back({common.lowest - reach, common.highest + reach});
-  return BoxTree(std::move(boxes));
-}
-
-bool holds(const BoxTree& places, const glm::dvec3& place) {
-  const Box point{place, place};
-  return !places.visit([&](const Box& box) { return box.encloses(point); }, [](std::uint32_t) { return false; });
+      places.push_back({{common.lowest - reach, common.highest + reach},
+                        parts[pair.first.index],
+                        parts[pair.second.index]});
+  return MetPlaces(std::move(parts), places);
 }
 
 // What is known of a surface before it changes.
@@ -213,7 +199,7 @@ class Attempts {
     for (int attempt = 0; attempt < most; ++attempt) {
       Mesh work = start_;
       Edit edit(work, nullptr);
-      SurfaceKeeper keeper(work, known_.points(), watched_, surface_);
+      SurfaceKeeper keeper(work, known_.points(), watched_, met_);
       Remesher remesher(edit, known_.features(), known_.target(), keeper);
       result.is_cancelled = !run_rounds(remesher, options_, progress);
       if (!result.is_cancelled) remesher.take_values(start_);
@@ -237,12 +223,14 @@ class Attempts {
     const auto pairs = crossings_of(made, most_after, progress);
     if (!pairs || pairs->empty()) return false;
     if (watched_.is_empty()) met_ = places_of(start_, *before_, options_.length);
-    if (!met_.is_empty()) surface_ = CrossingGuard::Surface::perhaps_with_crossings;
     bool is_new = false;
     for (const FacePair& pair : *pairs) {
-      const Crossing crossing = crossing_of(made, pair);
-      if (holds(met_, crossing.common.middle())) continue;
-      watched_.add(crossing.faces);
+      const TriangleCorners a = corners_of(made, made.halfedge(pair.first)),
+                            b = corners_of(made, made.halfedge(pair.second));
+      if (met_.hold(a, b)) continue;
+      Box both = box_of(a);
+      both.add(box_of(b));
+      watched_.add(both);
       is_new = true;
     }
     if (is_new && all) watched_.add_all();
@@ -254,8 +242,7 @@ class Attempts {
   const Start& known_;
   WatchedPlaces watched_;
   std::optional<std::vector<FacePair>> before_ = {};  // that met before
-  BoxTree met_;                                       // where they did
-  CrossingGuard::Surface surface_ = CrossingGuard::Surface::without_crossings;
+  MetPlaces met_;                                     // where they did
 };
 
 }  // namespace

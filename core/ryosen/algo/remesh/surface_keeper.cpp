@@ -15,9 +15,9 @@ constexpr double any_way = std::numeric_limits<double>::infinity(), anywhere = s
 }  // namespace
 
 SurfaceKeeper::SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched,
-                             CrossingGuard::Surface surface)
+                             const MetPlaces& met)
     : mesh_(mesh), watched_(watched), points_(std::move(points)), step_(points_) {
-  if (!watched.is_empty()) guard_.emplace(mesh, surface);
+  if (!watched.is_empty()) guard_.emplace(mesh, met);
 }
 
 bool SurfaceKeeper::refuses(bool would_meet) {

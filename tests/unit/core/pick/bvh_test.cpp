@@ -96,6 +96,19 @@ class Comparison {
     }
   }
 
+  void boxes(const Bvh& bvh, const Scene& scene, int count) {
+    for (int i = 0; i < count; ++i) {
+      Box box;
+      for (int corner = 0; corner < 2; ++corner) box.add(center_ + vector() * size_);
+      std::set<std::uint32_t> found, expected;
+      bvh.visit_box(scene.positions, box, [&](std::uint32_t slot) { EXPECT_TRUE(found.insert(slot).second); });
+      for (std::uint32_t slot = 0; slot < scene.primitives.size(); ++slot)
+        if (scene.primitives[slot].size() > 0 && box.overlaps(box_of(scene.positions, scene.primitives[slot])))
+          expected.insert(slot);
+      EXPECT_EQ(found, expected);
+    }
+  }
+
   void places(const Bvh& bvh, const Scene& scene, int count) {
     for (int i = 0; i < count; ++i) {
       const dvec3 point = center_ + vector() * (size_ * 2.0);
@@ -137,6 +150,7 @@ TEST(bvh, random_soups_of_any_size_and_place) {
       EXPECT_GE(comparison.hits, count >= 300 ? 20 : 0);
       if (size > 1e100 || size < 1e-100) continue;  // squares of lengths leave the double range
       comparison.frustums(bvh, scene, 30);
+      comparison.boxes(bvh, scene, 30);
       comparison.places(bvh, scene, 50);
       EXPECT_GE(comparison.visited, count >= 300 ? 20u : 0u);
     }

@@ -35,6 +35,11 @@ bool is_flat(const IndexedMesh& mesh, std::size_t face) {
   return are_collinear(at(0), at(1), at(2));
 }
 
+TriangleCorners corners_of_face(const IndexedMesh& mesh, Face f) {
+  const auto corners = mesh.face(f.index);
+  return {mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]};
+}
+
 // Whether faces meet, or one has lost its area, when a vertex has become another one there.
 bool meets_by_asking_all(const IndexedMesh& before, std::uint32_t gone, std::uint32_t kept,
                          const glm::dvec3& position) {
@@ -72,6 +77,90 @@ TEST(crossing_guard, tells_of_a_hub_what_all_faces_tell) {
   }
   EXPECT_GT(refused, steps / 10);
   EXPECT_LT(refused, steps * 9 / 10);
+}
+
+// The number of the sheet of each face: those of one have no corner of another.
+std::vector<std::uint32_t> parts_of(const IndexedMesh& mesh) {
+  std::vector<std::uint32_t> parts(mesh.face_count(), 0);
+  std::uint32_t last = 0;
+  for (std::size_t f = 1; f < parts.size(); ++f) {
+    const auto corners = mesh.face(f), before = mesh.face(f - 1);
+    if (*std::min_element(corners.begin(), corners.end()) > *std::max_element(before.begin(), before.end())) ++last;
+    parts[f] = last;
+  }
+  return parts;
+}
+
+// Boxes of what faces have in common that meet, a little larger.
+MetPlaces places_where_faces_meet(const IndexedMesh& mesh, double reach) {
+  const std::vector<std::uint32_t> parts = parts_of(mesh);
+  std::vector<MetPlaces::Place> places;
+  for (const FacePair& pair : pairs_by_asking_all(mesh)) {
+    const Box common = common_box(corners_of_face(mesh, pair.first), corners_of_face(mesh, pair.second));
+    places.push_back({{common.lowest - reach, common.highest + reach}, parts[pair.first.index], parts[pair.second.index]});
+  }
+  return {parts, places};
+}
+
+// Whether faces meet away from these places when a vertex lies elsewhere; what meets a face that lies in one of its part's
+// is not asked.
+bool meets_elsewhere(IndexedMesh mesh, const MetPlaces& met, std::uint32_t moved, const glm::dvec3& position) {
+  mesh.positions[moved] = position;
+  const std::vector<FacePair> pairs = pairs_by_asking_all(mesh);
+  const auto is_free = [&](Face f) {
+    const auto corners = mesh.face(f.index);
+    return std::count(corners.begin(), corners.end(), moved) > 0 &&
+           met.enclose(box_of(corners_of_face(mesh, f)), met.parts()[f.index]);
+  };
+  return std::any_of(pairs.begin(), pairs.end(), [&](const FacePair& pair) {
+    if (is_free(pair.first) || is_free(pair.second)) return false;
+    return !(met.have_met(met.parts()[pair.first.index], met.parts()[pair.second.index]) &&
+             met.hold(corners_of_face(mesh, pair.first), corners_of_face(mesh, pair.second)));
+  });
+}
+
+// Grids of n by n, one over the other, rough so that they cross.
+IndexedMesh crossing_sheets(std::uint32_t n, std::uint32_t sheets, double rough, std::uint64_t seed) {
+  IndexedMesh source;
+  Dice dice(seed);
+  for (std::uint32_t sheet = 0; sheet < sheets; ++sheet) {
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i)
+      source.positions.emplace_back(i % (n + 1) + 0.2 * dice.unit(), i / (n + 1) + 0.2 * dice.unit(),
+                                    0.3 * sheet + rough * dice.unit());
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+      const std::uint32_t a = first + i / n * (n + 1) + i % n, c = a + n + 2;
+      for (const std::uint32_t corner : {a, a + 1, c, a, c, c - 1}) source.corners.push_back(corner);
+      for (int triangle = 0; triangle < 2; ++triangle) source.face_offsets.push_back(source.face_offsets.back() + 3);
+    }
+  }
+  return source;
+}
+
+TEST(crossing_guard, lets_faces_meet_where_they_met_before_and_nowhere_else) {
+  struct Case {
+    std::uint32_t n, sheets;
+    double rough, reach;
+  };
+  for (const Case& c : {Case{4, 2, 0.5, 0.5}, {5, 2, 0.45, 0.1}, {3, 3, 1, 0.3}, {6, 3, 0.4, 1}, {2, 5, 1.2, 0.2}}) {
+    SCOPED_TRACE(c.rough);
+    const IndexedMesh source = crossing_sheets(c.n, c.sheets, c.rough, c.n);
+    const MetPlaces met = places_where_faces_meet(source, c.reach);
+    ASSERT_FALSE(met.is_empty());
+    const Mesh mesh = from_indexed(source);
+    const CrossingGuard guard(mesh, met);
+    Dice dice(5);
+    int allowed = 0, refused = 0;
+    for (int step = 0; step < 100; ++step) {
+      const Vertex v(static_cast<std::uint32_t>(dice.below(static_cast<int>(mesh.vertex_slots()))));
+      const glm::dvec3 place = mesh.position(v) + glm::dvec3(0, 0, 2 * dice.unit() - 1);
+      const bool expected = meets_elsewhere(source, met, v.index, place);
+      EXPECT_EQ(guard.would_meet(v, place), expected) << v.index;
+      ++(expected ? refused : allowed);
+    }
+    EXPECT_GT(allowed, 0);
+    EXPECT_GT(refused, 0);
+  }
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // Remeshing of what is thinner than the length: nothing is torn, eaten or made to cross.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "ryosen/algo/crossings/met_places.h"
 #include "ryosen/algo/measure/distance.h"
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/analysis/figures.h"
@@ -14,6 +16,7 @@
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/middle.h"
+#include "ryosen/ops/triangulate.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
@@ -126,6 +129,49 @@ TEST(RemeshThin, meshes_of_files_stay_what_they_are) {
   if (!fs::exists(known)) return;
   for (const char* const name : {"annulus.off", "cube_quad.off", "cube_tri.off", "moebius5.off", "two_tets_disjoint.off"})
     expect_any_length_is_fine(read(known / name), name);
+}
+
+Mesh triangles_made_by(const std::vector<std::string>& lines) {
+  Mesh mesh;
+  Journal journal;
+  for (const std::string& line : lines) EXPECT_GT(run_algorithm(mesh, journal, line).changed, 0u) << line;
+  Edit edit(mesh, nullptr);
+  Triangulate{}.apply(edit);
+  edit.commit();
+  return mesh;
+}
+
+std::vector<std::array<TriangleCorners, 2>> pairs_that_meet(const Mesh& mesh) {
+  std::vector<std::array<TriangleCorners, 2>> pairs;
+  for (const FacePair& pair : find_self_intersections(mesh, 100000).pairs)
+    pairs.push_back({corners_of(mesh, mesh.halfedge(pair.first)), corners_of(mesh, mesh.halfedge(pair.second))});
+  return pairs;
+}
+
+// Parts that lie over one another nearly everywhere meet in thousands of pairs.
+TEST(RemeshThin, overlapping_parts_meet_where_they_met) {
+  const std::vector<std::vector<std::string>> all{
+      {"cone radius=4 height=4", "cone radius=4 height=4 at=0.001,0.0005,-0.0007", "torus radius=3 tube=1"},
+      {"torus radius=3 tube=1", "torus radius=3 tube=1 at=0.02,0,0.01", "torus radius=3 tube=1 at=0,0.02,0"},
+      {"sphere radius=1", "sphere radius=1.001 at=0.002,0,0", "cylinder at=0.5,0,0"},
+      {"cube size=2", "cube size=2 at=0.001,0.002,0.003", "cube size=2 at=-0.002,0.001,-0.001"},
+      {"cylinder radius=1 height=2", "cylinder radius=1.0005 height=2 at=0,0.001,0.3", "cone radius=1 height=2"}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SCOPED_TRACE(i);
+    const Mesh mesh = triangles_made_by(all[i]);
+    Progress unheard;
+    const double length = mean_edge(mesh);
+    remesh::Remeshed made = remesh::remeshed(mesh, {.length = length, .feature_angle_rad = 0.785}, unheard);
+    const Mesh after(std::move(made.columns));
+    std::vector<MetPlaces::Place> places;
+    for (const auto& [a, b] : pairs_that_meet(mesh)) {
+      const Box common = common_box(a, b);
+      places.push_back({{common.lowest - length, common.highest + length}, 0, 0});
+    }
+    const MetPlaces met({}, places);
+    const auto now = pairs_that_meet(after);
+    EXPECT_EQ(std::count_if(now.begin(), now.end(), [&](const auto& pair) { return !met.hold(pair[0], pair[1]); }), 0);
+  }
 }
 
 // A tongue with a smooth rim whose sheets lie nearer to each other than the length: what projecting to the nearest point of

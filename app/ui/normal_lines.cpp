@@ -41,7 +41,8 @@ std::vector<std::uint32_t> normals_at(Session& session, Vertex v) {
 
 }  // namespace
 
-void NormalLines::note(Session& session, const Session::DrawnChanges& changes, bool everything) {
+void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> slots,
+                       bool everything) {
   all_stale_ |= everything;
   if (drawn_ == Normals::off || all_stale_) return;
   const auto add = [&](std::uint32_t slot) { stale_.push_back(slot / block_slots); };
@@ -50,7 +51,7 @@ void NormalLines::note(Session& session, const Session::DrawnChanges& changes, b
   else
     for (const std::uint32_t v : changes.vertices) add(v);
   const SurfaceTriangles& triangles = session.picker().triangles();
-  for (const std::uint32_t slot : changes.triangles) {
+  for (const std::uint32_t slot : slots) {
     if (slot >= triangles.slots()) continue;
     const SurfaceTriangle triangle = triangles.at(session.mesh(), slot);
     if (triangle.face == no_index) continue;

@@ -14,7 +14,8 @@ namespace ryosen {
 class NormalLines {
  public:
   // What changed in the mesh since the last call of follow().
-  void note(Session& session, const Session::DrawnChanges& changes, bool everything);
+  void note(Session& session, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> triangles,
+            bool everything);
   // Passes the lines to the view. Linear where the setting or the whole mesh is another.
   void follow(Session& session, View& view);
 

@@ -230,10 +230,15 @@ void Viewport::hurry() {
 
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
-  session.picker();  // from now on the session says which triangles change
-  Session::DrawnChanges changes = session.take_drawn_changes();
+  const RecentCells<std::uint32_t>& slots = session.picker().changed_slots();
+  ChangeFeed::Changes changes = session.changes().since(seen_);
+  seen_ = changes.now;
+  changes.everything |= !slots.has_all_since(seen_slots_);
+  std::vector<std::uint32_t> triangles;
+  if (!changes.everything) slots.for_each_since(seen_slots_, [&](std::uint32_t slot) { triangles.push_back(slot); });
+  seen_slots_ = slots.clock();
   const bool other_selection = selection_ != session.selection.stamp();
-  if (other_selection) follow_selected_faces(session, changes);
+  if (other_selection) follow_selected_faces(session, changes.faces, triangles);
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
                     drawn_shading_ != session.view.settings.shading || drawn_colouring_ != session.view.colouring ||
@@ -246,6 +251,7 @@ void Viewport::follow_mesh(Session& session) {
   face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
+    ++rebuilds_;
     view_->set_mesh(source_of(session, face_tints_));
   } else {
     std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_tints_.size(); });
@@ -255,7 +261,7 @@ void Viewport::follow_mesh(Session& session) {
       changes.faces.resize(face_tints_.size());
       std::iota(changes.faces.begin(), changes.faces.end(), 0u);
     }
-    view_->update_mesh(source_of(session, face_tints_), changes.vertices, changes.triangles, changes.faces);
+    view_->update_mesh(source_of(session, face_tints_), changes.vertices, triangles, changes.faces);
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
@@ -265,14 +271,15 @@ void Viewport::follow_mesh(Session& session) {
   drawn_file_colours_ = session.view.settings.file_colours;
   drawn_crease_deg_ = session.preferences.crease_deg;
   shown_ = session.view.highlights;
-  normal_lines_.note(session, changes, anew);
+  normal_lines_.note(session, changes, triangles, anew);
   if (anew || changes.hiding) verdict_layer_.forget();
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
   selection_stale_ = true;
 }
 
-void Viewport::follow_selected_faces(Session& session, Session::DrawnChanges& changes) {
+void Viewport::follow_selected_faces(Session& session, std::vector<std::uint32_t>& faces,
+                                     std::vector<std::uint32_t>& triangles) {
   constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
   IndexSet selected;
   for (const Element& e : session.selection)
@@ -288,8 +295,8 @@ void Viewport::follow_selected_faces(Session& session, Session::DrawnChanges& ch
     for (const std::uint32_t f : others)
       if (is_alive(session.mesh(), Face(f)))
         for (const std::uint32_t slot : session.picker().triangles().slots_of(session.mesh(), Face(f)))
-          changes.triangles.push_back(slot);
-  changes.faces.insert(changes.faces.end(), others.begin(), others.end());
+          triangles.push_back(slot);
+  faces.insert(faces.end(), others.begin(), others.end());
   selected_faces_ = std::move(selected);
 }
 
@@ -322,7 +329,7 @@ void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark)
         if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
       });
   } else if (is_shown) {
-    for (const Session::Marked& marked : marked_)
+    for (const ChangeFeed::Marked& marked : marked_)
       if (marked.mark == mark) blocks.push_back(marked.index / block_slots);
     sort_unique(blocks);
   }

@@ -48,6 +48,8 @@ class Viewport {
   void set_supersample(int samples);
   // Forgets the document, so that the next follow() rebuilds everything.
   void forget();
+  // How often the whole mesh was passed to the view.
+  std::size_t rebuilds() const { return rebuilds_; }
 
   View& view() { return *view_; }
   // That of the mesh beside it, as of the last follow(); null where there is none.
@@ -61,7 +63,9 @@ class Viewport {
   void follow_beside(Session& session);
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces that have come into the selection or left it to what has changed.
-  void follow_selected_faces(Session& session, Session::DrawnChanges& changes);
+  // Adds the faces, and the slots of their triangles, that were selected or are no longer.
+  void follow_selected_faces(Session& session, std::vector<std::uint32_t>& faces,
+                             std::vector<std::uint32_t>& triangles);
   void follow_overlays(Session& session);
   void follow_highlights(Session& session);
   void follow_mark(Session& session, const HighlightRow& row, Mark mark);
@@ -85,6 +89,7 @@ class Viewport {
   FileColours drawn_file_colours_ = FileColours::on;
   double drawn_crease_deg_ = 30;
   std::vector<std::uint8_t> face_tints_;
+  std::size_t rebuilds_ = 0;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;
   // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has changed.
@@ -95,7 +100,9 @@ class Viewport {
     double room = 0;  // of its points
   };
   std::map<std::uint32_t, DrawnMark> drawn_marks_;  // by their places in the order of drawing
-  std::vector<Session::Marked> marked_;             // to be rebuilt
+  ChangeFeed::Cursor seen_;
+  std::uint64_t seen_slots_ = 0;                    // of the picker
+  std::vector<ChangeFeed::Marked> marked_;          // to be rebuilt
   bool highlights_stale_ = true;                    // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;

@@ -44,6 +44,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   if (frontend.autosave) frontend.autosave->begin(*document);
   preparation_.reset();
   document_ = std::move(document);
+  changes_.begin(document_->serial());
   beside_.reset();
   surface_.reset();
   change_on_disk_ = FileState::Change::none;
@@ -79,7 +80,7 @@ void Session::forget_derived() {
   tool_verdicts_.reset();
   gesturing_.reset();
   release_verdict();
-  drawn_changes_ = DrawnChanges();
+  changes_.note_everything();
 }
 
 void Session::follow(const Journal& journal, std::size_t transaction, Document::Change change) {
@@ -113,15 +114,13 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
     const std::vector<std::uint32_t> slots = picker_->update(m, touched);
     if (corner_normals_ && (touched.everything || !needs_corner_normals())) {
       corner_normals_.reset();
-      drawn_changes_.everything = true;  // what was drawn with them knows nothing of this edit
+      changes_.note_everything();  // what was drawn with them knows nothing of this edit
     }
-    if (corner_normals_)
-      for (const std::uint32_t slot : corner_normals_->update(m, picker_->triangles(), touched))
-        drawn_changes_.triangles.push_back(slot);
-    drawn_changes_.everything |= touched.everything;
-    drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
-    for (Vertex v : touched.moved) drawn_changes_.vertices.push_back(v.index);
-    for (Face f : touched.faces) drawn_changes_.faces.push_back(f.index);
+    if (corner_normals_) picker_->note_changed(corner_normals_->update(m, picker_->triangles(), touched));
+    if (touched.everything) changes_.note_everything();
+    picker_->note_changed(slots);
+    for (Vertex v : touched.moved) changes_.note_vertex(v.index);
+    for (Face f : touched.faces) changes_.note_face(f.index);
   }
   if (tool_verdicts_ && touched.everything)
     tool_verdicts_.reset();
@@ -132,18 +131,17 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   } else if (map_values_) {  // a trial is no transaction of the history
     map_values_.reset();
     map_extent_.reset();
-    drawn_changes_.everything = true;
+    changes_.note_everything();
   }
   if (highlights_) {
     forget_hidden();
     highlights_->update(m, journal, transaction);
-    drawn_changes_.everything |= highlights_->changed_everything();
-    for (const Marked& marked : highlights_->changes()) note_mark(marked);
+    if (highlights_->changed_everything()) changes_.note_everything();
+    for (const ChangeFeed::Marked& marked : highlights_->changes()) changes_.note_mark(marked);
     note_marks(touched);
     // A mark at a point is hidden with all its copies, wherever they are.
-    drawn_changes_.searched |= !hidden_.empty() && m.has_copies();
+    if (!hidden_.empty() && m.has_copies()) changes_.note_search();
   }
-  if (drawn_changes_.everything) drawn_changes_ = DrawnChanges();  // the lists are not needed
   if (boundary_loops_) {
     const IndexSet& boundary = highlights_->of(ProblemKind::boundary_loop);
     Neighbourhood around(m);
@@ -208,12 +206,6 @@ std::string Session::document_name() const {
 
 void Session::frame_all() {
   view.camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, view.camera);
-}
-
-Session::DrawnChanges Session::take_drawn_changes() {
-  DrawnChanges changes = std::move(drawn_changes_);
-  drawn_changes_ = {false, {}, {}, {}, {}, false, false};
-  return changes;
 }
 
 }  // namespace ryosen

@@ -19,6 +19,7 @@
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
+#include "app/editor/session/change_feed.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/session/preparation.h"
 #include "app/editor/session/selection.h"
@@ -267,20 +268,8 @@ class Session {
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
-  // An element that entered or left a highlight set, or moved while in it.
-  using Marked = HighlightSets::Change;
-  // Changes since the last call, for mirrors of the drawn mesh. With `everything` the lists may be incomplete: rebuild
-  // all. Entries may be repeated, dead or past the end.
-  struct DrawnChanges {
-    bool everything = true;
-    std::vector<std::uint32_t> triangles;  // slots of picker().triangles(), also with other normals
-    std::vector<std::uint32_t> vertices;   // created or moved
-    std::vector<std::uint32_t> faces;      // with changed corners or changed tinting highlights
-    std::vector<Marked> marks;
-    bool searched = true;  // for a highlight: take all marks and tints anew
-    bool hiding = true;    // something was hidden or shown: it is in the lists
-  };
-  DrawnChanges take_drawn_changes();
+  // What changed in what is drawn.
+  const ChangeFeed& changes() const { return changes_; }
 
  private:
   friend class Shown;  // keeps what is found while another mesh is shown, and forgets it where memory runs out
@@ -298,7 +287,6 @@ class Session {
     return view.settings.shading == Shading::smooth || view.settings.normals == Normals::vertices;
   }
   void note_marks(const TouchedElements& touched);
-  void note_mark(Marked marked);
   void update_map_values(std::size_t transaction);
   void follow_hiding(const HiddenElements::Parts& changed);
   void forget_hidden();
@@ -369,7 +357,7 @@ class Session {
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
-  DrawnChanges drawn_changes_;
+  ChangeFeed changes_;
   std::optional<LastRepair> last_repair_;
   std::shared_ptr<const EdgeAccount> account_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for

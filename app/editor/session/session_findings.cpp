@@ -17,7 +17,7 @@ const MapValues& Session::map_values() {
   const std::shared_ptr<const OtherSurface> other = view.colouring->map->against ? other_surface() : nullptr;
   if (!map_values_ || &map_values_->map() != view.colouring->map || map_values_->other() != other.get()) {
     map_extent_.reset();
-    drawn_changes_.everything |= map_values_.has_value();
+    if (map_values_) changes_.note_everything();
     map_values_.emplace(mesh(), *view.colouring->map, 0, other);
   }
   return *map_values_;
@@ -36,12 +36,11 @@ void Session::update_map_values(std::size_t transaction) {
   if (!view.colouring) return map_values_.reset();
   const Mesh& m = mesh();
   const auto changed = map_values_->update(m, document_->journal(), transaction);
-  drawn_changes_.everything |= !changed;
+  if (!changed) changes_.note_everything();
   if (!changed || !picker_) return;
   const auto note = [&](Face f) {
     if (!f) return;
-    const std::vector<std::uint32_t> slots = picker_->triangles().slots_of(m, f);
-    drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), slots.begin(), slots.end());
+    picker_->note_changed(picker_->triangles().slots_of(m, f));
   };
   for (const std::uint32_t i : *changed) {
     if (view.colouring->map->sort() == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
@@ -54,11 +53,6 @@ void Session::update_map_values(std::size_t transaction) {
   }
 }
 
-void Session::note_mark(Marked marked) {
-  if (marked.mark.sort == Element::Kind::face) drawn_changes_.faces.push_back(marked.index);
-  drawn_changes_.marks.push_back(marked);
-}
-
 // Records members of the highlights that may have moved.
 void Session::note_marks(const TouchedElements& touched) {
   const Mesh& m = mesh();
@@ -69,7 +63,7 @@ void Session::note_marks(const TouchedElements& touched) {
       for (Edge e : edges_around(m, v)) edges.push_back(e);
   const auto note = [&](Mark mark, const auto& elements) {
     for (const auto element : elements)
-      if (highlights_->of(mark).contains(element.index)) drawn_changes_.marks.push_back({mark, element.index});
+      if (highlights_->of(mark).contains(element.index)) changes_.note_mark({mark, element.index});
   };
   for (const HighlightRow& row : highlight_table()) {
     if (!highlights_->keeps(row)) continue;
@@ -104,7 +98,7 @@ const HighlightSets& Session::highlights() {
   for (const HighlightRow& row : highlight_table()) {
     if (highlights_->keeps(row) || !view.highlights.contains(std::string(row.id))) continue;
     highlights_->keep(mesh(), row);
-    drawn_changes_.searched = true;
+    changes_.note_search();
   }
   return *highlights_;
 }
@@ -118,7 +112,7 @@ void Session::put_findings(ProblemKind kind, std::span<const std::uint32_t> foun
 void Session::forget_findings(ProblemKind kind) {
   highlights();  // are there
   highlights_->put_findings(kind, {});
-  drawn_changes_.searched = true;
+  changes_.note_search();
   searched_.reset();
 }
 
@@ -190,7 +184,7 @@ void Session::finish_preparation() {
   euler_ = std::move(found.euler);
   kind_ = std::move(found.kind);
   kind_revision_ = document_->revision();
-  drawn_changes_.searched = true;
+  changes_.note_search();
 }
 
 const RepairReport* Session::last_repair() const {

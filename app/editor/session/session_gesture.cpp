@@ -173,7 +173,7 @@ void Session::judge_as_drawn() {
     if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
     return row.face_at(mesh(), f, g.places);
   };
-  judge_faces(*highlights_, mesh(), g.touched.faces, judged, [&](Marked marked) { note_mark(marked); });
+  judge_faces(*highlights_, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { changes_.note_mark(marked); });
 }
 
 void Session::judge_as_is() {
@@ -183,21 +183,21 @@ void Session::judge_as_is() {
   judge_faces(
       *highlights_, mesh(), gesturing_->touched.faces,
       [&](const ProblemRow& row, Face f) { return row.face_at(mesh(), f, mesh().positions()); },
-      [&](Marked marked) { note_mark(marked); });
+      [&](ChangeFeed::Marked marked) { changes_.note_mark(marked); });
 }
 
 void Session::list_coincident(bool are_listed) {
   if (!gesturing_->unlisted) return;
   const ProblemRow& row = row_of(ProblemKind::coincident_points);
   for (const Vertex v : *gesturing_->unlisted)
-    if (highlights_->put_member(row, v.index, are_listed)) note_mark({mark_of(row.kind), v.index});
+    if (highlights_->put_member(row, v.index, are_listed)) changes_.note_mark({mark_of(row.kind), v.index});
 }
 
 void Session::note_gesture() {
   const Gesturing& g = *gesturing_;
   ++gesture_step_;
-  for (const Vertex v : g.touched.moved) drawn_changes_.vertices.push_back(v.index);
-  drawn_changes_.triangles.insert(drawn_changes_.triangles.end(), g.triangles.begin(), g.triangles.end());
+  for (const Vertex v : g.touched.moved) changes_.note_vertex(v.index);
+  picker().note_changed(g.triangles);
   if (highlights_) note_marks(g.touched);
 }
 

@@ -52,14 +52,14 @@ void Session::drop_hidden(Elements& elements) const {
 void Session::follow_hiding(const HiddenElements::Parts& changed) {
   if (changed.empty()) return;
   const Mesh& m = mesh();
-  drawn_changes_.hiding = true;
+  changes_.note_hiding();
   if (picker_) {
     picker_->update_hidden(m, changed);
     constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
     for (const Face f : changed.faces) {
-      drawn_changes_.faces.push_back(f.index);
+      changes_.note_face(f.index);
       if (changed.faces.size() > few) continue;
-      for (const std::uint32_t slot : picker_->triangles().slots_of(m, f)) drawn_changes_.triangles.push_back(slot);
+      picker_->note_changed(picker_->triangles().slots_of(m, f));
     }
   }
   if (highlights_) note_marks(looks_touched(m, changed));

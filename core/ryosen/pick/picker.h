@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "ryosen/base/element.h"
 #include "ryosen/base/progress.h"
+#include "ryosen/base/recent_cells.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/touched.h"
 #include "ryosen/pick/bvh.h"
@@ -77,6 +79,13 @@ class Picker {
 
   const SurfaceTriangles& triangles() const { return triangles_; }
 
+  // Slots of triangles that are to be drawn anew, also those with other normals: noted by update() and by who keeps what is
+  // drawn with them.
+  const RecentCells<std::uint32_t>& changed_slots() const { return changed_slots_; }
+  void note_changed(std::span<const std::uint32_t> slots) {
+    for (const std::uint32_t slot : slots) changed_slots_.add(slot);
+  }
+
  private:
   void build(const Mesh& mesh, Progress& progress);
   void put_triangle(const Mesh& mesh, std::uint32_t slot);
@@ -92,6 +101,7 @@ class Picker {
   std::optional<ClipPlane> clip_;
   Bvh tree_;
   bool has_tree_ = false;
+  RecentCells<std::uint32_t> changed_slots_;
 };
 
 }  // namespace ryosen

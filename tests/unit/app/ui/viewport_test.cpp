@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 #include "app/editor/session/session.h"
@@ -106,6 +107,81 @@ TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
     }
   }
   EXPECT_GT(edits, 100);
+}
+
+// A small edit, an undo, a movement by hand that ends or is given up, or something hidden.
+void change_a_little(Session& session, std::mt19937& random) {
+  const unsigned kind = random() % 10;
+  if (kind < 7) {
+    session.run(random_line(session, random));
+    return;
+  }
+  const std::uint32_t slots = session.mesh().vertex_slots();
+  session.run("select v" + std::to_string(random() % slots));
+  if (kind == 7) {
+    session.run("hide selected");
+    session.run("unhide");
+    return;
+  }
+  if (!session.run("gesture move").done()) return;
+  session.follow_gesture({100.0 + random() % 120, 80.0 + random() % 80}, {});
+  session.run(kind == 8 ? "key Enter" : "key Escape");
+}
+
+// Each follows at its own pace: one every change, one every seventh, one that comes late.
+TEST_F(ViewportTest, several_on_one_session_draw_the_same) {
+  const auto session = opened("torus.off");
+  for (const char* const line : {"show all", "shading smooth"}) ASSERT_TRUE(session->run(line).done());
+  const auto second = Viewport::make().value();
+  std::unique_ptr<Viewport> third;
+  std::mt19937 random(17);
+  std::map<const Viewport*, std::size_t> rebuilt;  // by small changes
+  const auto follow = [&](Viewport& viewport, bool is_small) {
+    const std::size_t before = viewport.rebuilds();
+    viewport.follow(*session);
+    if (is_small) rebuilt[&viewport] += viewport.rebuilds() - before;
+  };
+  follow(*viewport_, false);
+  follow(*second, false);
+  const auto all = [&] {
+    std::vector<Image> images;
+    for (Viewport* const each : {viewport_.get(), second.get(), third.get()}) {
+      if (!each) continue;
+      each->draw();
+      images.push_back(each->view().read_pixels());
+    }
+    return images;
+  };
+  for (int step = 1; step <= 1000; ++step) {
+    if (step == 500) {
+      third = Viewport::make().value();
+      follow(*third, false);
+    }
+    const bool is_trial = step % 100 == 0;
+    if (is_trial) {
+      for (const char* const line : {"levels", "levels at 40"}) session->run(line);
+    } else {
+      change_a_little(*session, random);
+    }
+    follow(*viewport_, !is_trial);
+    if (is_trial || step % 7 == 0) follow(*second, !is_trial);
+    if (third && (is_trial || step % 7 == 0)) follow(*third, !is_trial);
+    if (step % 49 == 0 || is_trial) {
+      const std::vector<Image> images = all();
+      for (std::size_t i = 1; i < images.size(); ++i) {
+        int different = 0;
+        for (std::size_t k = 0; k < images[0].pixels.size(); ++k) different += images[0].pixels[k] != images[i].pixels[k];
+        ASSERT_LE(different, 20) << "step " << step << ", reader " << i;
+      }
+    }
+    if (is_trial) {
+      session->run("levels close");
+      for (Viewport* const each : {viewport_.get(), second.get(), third.get()})
+        if (each) follow(*each, false);
+    }
+  }
+  EXPECT_EQ(rebuilt.size(), 3u);
+  for (const auto& [viewport, count] : rebuilt) EXPECT_LE(count, 10u);
 }
 
 TEST_F(ViewportTest, a_log_that_is_replayed_gives_the_same_hash_and_the_same_final_picture) {

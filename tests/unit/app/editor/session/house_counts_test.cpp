@@ -151,12 +151,5 @@ TEST(house_counts, one_file_begins_and_ends_trials) {
     }
 }
 
-TEST(house_counts, uses_of_the_list_of_drawn_changes) {
-  std::size_t uses = 0;
-  for (const char* extension : {".h", ".cpp"})
-    for (const std::string& file : files_of_app(extension)) uses += count_word(text_of(file), "take_drawn_changes");
-  EXPECT_EQ(uses, 3u);
-}
-
 }  // namespace
 }  // namespace ryosen

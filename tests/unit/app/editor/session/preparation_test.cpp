@@ -56,7 +56,7 @@ TEST(preparation, finds_in_the_background_what_would_be_found_at_once) {
   ASSERT_TRUE(session->preparing());
   EXPECT_FALSE(session->pick({640, 360}, PickMode::face));
   wait_for(*session);
-  EXPECT_TRUE(session->take_drawn_changes().searched);
+  EXPECT_TRUE(session->changes().since({}).searched);
   expect_as_if_asked_at_once(*session);
   const auto other = large_session();
   for (int x = 100; x < 1200; x += 50) {

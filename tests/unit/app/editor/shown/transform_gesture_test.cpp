@@ -112,12 +112,12 @@ TEST_F(GestureTest, lists_faces_that_it_flattens_until_it_is_given_up) {
   ASSERT_EQ(mesh.position(Vertex(1)) - mesh.position(Vertex(0)), glm::dvec3(1, 0, 0));
   ASSERT_TRUE(find_halfedge(mesh, Vertex(0), Vertex(1)));
   session_->highlights();
-  session_->take_drawn_changes();
+  const ChangeFeed::Cursor before = session_->changes().since({}).now;
   run({"key G", "key X", "key 1"});
   EXPECT_EQ(flat_faces(*session_), 2u) << "those at the edge that has no length any more";
-  const std::vector<Session::Marked> marks = session_->take_drawn_changes().marks;
+  const std::vector<ChangeFeed::Marked> marks = session_->changes().since(before).marks;
   EXPECT_GE(std::count_if(marks.begin(), marks.end(),
-                          [](const Session::Marked& m) { return m.mark.sort == Element::Kind::face; }),
+                          [](const ChangeFeed::Marked& m) { return m.mark.sort == Element::Kind::face; }),
             2);
   run({"key Escape"});
   EXPECT_EQ(flat_faces(*session_), 0u);

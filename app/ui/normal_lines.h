@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/change_feed.h"
 #include "render/view.h"
+#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
+
+class Session;
 
 // At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements, those
 // that changed alone.

@@ -127,6 +127,8 @@ void show_made(PanelContext& context, const std::string& lines) {
 
 }  // namespace
 
+Language PanelContext::language() const { return session.preferences.language; }
+
 Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
   if (lacks_file(session, line)) return open(PanelOpener::unnamed_save);
   if (!loses_edits(session, line)) return run_from(line, panel_id);

@@ -10,14 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/camera/navigation.h"
 #include "app/editor/preferences/panel_list.h"
-#include "app/editor/session/session.h"
 #include "app/editor/textbook/record_book.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
 #include "app/ui/texts.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/view/view_settings.h"
 
 namespace ryosen {
+
+class Session;
 
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
@@ -76,10 +80,10 @@ struct PanelContext {
   float scale;
   float column_scale;  // of the width of columns and panels, which grow with the letters
 
-  Language language() const { return session.preferences.language; }
-  const char* text(UiText id) const { return ryosen::text(id, session.preferences.language); }
+  Language language() const;
+  const char* text(UiText id) const { return ryosen::text(id, language()); }
   const char* text(std::string_view en, std::string_view ja) const {
-    return session.preferences.language == Language::japanese ? ja.data() : en.data();
+    return language() == Language::japanese ? ja.data() : en.data();
   }
   const char* title(const PanelRow& row) const { return text(row.title_en, row.title_ja); }
   const char* short_title(const PanelRow& row) const {

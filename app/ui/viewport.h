@@ -9,15 +9,19 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/change_feed.h"
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
 #include "app/ui/normal_lines.h"
 #include "app/ui/verdict_layer.h"
 #include "render/canvas.h"
 #include "render/view.h"
+#include "ryosen/selection/spread.h"
 
 namespace ryosen {
+
+class Session;
 
 class Viewport {
  public:

@@ -183,8 +183,9 @@ Outcome find_named(Session& session, std::string_view command, Words names, Elem
     }
     const NamedElement named = find_element(session.mesh(), name);
     if (!named.element) {
-      const Text sentence = session.document().quarantine_text({&name, 1}).value_or(named.sentence);
-      return usage_error(behind(command, sentence));
+      if (const auto aside = session.document().quarantine_text({&name, 1})) return usage_error(behind(command, *aside));
+      const std::string line = std::string(command) + " " + std::string(name);
+      return no_element(session.document(), line, named.error, named.sentence);
     }
     found.push_back(*named.element);
   }

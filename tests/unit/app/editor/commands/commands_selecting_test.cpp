@@ -171,5 +171,19 @@ TEST(select, as_another_kind_turns_the_mode_too) {
   EXPECT_EQ(session.run("select as_edges").exit_code, ExitCode::refused);
 }
 
+TEST(selecting, what_was_deleted_or_undone_is_refused_and_what_never_was_is_no_name) {
+  for (const char* const command : {"select", "select add", "hide", "isolate", "measure"}) {
+    Session session(Document::open(test::asset("cube.obj")).value());
+    const auto exit_code = [&](const std::string& name) { return session.run(command + (" " + name)).exit_code; };
+    ASSERT_TRUE(session.run("delete f0").done());
+    EXPECT_EQ(exit_code("f0"), ExitCode::refused) << command;
+    EXPECT_EQ(exit_code("f99"), ExitCode::usage) << command;
+    ASSERT_TRUE(session.run("poke f1").done());
+    ASSERT_TRUE(session.run("undo").done());
+    EXPECT_EQ(exit_code("v8"), ExitCode::refused) << command << ": redo brings it back";
+    EXPECT_EQ(exit_code("f0..f3"), ExitCode::done) << command << ": of a range those that live";
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -308,6 +308,10 @@ bool Gui::has_menu(const Session& session) const {
   return session.layout.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
+bool Gui::wants_chord(const Session& session) const {
+  return state_.asks_for_key && !session.layout.open_panel.empty();
+}
+
 bool Gui::take_chord(const Session& session, const std::string& chord) {
   if (!wants_chord(session) || chord.empty()) return false;
   state_.unsettle();

@@ -13,6 +13,7 @@
 #include "app/ui/side_columns.h"
 #include "app/ui/start_page.h"
 #include "app/ui/whole_lines.h"
+#include "ryosen/view/camera.h"
 
 struct ImGuiContext;
 struct ImDrawData;
@@ -70,7 +71,7 @@ class Gui {
   // A key was pressed that no frame has seen, or what it opened or closed is not laid out yet: who has the keyboard may change.
   bool awaits_frame(const Session& session) const;
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
-  bool wants_chord(const Session& session) const { return state_.asks_for_key && !session.layout.open_panel.empty(); }
+  bool wants_chord(const Session& session) const;
   bool take_chord(const Session& session, const std::string& chord);
   // The start page takes the arrow keys and Enter.
   bool has_start(const Session& session) const { return StartPage::is_shown(session); }

@@ -90,6 +90,8 @@ void StartPage::mark_focus(PanelContext& context) const {
   ImGui::SetScrollHereY();
 }
 
+bool StartPage::is_shown(const Session& session) { return session.is_at_start() && session.layout.open_panel.empty(); }
+
 void StartPage::look_for_recent(const std::vector<std::string>& files) {
   const bool is_known = std::equal(files.begin(), files.end(), recent_.begin(), recent_.end(),
                                    [](const std::string& file, const auto& known) { return file == known.first; });

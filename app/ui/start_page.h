@@ -16,7 +16,7 @@ namespace ryosen {
 class StartPage {
  public:
   // While the session is at its start and no panel lies over the view.
-  static bool is_shown(const Session& session) { return session.is_at_start() && session.layout.open_panel.empty(); }
+  static bool is_shown(const Session& session);
   // Whether it takes a key in place of the command that this is bound to.
   static bool takes(std::string_view chord);
 

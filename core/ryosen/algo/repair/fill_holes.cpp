@@ -7,6 +7,7 @@
 #include "ryosen/algo/repair/flat_sheets.h"
 #include "ryosen/algo/repair/insert_patch.h"
 #include "ryosen/algo/repair/new_crossings.h"
+#include "ryosen/algo/repair/part_loops.h"
 #include "ryosen/algo/repair/patch_choice.h"
 #include "ryosen/algo/repair/remove_degenerate.h"
 #include "ryosen/algo/repair/rims.h"
@@ -33,25 +34,20 @@ FillValues values_of(const ParameterValues& values) {
   return read;
 }
 
-// Gives every fan of faces a vertex of its own, as reading does: their borders are loops of their own then.
-Edit& with_fans_apart(Edit& edit) {
-  Sheets sheets(edit);
-  for (std::uint32_t i = 0; i < edit.mesh().vertex_slots(); ++i)
-    if (edit.mesh().is_alive(Vertex(i)) && count_fans(edit.mesh(), Vertex(i)) > 1) sheets.separate(Vertex(i));
-  return edit;
-}
-
 class HoleFiller {
  public:
   HoleFiller(Edit& edit, const FillValues& values, std::optional<bool> holds_floats, Progress& progress)
-      : edit_(with_fans_apart(edit)), values_(values), holds_floats_(holds_floats), progress_(progress) {}
+      : edit_(edit), values_(values), holds_floats_(holds_floats), progress_(progress) {}
 
   // Where holes are filled, further faces without area may be mended.
   void run() {
+    join_loops(edit_, {});  // as reading does
     mend();
     do {
+      const std::vector<Vertex> joined = part_loops(edit_);  // holes that touch in a point are filled one by one
       read_holes();
       fill_all();
+      join_loops(edit_, joined);
     } while (!progress_.is_cancelled() && mend() > 0);
     if (!progress_.is_cancelled()) tell_coinciding_borders(mesh(), holes_);
   }

@@ -11,7 +11,7 @@
 
 namespace ryosen::cli {
 
-// What algorithms work on and for.
+// The input of an algorithm and the outputs that it is run for.
 struct AlgorithmJob {
   Document* document;
   std::string input;                  // empty where it began with an empty mesh

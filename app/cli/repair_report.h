@@ -1,4 +1,4 @@
-// What a run of `repair` prints of it.
+// The report of a run of `repair`, as text and JSON.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a view looks at, and how: one for each view.
+// The state of a view: camera, size, settings, and what it shows of the mesh. One for each view.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -16,7 +16,7 @@
 
 namespace ryosen {
 
-// What the surface is coloured by. The range stays through edits, so that equal colours stay equal values.
+// The map that the surface is coloured by. The range stays through edits, so that equal colours stay equal values.
 struct Colouring {
   const ColourMap* map = nullptr;
   MapRange range;

@@ -1,4 +1,4 @@
-// What a person prefers: the values that the table of preferences sets (preferences.h), and the scale of the display.
+// The values that a person prefers, as the table of preferences sets them (preferences.h); and the display's scale.
 #pragma once
 
 #include <algorithm>

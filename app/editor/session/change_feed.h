@@ -1,5 +1,5 @@
-// What changed in a mesh that is shown: for any number of readers, each at its own pace. One belongs to each document; it
-// is written and read by the thread of the frames.
+// The changes of a mesh that is shown, for any number of readers, each at its own pace. Each document has one feed;
+// only the thread of the frames writes and reads it.
 #pragma once
 
 #include <cstdint>

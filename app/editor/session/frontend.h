@@ -1,4 +1,4 @@
-// What a frontend does for a session, and what it wants of one: a window, a picture without a window, a script.
+// The services of a frontend for a session, and its wishes: of a window, a picture without a window, a script.
 #pragma once
 
 #include <filesystem>

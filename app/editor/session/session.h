@@ -268,7 +268,7 @@ class Session {
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
-  // What changed in what is drawn.
+  // The changes of what is drawn.
   const ChangeFeed& changes() const { return changes_; }
 
  private:

@@ -1,4 +1,4 @@
-// What a command does, as the call says it: the same command may only tell something with some words, and edit with others.
+// The effect of a command, told by the call: with some words a command only tells something, with others it edits.
 #pragma once
 
 #include <cstddef>

@@ -62,8 +62,8 @@ class Shown {
 
   bool has_view = true;  // somebody looks at it; set by frontends
 
-  // What is played, or the levels of detail; null for none. They stay while the document's mesh is shown, and fit as long
-  // as that is at the place of its history where they were begun.
+  // The steps that are played, or the levels of detail; null for none. They stay while the document's mesh is shown,
+  // and fit as long as that is at the place of its history where they were begun.
   const std::shared_ptr<Player>& player() const { return player_; }
   const std::shared_ptr<ShownLevels>& levels() const { return levels_; }
   bool fits() const;

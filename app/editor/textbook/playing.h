@@ -1,5 +1,4 @@
-// What is played step by step (ryosen/steps), by the words that call it: "collapse 0-1", "script cube"; and how a
-// session plays it.
+// Playing something step by step (ryosen/steps) by the words that call it, as "collapse 0-1" or "script cube".
 #pragma once
 
 #include <memory>

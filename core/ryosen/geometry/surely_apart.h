@@ -27,7 +27,7 @@ class TriangleSlabs {
   std::array<Slab, 4> slabs_;
 };
 
-// Of two triangles, by the slabs of both: also of triangles in one plane.
+// Separates two triangles by the slabs of both, also triangles in one plane.
 inline bool are_surely_apart(const std::array<glm::dvec3, 3>& a, const std::array<glm::dvec3, 3>& b) {
   return TriangleSlabs(a).separate(b) || TriangleSlabs(b).separate(a);
 }

@@ -45,7 +45,7 @@ class DissolveSeries {
 
   const Mesh& mesh() const { return edit_.mesh(); }
   std::optional<Rule> broken_rule_of_edge(Halfedge h);
-  // Of an interior vertex whose faces are simple loops; unsure where anything about it is out of the ordinary.
+  // Judges an interior vertex whose faces are simple loops; unsure where anything about it is out of the ordinary.
   Union judge_star(Vertex v);
   std::vector<std::vector<Halfedge>> plain_chains(Vertex v);
   bool may_another_lie_on(std::span<const std::uint32_t> points, std::size_t corners, Vertex v);

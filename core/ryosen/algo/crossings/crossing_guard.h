@@ -13,10 +13,10 @@ namespace ryosen {
 
 class CrossingGuard {
  public:
-  // Of a mesh of triangles. O(n log n).
+  // Guards a mesh of triangles. O(n log n).
   explicit CrossingGuard(const Mesh& mesh) : CrossingGuard(mesh, nowhere()) {}
-  // Of one in which parts meet at some places, which outlive the guard: what becomes of these there is not asked. Where
-  // faces meet elsewhere, a step may make as many such pairs as it takes away.
+  // Guards one in which parts meet at some places, which outlive the guard: there they may go on meeting. Where faces
+  // meet elsewhere, a step may make as many such pairs as it takes away.
   CrossingGuard(const Mesh& mesh, const MetPlaces& met)
       : mesh_(mesh), met_(met), parts_(met.parts()), faces_(mesh) {}
 

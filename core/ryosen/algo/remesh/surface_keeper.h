@@ -13,8 +13,8 @@ namespace ryosen::remesh {
 // than a reach (covered_points.h); and in the places that are watched none may make faces meet (crossing_guard.h).
 class SurfaceKeeper {
  public:
-  // Of a mesh of triangles, with its points. Nothing is watched where `watched` is empty. At the places of `met` faces may
-  // meet, since they do.
+  // Keeps a mesh of triangles near these points of it. Nothing is watched where `watched` is empty. At the places of
+  // `met` faces may meet, since they do.
   SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched, const MetPlaces& met);
   SurfaceKeeper(const SurfaceKeeper&) = delete;
   SurfaceKeeper& operator=(const SurfaceKeeper&) = delete;

@@ -25,7 +25,7 @@ const fs::path& root() {
   return folder;
 }
 
-// Of a file by its path from the root or, as headers of the library are included, from core; empty where there is none.
+// The text of a file by its path from the root or, as headers of the library are included, from core; else empty.
 const std::string& text_of(const std::string& file) {
   static std::map<std::string, std::string> texts;
   const auto [entry, is_new] = texts.try_emplace(file);

@@ -82,9 +82,9 @@ INSTANTIATE_TEST_SUITE_P(
                     OnAll{clean_grid, 16000, "edge", "unite_loop"}, OnAll{bipyramid, 16000, "edge", "dissolve"},
                     OnAll{bipyramid, 16000, "vertex", "dissolve"}, OnAll{book_of_squares, 16000, "face", "triangulate"},
                     OnAll{bipyramid, 16000, "face", "delete", 0, "--strict"},
-                    OnAll{apex_soup, 8000, "edge", "delete", 0, "--strict"},
-                    OnAll{book, 20000, "edge", "weld", 6}, OnAll{large_face, 40000, "vertex", "weld"},
-                    OnAll{book_of_squares, 16000, "face", "weld"}),
+                    OnAll{apex_soup, 8000, "edge", "delete", 0, "--strict"}, OnAll{book, 20000, "edge", "weld", 6},
+                    OnAll{large_face, 40000, "vertex", "weld"}, OnAll{book_of_squares, 16000, "face", "weld"},
+                    OnAll{fan, 32000, "edge", "collapse"}, OnAll{bipyramid, 32000, "edge", "collapse"}),
     [](const auto& info) {
       return std::string(info.param.op) + "_every_" + info.param.mode + "_" + std::to_string(info.index);
     });

@@ -23,6 +23,8 @@ namespace ryosen {
 
 class LocalFacts;
 
+std::unique_ptr<OpSeries> collapses_in_series(Edit& edit);
+
 struct CollapseEdge {
   enum class Place { automatic, start, end, middle, point };  // automatic: at the remaining point
 
@@ -40,7 +42,12 @@ struct CollapseEdge {
                                OpTargetKind::edge,
                                OpGroup::join,
                                "",
-                               Topology::kept};
+                               Topology::kept,
+                               Subject::edge,
+                               OnSelection::each,
+                               nullptr,
+                               "",
+                               collapses_in_series};
 
   static Parsed<CollapseEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static CollapseEdge at(const Mesh& mesh, const OpTarget& target);
@@ -52,6 +59,8 @@ struct CollapseEdge {
   // Both for many questions about one mesh.
   Verdict check(const Mesh& mesh, LocalFacts& known) const;
   Verdict judge(const Mesh& mesh, LocalFacts& known) const;
+  // The rule of the first reason that check() gives.
+  std::optional<Rule> broken_rule(const Mesh& mesh, LocalFacts& known) const;
   // check(mesh).legal() for batch work; the full check runs only if the fast path is undecided.
   bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
@@ -61,6 +70,7 @@ struct CollapseEdge {
   glm::dvec3 position(const Mesh& mesh) const;
   // The halfedge from the removed vertex to the remaining one: `halfedge`, or its twin if only a has copies.
   Halfedge directed(const Mesh& mesh) const;
+  Halfedge directed(const Mesh& mesh, LocalFacts& known) const;
 };
 
 }  // namespace ryosen

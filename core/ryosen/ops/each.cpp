@@ -26,13 +26,14 @@ using Words = std::span<const std::string_view>;
 
 // A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one as
 // their own names go.
-std::string quick_name(const Mesh& mesh, Element e) {
+std::string quick_name(const Mesh& mesh, const OpSeries& series, Element e) {
   if (e.kind == Element::Kind::vertex && has_copies(mesh, e.vertex())) return name_of_copy(mesh, e.vertex());
   if (e.kind == Element::Kind::vertex) return "v" + std::to_string(e.index);
   if (e.kind == Element::Kind::face) return "f" + std::to_string(e.index);
   if (e.kind == Element::Kind::halfedge) return "h" + std::to_string(e.index);
+  const auto number = [&](Vertex v) { return series.number(point(mesh, v)); };
   Halfedge h = halfedge(e.edge(), 0);
-  if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
+  if (number(mesh.from(h)) > number(mesh.to(h))) h = twin(h);
   return "h" + std::to_string(h.index);
 }
 
@@ -207,7 +208,8 @@ class Calls {
 
  private:
   Parsed<AnyOp> read(const Element& e, const Element* with) const {
-    const std::string name = with ? name_of_one(e) : quick_name(mesh(), e), first = with ? name_of_one(*with) : "";
+    const std::string name = with ? name_of_one(e) : quick_name(mesh(), *series_, e),
+                      first = with ? name_of_one(*with) : "";
     std::vector<std::string_view> words;
     if (with) words.push_back(first);
     words.push_back(name);
@@ -228,7 +230,7 @@ class Calls {
   // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many looks as
   // there are.
   std::string name_of_one(const Element& e) const {
-    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), e);
+    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), *series_, e);
   }
   std::optional<Rule> broken_rule(const AnyOp& op) {
     const auto rule = series_->broken_rule(op);

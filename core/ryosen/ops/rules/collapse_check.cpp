@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ryosen/mesh/circulate.h"
@@ -33,6 +34,23 @@ class CollapseJudge {
     return std::move(verdict_);
   }
 
+  // The first reason's rule, found without naming all that stands in the way.
+  std::optional<Rule> first_rule() {
+    using Check = void (CollapseJudge::*)();
+    for (const Check check :
+         {&CollapseJudge::check_wire, &CollapseJudge::check_other_wires, &CollapseJudge::check_inner_edge,
+          &CollapseJudge::check_closed_cuts, &CollapseJudge::check_apexes, &CollapseJudge::check_holes}) {
+      (this->*check)();
+      if (!verdict_.legal()) return verdict_.reasons[0].rule;
+    }
+    if (place_.surely_share_a_neighbour()) return Rule::common_neighbour;
+    check_common_neighbours();
+    if (verdict_.legal() && place_.may_share_faces()) return Rule::common_face;
+    if (verdict_.legal()) check_loops();
+    if (verdict_.legal()) check_duplicates(place_, verdict_);
+    return verdict_.legal() ? std::nullopt : std::optional(verdict_.reasons[0].rule);
+  }
+
  private:
   bool has_fans_on_point(Vertex v) const {
     bool found = false;
@@ -49,6 +67,7 @@ class CollapseJudge {
 
   // Another wire between the two points would begin and end at one.
   void check_other_wires() {
+    if (!place_.has_other_wire()) return;
     for (Halfedge g : outgoing(m_, gone_))
       if (g != h_ && m_.is_wire(edge(g)) && same_point(m_, m_.to(g), kept_))
         verdict_.refuse(Rule::edge_exists, {edge(g)});
@@ -139,7 +158,12 @@ class CollapseJudge {
 }  // namespace
 
 Halfedge CollapseEdge::directed(const Mesh& mesh) const {
-  return has_several_fans(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
+  LocalFacts known;
+  return directed(mesh, known);
+}
+
+Halfedge CollapseEdge::directed(const Mesh& mesh, LocalFacts& known) const {
+  return known.has_several_fans(mesh, mesh.from(halfedge)) ? twin(halfedge) : halfedge;
 }
 
 Verdict CollapseEdge::judge(const Mesh& mesh, LocalFacts& known) const {
@@ -152,6 +176,14 @@ Verdict CollapseEdge::judge(const Mesh& mesh, LocalFacts& known) const {
     return verdict;
   }
   return CollapseJudge(mesh, goes_to_a ? twin(halfedge) : halfedge, known).judge();
+}
+
+std::optional<Rule> CollapseEdge::broken_rule(const Mesh& mesh, LocalFacts& known) const {
+  if (!is_there(mesh, halfedge)) return Rule::deleted;
+  if (quick_collapse(mesh, halfedge) == QuickAnswer::legal) return std::nullopt;
+  const Halfedge h = directed(mesh, known);
+  if (known.has_several_fans(mesh, mesh.from(h))) return Rule::copies;
+  return CollapseJudge(mesh, h, known).first_rule();
 }
 
 Verdict CollapseEdge::check(const Mesh& mesh, LocalFacts& known) const {

@@ -67,14 +67,27 @@ bool CollapsePlace::is_tip_of_three_edge_hole(Vertex v) const {
 
 bool CollapsePlace::reaches_beyond(Face f) const { return touches(mesh, f, beyond_); }
 
+CollapsePlace::Shares CollapsePlace::shares_neighbour(Halfedge k) const {
+  const Vertex v = mesh.to(k);
+  if (same_point(mesh, v, beyond_)) return Shares::no;
+  // Another copy of it may be a neighbour of the removed end.
+  const bool is_only = beyond_ == kept || !has_copies(mesh, v), is_at_side = is_apex(v) || is_tip_of_three_edge_hole(v);
+  if ((is_only && is_at_side) || !are_joined(mesh, v, beyond_)) return Shares::no;
+  return is_only ? Shares::surely : Shares::perhaps;
+}
+
 bool CollapsePlace::may_share_neighbours() const {
+  return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) { return shares_neighbour(k) != Shares::no; });
+}
+
+bool CollapsePlace::surely_share_a_neighbour() const {
+  return std::any_of(smaller_.begin(), smaller_.end(),
+                     [&](Halfedge k) { return shares_neighbour(k) == Shares::surely; });
+}
+
+bool CollapsePlace::has_other_wire() const {
   return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
-    const Vertex v = mesh.to(k);
-    if (same_point(mesh, v, beyond_)) return false;
-    // Another copy of it may be a neighbour of the removed end.
-    const bool is_only = beyond_ == kept || !has_copies(mesh, v);
-    if (is_only && (is_apex(v) || is_tip_of_three_edge_hole(v))) return false;
-    return are_joined(mesh, v, beyond_);
+    return edge(k) != edge(h) && mesh.is_wire(edge(k)) && same_point(mesh, mesh.to(k), beyond_);
   });
 }
 

@@ -25,13 +25,17 @@ struct CollapsePlace {
   bool is_dropped(Halfedge corner) const { return is_at_edge(mesh.face(corner)) && is_plain_triangle(corner); }
   bool is_tip_of_three_edge_hole(Vertex v) const;
 
-  // Whether the ends have a neighbour in common that may be in the way: no if not, else perhaps. In the same way:
+  // Whether the ends have a neighbour in common that may be in the way: no if not, else perhaps, or surely. In that way:
   // whether there is a common face beside those at the edge, whether loops of a face may break, and whether two faces
   // may get the same points, where the ends share nothing but the apexes.
   bool may_share_neighbours() const;
+  bool surely_share_a_neighbour() const;
   bool may_share_faces() const;
   bool may_break_loops(LocalFacts& known) const;
   bool may_make_duplicates() const;
+
+  // Whether a wire beside the edge joins the ends.
+  bool has_other_wire() const;
 
   const Mesh& mesh;
   Halfedge h;
@@ -40,6 +44,8 @@ struct CollapsePlace {
   std::size_t apex_count = 0;
 
  private:
+  enum class Shares { no, perhaps, surely };
+  Shares shares_neighbour(Halfedge k) const;
   void find_smaller_star();
   // Whether the other end is a corner of the face.
   bool reaches_beyond(Face f) const;

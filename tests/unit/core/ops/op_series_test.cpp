@@ -12,28 +12,34 @@
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"
+#include "tests/support/core/valued_sheet.h"
 
 namespace ryosen {
 namespace {
 
 using namespace test;
 
-EachResult call_each(Edit& edit, const OpInfo& op, const std::vector<Element>& elements, bool is_strict) {
+using Words = std::vector<std::string_view>;
+
+EachResult call_each(Edit& edit, const OpInfo& op, const std::vector<Element>& elements, const Words& words,
+                     bool is_strict) {
   Progress unheard;
-  EachResult result = apply_to_each(edit, op, elements, {}, is_strict, unheard);
+  EachResult result = apply_to_each(edit, op, elements, words, is_strict, unheard);
   edit.commit();
   return result;
 }
 
-void expect_same(const Mesh& start, const OpInfo& op, const std::vector<Element>& elements, bool is_strict) {
-  SCOPED_TRACE(std::string(op.id) + (is_strict ? ", strict" : ""));
+void expect_same(const Mesh& start, const OpInfo& op, const std::vector<Element>& elements, const Words& words,
+                 bool is_strict) {
+  SCOPED_TRACE(std::string(op.id) + (words.empty() ? "" : " ") + std::string(words.empty() ? "" : words[0]) +
+               (is_strict ? ", strict" : ""));
   OpInfo each_by_itself = op;
   each_by_itself.in_series = nullptr;
   Mesh single = start, many = start;
   Journal journal;
   Edit once(single, nullptr), edit(many, &journal);
-  const EachResult expected = call_each(once, each_by_itself, elements, is_strict);
-  const EachResult result = call_each(edit, op, elements, is_strict);
+  const EachResult expected = call_each(once, each_by_itself, elements, words, is_strict);
+  const EachResult result = call_each(edit, op, elements, words, is_strict);
   EXPECT_EQ(expected.error, NameError::none) << expected.sentence.en;
   EXPECT_EQ(result.error, NameError::none) << result.sentence.en;
   EXPECT_EQ(result.done, expected.done);
@@ -71,6 +77,13 @@ std::vector<Element> some_of(const Mesh& m, Element::Kind kind, Dice& dice) {
   return some;
 }
 
+// What may stand behind the elements of a collapse; nothing behind those of the others.
+Words some_words(const OpInfo& op, Dice& dice) {
+  static constexpr std::string_view places[] = {"", "", "mid", "start", "end", "1,2,3"};
+  const std::string_view place = op.id == "collapse" ? places[dice.below(6)] : "";
+  return place.empty() ? Words() : Words{place};
+}
+
 // Of every operator with a series, on a part of the vertices, edges and faces that it takes.
 void expect_same_of_all(const Mesh& start, Dice& dice) {
   for (const OpInfo& op : all_ops()) {
@@ -78,7 +91,7 @@ void expect_same_of_all(const Mesh& start, Dice& dice) {
     for (const auto kind : {Element::Kind::vertex, Element::Kind::edge, Element::Kind::face}) {
       const std::vector<Element> elements = some_of(start, kind, dice);
       const CalledWith with = called_with(start, op, elements, {});
-      if (with.taken.size() >= least_taken(op)) expect_same(start, op, elements, dice.one_in(3));
+      if (with.taken.size() >= least_taken(op)) expect_same(start, op, elements, some_words(op, dice), dice.one_in(3));
     }
   }
 }
@@ -113,6 +126,16 @@ TEST(op_series, on_points_with_many_copies) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     expect_same_of_all(heap(10 + dice.below(70), 4 + dice.below(6), dice), dice);
+    if (HasFailure()) return;
+  }
+}
+
+TEST(op_series, on_sheets_with_values_and_a_seam) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    expect_same_of_all(valued_sheet(2 + static_cast<std::uint32_t>(dice.below(5)), seed % 2 == 0 ? 0.4 : no_seam),
+                       dice);
     if (HasFailure()) return;
   }
 }

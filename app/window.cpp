@@ -49,7 +49,7 @@ class Editor {
       draw_whole();
       return write_png(canvas_->read_pixels(), path);
     };
-    session_.trials().in_background = true;
+    session_.trials.in_background = true;
     session_.frontend.asks_in_slices = true;
     session_.frontend.read_document = [this](const std::filesystem::path& file) {
       return is_long_to_read(file) && !gui_.is_laying_out() ? read_beside(file) : Document::open(file);
@@ -85,7 +85,7 @@ class Editor {
       for (int i = 0; !next && (i < settling_frames || (i < most_frames && gui_.wants_frames())); ++i) {
         show();
         next = viewport_->time_to_next_frame(Clock::now());
-        if (!next && (session_.preparing() || session_.trials().share() || gui_.waits_for_work()))
+        if (!next && (session_.findings().preparing() || session_.trials.share() || gui_.waits_for_work()))
           next = std::chrono::milliseconds(100);
       }
       if (!next)

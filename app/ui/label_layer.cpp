@@ -32,7 +32,7 @@ void LabelLayer::load(View& view) {
 void LabelLayer::follow(Session& session, View& view) {
   const std::span<const LabelSource> sources = label_sources();
   const bool is_on =
-      !session.preparing() &&
+      !session.findings().preparing() &&
       std::any_of(sources.begin(), sources.end(), [&](const LabelSource& source) { return source.is_on(session); });
   if (!is_on && is_empty_) return;
   std::vector<PlacedLabel> placed;

@@ -106,7 +106,7 @@ void draw_edit_menu(PanelContext& context) {
 // All elements that have a problem of a kind.
 void draw_select_problems(PanelContext& context) {
   if (!begin_submenu(context.text("What is broken", "問題のある要素"))) return;
-  const HighlightSets& sets = context.session.highlights();
+  const HighlightSets& sets = context.session.findings().highlights();
   for (const ProblemRow& row : problem_table())
     if (row.is_local() || row.is_on_request())
       item(context, context.text(row.name_en, row.name_ja), select_line(row), sets.count(row.kind) > 0);
@@ -152,7 +152,7 @@ void draw_select_menu(PanelContext& context) {
   ImGui::Separator();
   item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
   item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
-  item(context, UiText::unhide, "unhide", !context.session.hidden().empty());
+  item(context, UiText::unhide, "unhide", !context.session.findings().hidden().empty());
   ImGui::Separator();
   if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
     context.begin_command("keep ");

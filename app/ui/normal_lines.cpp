@@ -24,11 +24,11 @@ std::uint32_t slots_of(const Mesh& mesh, Normals which) {
 // What smooth shading has at the vertex, each once.
 std::vector<std::uint32_t> normals_at(Session& session, Vertex v) {
   const Mesh& mesh = session.mesh();
-  const CornerNormals& normals = session.corner_normals();
-  const SurfaceTriangles& triangles = session.picker().triangles();
+  const CornerNormals& normals = session.findings().corner_normals();
+  const SurfaceTriangles& triangles = session.findings().picker().triangles();
   std::vector<std::uint32_t> packed;
   for (const Face f : faces_around(mesh, v)) {
-    if (f.is_none() || session.hidden().hides(mesh, f)) continue;
+    if (f.is_none() || session.findings().hidden().hides(mesh, f)) continue;
     for (const std::uint32_t slot : triangles.slots_of(mesh, f)) {
       const SurfaceTriangle triangle = triangles.at(mesh, slot);
       for (std::size_t k = 0; k < 3; ++k)
@@ -50,7 +50,7 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
     for (const std::uint32_t f : changes.faces) add(f);
   else
     for (const std::uint32_t v : changes.vertices) add(v);
-  const SurfaceTriangles& triangles = session.picker().triangles();
+  const SurfaceTriangles& triangles = session.findings().picker().triangles();
   for (const std::uint32_t slot : slots) {
     if (slot >= triangles.slots()) continue;
     const SurfaceTriangle triangle = triangles.at(session.mesh(), slot);
@@ -76,11 +76,11 @@ Overlay NormalLines::block(Session& session, std::uint32_t number) const {
   for (std::uint32_t i = number * block_slots; i < end; ++i) {
     if (drawn_ == Normals::vertices) {
       const Vertex v(i);
-      if (!mesh.is_alive(v) || session.hidden().hides(mesh, v)) continue;
+      if (!mesh.is_alive(v) || session.findings().hidden().hides(mesh, v)) continue;
       for (const std::uint32_t packed : normals_at(session, v)) draw(places[i], unpacked_normal(packed));
     } else {
       const Face f(i);
-      if (!mesh.is_alive(f) || session.hidden().hides(mesh, f)) continue;
+      if (!mesh.is_alive(f) || session.findings().hidden().hides(mesh, f)) continue;
       glm::dvec3 sum(0);
       double corners = 0;
       for (const Vertex v : vertices_around(mesh, f)) sum += places[v.index], ++corners;

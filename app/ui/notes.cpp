@@ -27,9 +27,9 @@ void draw_note(PanelContext& context, const char* id, ImVec2 at, ImVec2 pivot, C
 
 void draw_hidden(PanelContext& context, ImVec2 bottom) {
   const Session& session = context.session;
-  if (session.hidden().empty()) return;
+  if (session.findings().hidden().empty()) return;
   draw_note(context, "##hidden", bottom, {0.5f, 1}, [&] {
-    ImGui::TextUnformatted(hidden_text(session.hidden()).in(context.language()).c_str());
+    ImGui::TextUnformatted(hidden_text(session.findings().hidden()).in(context.language()).c_str());
     ImGui::SameLine();
     if (ImGui::Button(context.text(UiText::unhide))) context.run("unhide");
     tip(context.text("Shows again what is hidden.", "非表示にした要素をすべて表示します。") + std::string(" ") +

@@ -17,11 +17,11 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
   Overlay overlay;
   Painter painter(session, overlay, style(row.looks, settings.theme), faintly, room);
   EndDots dots(session);
-  session.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
+  session.findings().highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     Element e;
     e.kind = mark.sort;
     e.index = i;
-    if (session.hidden().hides(session.mesh(), e)) return;
+    if (session.findings().hidden().hides(session.mesh(), e)) return;
     if (mark.sort == Element::Kind::face)
       painter.draw(Face(i));
     else
@@ -38,7 +38,7 @@ static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
   if (session.selection.size() < 2 || session.selection.size() > most_ringed) return;
   const Mesh& mesh = session.mesh();
   const Element& last = session.selection.back();
-  if (session.hidden().hides(mesh, last)) return;
+  if (session.findings().hidden().hides(mesh, last)) return;
   glm::dvec3 sum(0);
   double n = 0;
   const auto add = [&](Vertex v) {
@@ -69,7 +69,7 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&
            !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selection.back()) &&
-           !session.hidden().hides(session.mesh(), e);
+           !session.findings().hidden().hides(session.mesh(), e);
   };
   for (const Element& e : session.selection)
     if (is_drawn(e)) painter.draw(e);
@@ -85,7 +85,7 @@ Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, E
   looks.width_px = 2;
   Painter painter(session, overlay, looks, 0, room, verdicts.all().size() > many);
   const auto draw = [&](const auto element) {
-    if (!session.hidden().hides(session.mesh(), element)) painter.draw_mark(element);
+    if (!session.findings().hidden().hides(session.mesh(), element)) painter.draw_mark(element);
   };
   for (std::uint32_t i = first; i < end; ++i) {
     if (verdicts.all()[i] != which) continue;
@@ -142,12 +142,12 @@ std::uint32_t colour_of(EdgeRule rule, Theme theme) {
 
 Overlay account_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  const EdgeAccount* const account = session.account();
+  const EdgeAccount* const account = session.findings().account();
   if (!account || !session.layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
   for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
     const Edge e(i);
     if (account->rules[i] == no_rule || rule_looks[account->rules[i]].width_px == 0) continue;
-    if (session.hidden().hides(session.mesh(), Element(e))) continue;
+    if (session.findings().hidden().hides(session.mesh(), Element(e))) continue;
     const auto rule = static_cast<EdgeRule>(account->rules[i]);
     const RuleLooks& looks = rule_looks[account->rules[i]];
     const auto [a, b] = ends(session.mesh(), e);

@@ -62,7 +62,7 @@ bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header)
 void draw_body(PanelContext& context, OwnPanel& own) {
   const float lines = own.panel->lines();
   if (lines > 0) begin_rows("fixed", lines);
-  const auto share = context.session.preparing();
+  const auto share = context.session.findings().preparing();
   if (share && own.row.reads == PanelReads::findings)
     draw_preparing(context, *share);
   else

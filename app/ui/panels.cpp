@@ -61,7 +61,7 @@ Text without_line(const Outcome& outcome, const Mesh& mesh) {
 
 // In fewer and fewer words what the last repair changed and left, if that is what was said.
 void add_shorter_report(std::vector<Text>& shorter, const Session& session, const Text& name, const Text& said) {
-  const RepairReport* const report = session.last_repair();
+  const RepairReport* const report = session.findings().last_repair();
   if (!report || (said.en != report->text.en && said.en != told(*report, session.mesh()).en)) return;
   shorter.push_back(name + in_short(*report));
   shorter.push_back(name + in_numbers(*report));

@@ -23,7 +23,7 @@ const RecordBook* records_of_mesh(PanelContext& context) {
   }
   book.ask(session.document());
   // A picture is not drawn again when they are there.
-  if (!context.session.trials().in_background || faces <= most_at_once) book.wait_for(session.document());
+  if (!context.session.trials.in_background || faces <= most_at_once) book.wait_for(session.document());
   if (book.is_ready()) return &book;
   context.state.waits_for_work = true;
   dim_text(context, context.text("Building the forms...", "形状表現を構築中..."));

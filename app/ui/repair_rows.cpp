@@ -78,13 +78,13 @@ void RepairRows::draw_report(PanelContext& context, const std::string& line, con
   const ImVec2 end{begin.x + width, ImGui::GetCursorScreenPos().y + row_lines * pitch};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
   const RepairReport* report = nullptr;
-  const bool is_asked = why_off.en.empty() && (is_pointed || !context.session.is_dear_to_try());
+  const bool is_asked = why_off.en.empty() && (is_pointed || !is_dear_to_try(context.session.mesh()));
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
   if (!why_off.en.empty()) said = why_off;
   if (is_asked) {
     wants_trial_ = true;
     report = tried(context.session, line);
-    const int percent = static_cast<int>(std::lround(100 * context.session.trials().share().value_or(0)));
+    const int percent = static_cast<int>(std::lround(100 * context.session.trials.share().value_or(0)));
     const std::string n = std::to_string(percent);
     said = {"Trying it on a copy: " + n + " %", "写しで試しています：" + n + " %"};
   }
@@ -207,7 +207,7 @@ bool RepairRows::draw_beyond_all(PanelContext& context, ProblemKind kind, bool i
 }
 
 void RepairRows::end_frame(PanelContext& context) {
-  if (!std::exchange(wants_trial_, false)) context.session.trials().cancel();
+  if (!std::exchange(wants_trial_, false)) context.session.trials.cancel();
 }
 
 }  // namespace ryosen

@@ -16,7 +16,7 @@ namespace {
 
 // The colours of the values that the surface is coloured by.
 void paint_values(Session& session, TriangleSource& source) {
-  const MapValues& values = session.map_values();
+  const MapValues& values = session.findings().map_values();
   const Mesh& mesh = session.mesh();
   const Colouring& colouring = *session.view.colouring;
   constexpr std::size_t steps = 1024;

@@ -25,13 +25,13 @@ namespace ryosen {
 namespace {
 
 TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
-  const SurfaceTriangles& triangles = session.picker().triangles();
+  const SurfaceTriangles& triangles = session.findings().picker().triangles();
   const Mesh& mesh = session.mesh();
   TriangleSource source{
       session.drawn_positions(), triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
-  if (session.view.settings.shading == Shading::smooth) source.corner_normals = session.corner_normals().packed();
+  if (session.view.settings.shading == Shading::smooth) source.corner_normals = session.findings().corner_normals().packed();
   paint_surface(session, source);
   return source;
 }
@@ -58,10 +58,10 @@ class FaceTints {
   FaceTints(Session& session, const IndexSet& selected) {
     const auto tinted =
         std::count_if(highlight_table().begin(), highlight_table().end(), [](const auto& row) { return row.tint; });
-    shown_.push_back({&session.hidden().faces(), hidden_face});
+    shown_.push_back({&session.findings().hidden().faces(), hidden_face});
     shown_.push_back({&selected, static_cast<std::uint8_t>(tinted + 1)});
-    if (session.preparing()) return;
-    const HighlightSets& sets = session.highlights();
+    if (session.findings().preparing()) return;
+    const HighlightSets& sets = session.findings().highlights();
     std::uint8_t number = 0;
     for (const HighlightRow& row : highlight_table()) {
       if (!row.tint) continue;
@@ -102,7 +102,7 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
 // Of points at the members of a mark; none for other members. Linear.
 double room_of(Session& session, Mark mark) {
   if (mark.sort != Element::Kind::vertex) return 0;
-  const IndexSet& members = session.highlights().of(mark);
+  const IndexSet& members = session.findings().highlights().of(mark);
   Box bounds;
   members.for_each([&](std::uint32_t i) {
     if (is_finite(session.drawn_positions()[i])) bounds.add(session.drawn_positions()[i]);
@@ -230,8 +230,8 @@ void Viewport::hurry() {
 
 void Viewport::follow_mesh(Session& session) {
   const Mesh& mesh = session.mesh();
-  const RecentCells<std::uint32_t>& slots = session.picker().changed_slots();
-  ChangeFeed::Changes changes = session.changes().since(seen_);
+  const RecentCells<std::uint32_t>& slots = session.findings().picker().changed_slots();
+  ChangeFeed::Changes changes = session.findings().changes().since(seen_);
   seen_ = changes.now;
   changes.everything |= !slots.has_all_since(seen_slots_);
   std::vector<std::uint32_t> triangles;
@@ -294,7 +294,7 @@ void Viewport::follow_selected_faces(Session& session, std::vector<std::uint32_t
   if (others.size() <= few)
     for (const std::uint32_t f : others)
       if (is_alive(session.mesh(), Face(f)))
-        for (const std::uint32_t slot : session.picker().triangles().slots_of(session.mesh(), Face(f)))
+        for (const std::uint32_t slot : session.findings().picker().triangles().slots_of(session.mesh(), Face(f)))
           triangles.push_back(slot);
   faces.insert(faces.end(), others.begin(), others.end());
   selected_faces_ = std::move(selected);
@@ -325,7 +325,7 @@ void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark)
   if (is_shown != drawn.is_shown || room != drawn.room) {
     blocks = drawn.blocks.to_vector();
     if (is_shown)
-      session.highlights().of(mark).for_each([&](std::uint32_t i) {
+      session.findings().highlights().of(mark).for_each([&](std::uint32_t i) {
         if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
       });
   } else if (is_shown) {
@@ -354,7 +354,7 @@ void Viewport::follow_overlays(Session& session) {
       highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.view.links.is_on(session);
   draws_links_ = session.view.links.is_on(session);
   verdict_layer_.follow(session, *view_);
-  if (!session.preparing()) follow_highlights(session);
+  if (!session.findings().preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
   if (selection_stale_ || measures_ != session.measures)
@@ -369,7 +369,7 @@ void Viewport::follow_overlays(Session& session) {
     view_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
   asked_ = asked;
   const EdgeAccount* const account =
-      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.account() : nullptr;
+      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().account() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
   if (selection_stale_ || account_ != drawn)
     view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));

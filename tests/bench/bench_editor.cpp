@@ -33,8 +33,8 @@ std::unique_ptr<Session> open_session(Source source) {
   file.mesh = source();
   auto session = std::make_unique<Session>(std::make_unique<Document>(std::move(file)));
   session->tool = "collapse";
-  session->picker();
-  session->highlights();
+  session->findings().picker();
+  session->findings().highlights();
   return session;
 }
 
@@ -107,7 +107,7 @@ enum class Part { collapse, undo, panels, view };
 void edit_by_name(benchmark::State& state, Source source, Part part) {
   if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
   const auto session = open_session(source);
-  session->euler_terms();
+  session->findings().euler_terms();
   const std::vector<std::string> lines = legal_collapses(*session, 500);
   constexpr Size window{1280, 720};
   Gui gui(1);

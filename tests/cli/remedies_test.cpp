@@ -1,4 +1,5 @@
-// Remedies: `why` and `edit` name the same ones, and after them the command as it was written can be done.
+// Remedies: `why` and `edit` name the same ones, and after them the command as it was written can be done. Many runs
+// take place within this process, which is faster.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ std::vector<std::string> small_meshes() {
 // What `why` refuses of an operator on edges, spread over the edges. Nothing of a file that cannot be read.
 void add_refused_edges(const std::string& file, const std::string& op, std::vector<Refusal>& refusals) {
   std::vector<Refusal> all;
-  const ProgramRun run = run_program({"why", file, "--op", op, "--all", "--json"});
+  const ProgramRun run = run_here({"why", file, "--op", op, "--all", "--json"});
   if (run.exit_code != 0) return;
   for (const Json& line : run.lines())
     if (line["legal"] == false) all.push_back({op + " " + std::string(line["edge"]), joined(line["remedy"])});
@@ -53,7 +54,7 @@ void add_refused_edges(const std::string& file, const std::string& op, std::vect
 
 // What `why` refuses of a line; one that means nothing on the mesh is no refusal.
 void add_refused_line(const std::string& file, const std::string& line, std::vector<Refusal>& refusals) {
-  const ProgramRun run = run_program({"why", file, "--do", line, "--json"});
+  const ProgramRun run = run_here({"why", file, "--do", line, "--json"});
   if (run.exit_code != 0 || run.line()["legal"] == true) return;
   refusals.push_back({line, joined(run.line()["remedy"])});
 }
@@ -69,7 +70,7 @@ std::string remedy_in_message(const Json& step) {
 void expect_edit_names_the_same(const std::string& file, const std::vector<Refusal>& refusals) {
   std::vector<std::string> arguments{"edit", file, "--on-refuse", "skip", "--json"};
   for (const Refusal& refusal : refusals) arguments.insert(arguments.end(), {"--do", refusal.line});
-  const std::vector<Json> steps = run_program(arguments).lines();
+  const std::vector<Json> steps = run_here(arguments).lines();
   ASSERT_EQ(steps.size(), refusals.size() + 1) << file;
   for (std::size_t i = 0; i < refusals.size(); ++i) {
     EXPECT_EQ(steps[i]["result"], "refused") << file << ": " << refusals[i].line;
@@ -89,7 +90,7 @@ std::size_t expect_remedies_work(const std::string& file, const std::vector<Refu
     ++count;
   }
   if (count == 0) return 0;
-  const ProgramRun run = run_program(arguments);
+  const ProgramRun run = run_here(arguments);
   EXPECT_EQ(run.exit_code, 0) << file << "\n" << run.out;
   return count;
 }

@@ -405,7 +405,7 @@ TEST(repair, a_pair_back_to_back_stays_and_is_said_to_be_deleted) {
       << run.out;
   Session session(Document::open(asset("hanging_pair.obj")).value());
   ASSERT_TRUE(session.run("repair default").done());
-  const std::string told = ryosen::told(*session.last_repair(), session.mesh()).en;
+  const std::string told = ryosen::told(*session.findings().last_repair(), session.mesh()).en;
   EXPECT_NE(told.find("Hanging pair: no repair takes it away, \"delete\" does"), std::string::npos) << told;
   const auto hanging = [](const std::string& path) {
     return run_program({"check", path, "--json"}).line()["hanging_pairs"].get<int>();

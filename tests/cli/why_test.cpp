@@ -133,9 +133,9 @@ TEST(why, answers_about_all_edges_as_about_one) {
     for (const OpInfo& op : all_ops()) {
       if (op.target != OpTargetKind::edge) continue;
       const std::string id(op.id);
-      for (const Json& line : run_program({"why", file, "--op", id, "--all", "--geometry", "--json"}).lines()) {
+      for (const Json& line : run_here({"why", file, "--op", id, "--all", "--geometry", "--json"}).lines()) {
         const std::string edge = line["edge"];
-        EXPECT_EQ(line, run_program({"why", file, "--op", id, "--edge", edge, "--json"}).line()) << id << " " << edge;
+        EXPECT_EQ(line, run_here({"why", file, "--op", id, "--edge", edge, "--json"}).line()) << id << " " << edge;
         ++asked;
       }
     }

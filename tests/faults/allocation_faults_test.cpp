@@ -196,18 +196,18 @@ TEST(allocation_faults, of_commands) {
 
 // What a session shows besides the mesh, so that edits keep it up.
 void look_at_all(Session& session) {
-  session.picker();
-  session.corner_normals();
-  session.boundary_loops();
-  session.euler_terms();
-  session.kind();
+  session.findings().picker();
+  session.findings().corner_normals();
+  session.findings().boundary_loops();
+  session.findings().euler_terms();
+  session.findings().kind();
 }
 
 void expect_as_new(Session& session) {
   const HighlightSets fresh(session.mesh(), 0, {});
   for (const ProblemRow& row : problem_table()) {
     if (row.kind == ProblemKind::self_intersection) continue;
-    EXPECT_EQ(session.highlights().of(row.kind).size(), fresh.of(row.kind).size()) << row.id;
+    EXPECT_EQ(session.findings().highlights().of(row.kind).size(), fresh.of(row.kind).size()) << row.id;
   }
 }
 

@@ -23,7 +23,7 @@ class GrowthPanelTest : public testing::Test, protected test::Laid {
     for (const PanelRow& row : panel_list())
       if (row.place == PanelPlace::right) session.run("panel " + std::string(row.id) + " off");
     session.run("panel growth");
-    session.trials().in_background = true;  // as in a window
+    session.trials.in_background = true;  // as in a window
     frames(3);
   }
   bool has(std::string_view text) const { return test::DrawnText(gui).count(text) > 0; }

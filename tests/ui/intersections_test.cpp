@@ -21,12 +21,12 @@ std::unique_ptr<Document> crossing() {
   return std::make_unique<Document>(std::move(file));
 }
 
-std::uint32_t found(Session& session) { return session.highlights().count(ProblemKind::self_intersection); }
+std::uint32_t found(Session& session) { return session.findings().highlights().count(ProblemKind::self_intersection); }
 
 TEST(intersections, are_searched_for_on_request_and_selected_as_all_problems_are) {
   Session session(crossing());
   EXPECT_EQ(found(session), 0u);
-  EXPECT_FALSE(session.has_searched(ProblemKind::self_intersection));
+  EXPECT_FALSE(session.findings().has_searched(ProblemKind::self_intersection));
   const Outcome outcome = session.run("self_intersections");
   EXPECT_EQ(outcome.sentence.en.substr(0, 20), "2 faces meet others ");
   EXPECT_NE(outcome.sentence.en.find("one pair"), std::string::npos) << outcome.sentence.en;
@@ -49,7 +49,7 @@ TEST(intersections, are_forgotten_by_the_next_edit_and_by_undo) {
     EXPECT_EQ(found(session), 2u);
     ASSERT_TRUE(session.run(edit).done());
     EXPECT_EQ(found(session), 0u) << edit;
-    EXPECT_FALSE(session.has_searched(ProblemKind::self_intersection));
+    EXPECT_FALSE(session.findings().has_searched(ProblemKind::self_intersection));
   }
 }
 
@@ -57,7 +57,7 @@ TEST(intersections, can_be_cancelled_and_then_say_nothing) {
   Session session(crossing());
   session.frontend.on_progress = [](double) { return false; };
   EXPECT_EQ(session.run("self_intersections").exit_code, ExitCode::cancelled);
-  EXPECT_FALSE(session.has_searched(ProblemKind::self_intersection));
+  EXPECT_FALSE(session.findings().has_searched(ProblemKind::self_intersection));
 }
 
 TEST(intersections, are_drawn_as_in_a_picture_made_anew) {

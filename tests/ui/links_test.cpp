@@ -109,7 +109,7 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
     const glm::dvec3 middle = 0.5 * (arrow.from + arrow.to);
     const ScreenPoint at = *project(session_.view.camera, session_.view.size, middle);
     const bool is_seen =
-        session_.picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size, at, middle, arrow.on);
+        session_.findings().picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size, at, middle, arrow.on);
     session_.selection.clear();
     session_.click(pixel_of(arrow), "");
     EXPECT_EQ(session_.selection == std::vector<Element>{arrow.halfedge}, is_seen) << "h" << arrow.halfedge.index;

@@ -198,7 +198,7 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   ASSERT_EQ(session.document().history().size(), 1u);
   EXPECT_EQ(session.document().history()[0].command, "repair default");
   ASSERT_TRUE(is_drawn("Notmended"));
-  const RepairReport& report = *session.last_repair();
+  const RepairReport& report = *session.findings().last_repair();
   ASSERT_FALSE(report.left.empty());
   session.run("select");
   const glm::dvec3 eye = session.view.camera.eye;
@@ -281,18 +281,18 @@ TEST_F(ProblemsPanel, a_repair_tells_about_eight_lines_of_a_long_report_and_coun
 
 TEST_F(ProblemsPanel, on_a_large_mesh_only_what_is_pointed_at_is_tried_and_in_the_background) {
   open("stanford_bunny.obj");
-  ASSERT_TRUE(session.is_dear_to_try());
-  session.trials().in_background = true;
+  ASSERT_TRUE(is_dear_to_try(session.mesh()));
+  session.trials.in_background = true;
   unfold("5boundaryloops");
   gui.pointer({500, 400});
   frames(3);
-  EXPECT_FALSE(session.trials().share()) << "nobody points at one";
+  EXPECT_FALSE(session.trials.share()) << "nobody points at one";
   gui.pointer(place("Fillholes"));
   frames(3);
-  EXPECT_TRUE(session.trials().share());
+  EXPECT_TRUE(session.trials.share());
   gui.pointer({500, 400});
   frames(3);
-  EXPECT_FALSE(session.trials().share()) << "cancelled when the pointer goes";
+  EXPECT_FALSE(session.trials.share()) << "cancelled when the pointer goes";
 }
 
 TEST(problems_panel, is_legible_in_both_languages_and_sizes_with_its_repairs_unfolded) {

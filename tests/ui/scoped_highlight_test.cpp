@@ -51,11 +51,11 @@ std::unique_ptr<Session> open_session(const std::string& name) {
 TEST_F(ScopedHighlightTest, is_found_and_counted_when_it_is_shown) {
   const auto session = open_session("cube.obj");
   EXPECT_FALSE(session->view.highlights.contains("first"));
-  EXPECT_FALSE(session->highlights().keeps(row_));
+  EXPECT_FALSE(session->findings().highlights().keeps(row_));
   ASSERT_TRUE(session->run("show first").done());
-  EXPECT_EQ(session->highlights().count(row_), 4u) << "three edges and a face";
+  EXPECT_EQ(session->findings().highlights().count(row_), 4u) << "three edges and a face";
   ASSERT_TRUE(session->run("poke f0").done());
-  EXPECT_EQ(session->highlights().count(row_), 5u) << "one edge more";
+  EXPECT_EQ(session->findings().highlights().count(row_), 5u) << "one edge more";
   ASSERT_TRUE(session->run("show first off").done());
   EXPECT_NE(session->run("show frist").sentence.en.find("did you mean first"), std::string::npos);
   ASSERT_TRUE(session->run("show all").done());
@@ -117,7 +117,7 @@ TEST_F(ScopedHighlightTest, may_mark_a_kind_of_problem_that_another_marks_too) {
   EXPECT_TRUE(seen("show rim", rim_looks)) << "and the wider one beneath is seen beside it";
   EXPECT_FALSE(seen("show boundary off", boundary));
   EXPECT_TRUE(seen("show rim", rim_looks));
-  EXPECT_EQ(session->highlights().count(*find_highlight("rim")), 6u);
+  EXPECT_EQ(session->findings().highlights().count(*find_highlight("rim")), 6u);
 }
 
 TEST_F(ScopedHighlightTest, has_a_row_in_the_panel_that_switches_it) {

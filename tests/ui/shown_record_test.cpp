@@ -186,7 +186,7 @@ class Stage {
     text += " | " + std::to_string(d.position()) + "/" + std::to_string(d.history().size());
     if (!d.history().empty()) text += " " + d.history().back().command;
     text += std::string(" ") + (d.is_modified() ? "*" : "") + d.path().filename().string();
-    text += " | " + std::to_string(s.selection.size()) + " selected, " + std::to_string(s.hidden().elements().size()) + " hidden, " +
+    text += " | " + std::to_string(s.selection.size()) + " selected, " + std::to_string(s.findings().hidden().elements().size()) + " hidden, " +
             std::to_string(s.measures.size()) + " measured";
     if (!s.layout.open_panel.empty()) text += ", panel " + s.layout.open_panel;
     if (!s.tool.empty()) text += ", tool " + s.tool;

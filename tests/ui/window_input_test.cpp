@@ -298,9 +298,9 @@ TEST_F(WindowInputTest, the_blender_preset_has_the_keys_of_selecting_and_hiding)
   EXPECT_EQ(press_key("Ctrl+-"), 1u);
   EXPECT_EQ(press_key("Ctrl+I"), all - 1);
   press_key("H");
-  EXPECT_FALSE(session_.hidden().empty());
+  EXPECT_FALSE(session_.findings().hidden().empty());
   press_key("Alt+H");
-  EXPECT_TRUE(session_.hidden().empty());
+  EXPECT_TRUE(session_.findings().hidden().empty());
   for (const char* const chord : {"L", "Ctrl+L"}) {
     ASSERT_TRUE(session_.run("select f0").done());
     EXPECT_EQ(press_key(chord), all) << chord;

@@ -119,7 +119,7 @@ class Sight {
   std::size_t size() const { return sample_.size(); }
   // All, as long as it cannot be asked.
   std::size_t seen(const Camera& camera) const {
-    if (session_.preparing()) return size();
+    if (session_.findings().preparing()) return size();
     return static_cast<std::size_t>(
         std::count_if(sample_.begin(), sample_.end(), [&](const Element& e) { return is_seen(camera, e); }));
   }
@@ -134,7 +134,7 @@ class Sight {
     const double width = session_.view.size.width, height = session_.view.size.height;
     if (!at || at->pixel.x < covered_.left * width || at->pixel.y < covered_.above * height) return false;
     if (at->pixel.x >= (1 - covered_.right) * width || at->pixel.y >= height) return false;
-    const auto front = session_.picker().pick(m, camera, session_.view.size, at->pixel, PickMode::face);
+    const auto front = session_.findings().picker().pick(m, camera, session_.view.size, at->pixel, PickMode::face);
     if (!front) return true;
     const double depth = depth_of(camera, front->place);
     if (depth >= at->depth * (1 - 1e-6)) return true;

@@ -55,7 +55,7 @@ Outcome run_recipe(Session& session, const std::string& list) {
   unless_memory_lacks([&] {
     RepairReport report = report_of(call, *result, session.mesh(), beside.input());
     outcome.sentence = told(report, session.mesh());
-    session.keep_report(std::move(report));
+    session.findings().keep_report(std::move(report));
   });
   return outcome;
 }
@@ -141,11 +141,11 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   unless_memory_lacks([&] {
     if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
     if (result->account && !result->account->rules.empty())
-      session.keep_account({session.document().serial(), session.document().revision(),
+      session.findings().keep_account({session.document().serial(), session.document().revision(),
                             std::move(result->account->rules), std::move(result->account->remaining)});
     if (!row.is_repair()) return;
     const BesideRepairs beside = session.document().beside_repairs();
-    session.keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+    session.findings().keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   });
   outcome.sentence = std::move(result->text);
   unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session, names_before); });
@@ -220,7 +220,7 @@ Outcome run_would(Session& session, Words words, std::string_view) {
 const RepairReport* tried(Session& session, const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   const RepairCall call = call_of_repair(Words(words).subspan(1));
-  return session.trials().of(session.document(), line, call, session.is_dear_to_try());
+  return session.trials.of(session.document(), line, call, is_dear_to_try(session.mesh()));
 }
 
 }  // namespace ryosen

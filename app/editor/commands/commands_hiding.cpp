@@ -22,7 +22,7 @@ Outcome hide_named(Session& session, std::string_view command, Words arguments,
   }
   (session.*hide)(elements);
   Outcome outcome;
-  outcome.sentence = hidden_text(session.hidden());
+  outcome.sentence = hidden_text(session.findings().hidden());
   return outcome;
 }
 

@@ -47,7 +47,7 @@ Outcome run_colours(Session& session, Words arguments, std::string_view) {
                                       "距離を測る相手がありません。compare FILE で並べてください"});
   const std::optional<Colouring> before = session.view.colouring;
   session.view.colouring = Colouring{map, {}};
-  const MapFigures figures = figures_of(session.map_values().all());
+  const MapFigures figures = figures_of(session.findings().map_values().all());
   if (figures.count == 0) {
     session.view.colouring = before;
     return failed(ExitCode::refused, Text{"nothing here has a value of ", "値を持つ要素がありません："} +

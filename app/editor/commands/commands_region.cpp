@@ -35,11 +35,11 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
   const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
   if (session.shown.is_replaced()) return session.shown.refusal();
-  if (session.preparing())
+  if (session.findings().preparing())
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
-      session.picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.mode, depth);
+      session.findings().picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.mode, depth);
   put_into_selection(session.selection.changed(), found, call.how);
   Outcome outcome;
   if (found.empty())

@@ -15,7 +15,7 @@ std::optional<Text> fault_of_self_intersections(Words arguments, const std::stri
 Outcome run_self_intersections(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_self_intersections(arguments, {})) return usage_error(*fault);
   if (!arguments.empty()) {
-    session.forget_findings(ProblemKind::self_intersection);
+    session.findings().forget(ProblemKind::self_intersection);
     return {};
   }
   Progress progress(session.frontend.on_progress);
@@ -25,7 +25,7 @@ Outcome run_self_intersections(Session& session, Words arguments, std::string_vi
   std::vector<std::uint32_t> faces;
   for (const Face f : found->faces) faces.push_back(f.index);
   const std::size_t pairs = found->count;
-  session.put_findings(ProblemKind::self_intersection, faces, std::move(found->pairs));
+  session.findings().put(ProblemKind::self_intersection, faces, std::move(found->pairs));
   Outcome outcome;
   outcome.sentence = {"No face meets another elsewhere than in common vertices and edges.",
                       "共有する頂点・稜線以外で交わる面はありません。"};

@@ -108,7 +108,7 @@ std::optional<Text> fault_of(const Selecting& asked) {
 
 Elements all_of(Session& session, const ProblemRow& problem) {
   Elements found;
-  session.highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
+  session.findings().highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
   return found;
 }
 
@@ -143,7 +143,7 @@ Outcome nothing_kept(const Session& session, std::string_view name) {
 
 // What was searched for, but for what is hidden.
 Outcome select(Session& session, Elements found) {
-  session.drop_hidden(found);
+  session.findings().drop_hidden(found);
   Outcome outcome;
   outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
                                    : count_text(found.size(), "one element is selected", "# elements are selected",
@@ -155,7 +155,7 @@ Outcome select(Session& session, Elements found) {
 // All that has been found of it, and where that is nothing because nobody has searched, a word about how.
 Outcome select_all_of(Session& session, const ProblemRow& row) {
   Outcome outcome = select(session, all_of(session, row));
-  if (row.is_on_request() && !session.has_searched(row.kind)) {
+  if (row.is_on_request() && !session.findings().has_searched(row.kind)) {
     const std::string en(row.several_en), ja(row.name_ja), by(row.searched_by);
     outcome.sentence = {
         "nothing is selected: nobody has searched for " + en + " since the last edit, as " + by + " does",
@@ -245,7 +245,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   if (asked.problem && asked.names.empty()) return select_all_of(session, *asked.problem);
   Elements found;
   if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
-  if (asked.problem) found = session.about(*asked.problem, found[0]);
+  if (asked.problem) found = session.findings().about(*asked.problem, found[0]);
   put_into_selection(session.selection.changed(), found, asked.how);
   return {};
 }

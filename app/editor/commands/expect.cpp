@@ -50,7 +50,7 @@ namespace {
 
 // The value of a term, or why it has none.
 Text found_text(Session& session, const EulerTerm& term) {
-  const EulerPoincare& terms = session.euler_terms();
+  const EulerPoincare& terms = session.findings().euler_terms();
   if (const auto value = term.value(terms)) return {std::to_string(*value), std::to_string(*value)};
   const Text why = why_no_value(session.mesh(), terms, term);
   return {"none, " + why.en, std::string(term.ja) + "なし、" + why.ja};
@@ -79,7 +79,7 @@ Outcome run_expect(Session& session, std::span<const std::string_view> arguments
   if (!read_integer(expected, number)) return usage;
   for (const EulerTerm& term : euler_letters()) {
     if (what != std::string_view(&term.letter, 1)) continue;
-    const auto found = term.value(session.euler_terms());
+    const auto found = term.value(session.findings().euler_terms());
     return found == number ? Outcome() : not_so(std::string(what) + " " + expected, found_text(session, term));
   }
   return usage;

@@ -21,7 +21,7 @@ std::vector<Halfedge> halfedges_in_view(const Session& session) {
   std::vector<std::pair<double, std::uint32_t>> edges;  // shortest last
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const Edge e(i);
-    if (!m.is_alive(e) || session.hidden().hides(m, e)) continue;
+    if (!m.is_alive(e) || session.findings().hidden().hides(m, e)) continue;
     const auto a = screen.project(places[m.from(halfedge(e)).index]),
                b = screen.project(places[m.to(halfedge(e)).index]);
     if (!a || !b) continue;
@@ -56,7 +56,7 @@ std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfe
 }
 
 bool DrawnLinks::is_on(const Session& session) const {
-  if (shown == LinksShown::off || session.preparing() || session.gesture()) return false;
+  if (shown == LinksShown::off || session.findings().preparing() || session.gesture()) return false;
   return shown != LinksShown::in_mode || session.mode == PickMode::halfedge;
 }
 
@@ -70,7 +70,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   const Selection& selection = session.selection;
   const Key key{.serial = document.serial(),
                 .revision = document.revision(),
-                .hidden = session.hidden().revision(),
+                .hidden = session.findings().hidden().revision(),
                 .trail = trail_revision_,
                 .shown = shown,
                 .camera = session.view.camera,
@@ -82,7 +82,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   arrows_.clear();
   ArrowMaker make(session);
   const auto lives = [&](const Element& e) {
-    return is_alive(session.mesh(), e) && !session.hidden().hides(session.mesh(), e);
+    return is_alive(session.mesh(), e) && !session.findings().hidden().hides(session.mesh(), e);
   };
   if (!selection.empty() && lives(selection.back())) add_links_of(session, make, selection.back(), arrows_);
   const bool goes_on = !trail_.empty() && selection.size() == 1 && selection[0] == Element(trail_.back());
@@ -91,7 +91,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   const auto add = [&](Halfedge h, LinkRole role) {
     if (!lives(h)) return;
     const Face f = session.mesh().face(h);
-    if (f && session.hidden().hides(session.mesh(), f)) return;
+    if (f && session.findings().hidden().hides(session.mesh(), f)) return;
     if (std::find(drawn.begin(), drawn.end(), h) != drawn.end()) return;
     if (auto arrow = make.of(h, role)) arrows_.push_back(std::move(*arrow));
   };
@@ -122,7 +122,7 @@ const LinkArrow* DrawnLinks::at(Session& session, glm::dvec2 pixel) {
     if (!near || near->distance_px >= least) continue;
     const glm::dvec3 place = from + near->along * (to - from);
     const auto at = screen.project(place);
-    if (!at || (hides && !session.picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, place,
+    if (!at || (hides && !session.findings().picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, place,
                                                    arrow.on)))
       continue;
     least = near->distance_px;

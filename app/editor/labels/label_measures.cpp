@@ -31,7 +31,7 @@ void add_measures(Session& session, std::vector<Label>& labels) {
 void add_map_legend(Session& session, std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
   const auto [map, range] = *session.view.colouring;
-  const MapRange extent = session.map_extent();
+  const MapRange extent = session.findings().map_extent();
   const glm::dvec2 corner(0, session.view.size.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),

@@ -30,7 +30,7 @@ class NumberLabels {
     std::vector<std::uint32_t> in_view;
     for (std::uint32_t i = 0; i < slots; ++i) {
       const Handle element(i);
-      if (m_.is_alive(element) && is_own(element) && !session_.hidden().hides(m_, element) &&
+      if (m_.is_alive(element) && is_own(element) && !session_.findings().hidden().hides(m_, element) &&
           is_in_view(middle(element)))
         in_view.push_back(i);
     }
@@ -52,7 +52,7 @@ class NumberLabels {
     std::uint32_t number = 0;
     for (const Halfedge h : forms::corner_halfedges(m_)) {
       const std::uint32_t n = number++;
-      if (session_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
+      if (session_.findings().hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
       Label label = label_of(h);
       label.text = std::to_string(n);
       label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;

@@ -178,7 +178,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     const std::optional<PixelRect> rect = places.room_of(label, size, at->pixel);
     if (!rect) continue;
     if (hides && !label.pixel && !label.through &&
-        !session.picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, label.at, label.own))
+        !session.findings().picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, label.at, label.own))
       continue;
     places.take(*rect, label);
     placed.push_back({{rect->x0, rect->y0}, size, label.text, label.ground});

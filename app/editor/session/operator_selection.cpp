@@ -25,7 +25,7 @@ Offer offer_of(const Mesh& mesh, const std::string& line) {
 // All of a kind but what is hidden, points in place of vertices.
 Elements all_seen(const Session& session, Element::Kind kind) {
   Elements all = find_selector("all")->find(session.mesh(), {}, kind, {});
-  session.drop_hidden(all);
+  session.findings().drop_hidden(all);
   return all;
 }
 
@@ -36,7 +36,7 @@ bool is_all_selected(const Session& session, Element::Kind kind) {
   const std::size_t selected = session.selection.count(kind);
   if (selected == 0) return false;
   const bool is_vertex = kind == Element::Kind::vertex, is_face = kind == Element::Kind::face;
-  if (!session.hidden().empty() || (is_vertex && mesh.has_copies())) return selected >= all_seen(session, kind).size();
+  if (!session.findings().hidden().empty() || (is_vertex && mesh.has_copies())) return selected >= all_seen(session, kind).size();
   return selected == (is_vertex ? live.vertices
                       : is_face ? live.faces
                                 : live.edges) ||

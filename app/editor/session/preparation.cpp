@@ -32,7 +32,7 @@ Preparation::~Preparation() {
   if (thread_.joinable()) thread_.join();
 }
 
-Findings Preparation::take() {
+Preparation::Found Preparation::take() {
   if (thread_.joinable()) thread_.join();
   if (thrown_) std::rethrow_exception(thrown_);
   return std::move(found_);

@@ -17,14 +17,6 @@
 
 namespace ryosen {
 
-// What a session keeps of its mesh beside the picker's tree.
-struct Findings {
-  HighlightSets highlights;
-  BoundaryLoopCount boundary_loops;
-  EulerPoincare euler;
-  KindOfMesh kind;
-};
-
 // Finds it on a thread of its own, or at once where none is to be had. It reads the mesh: no edit is opened while this
 // lives. The destructor cancels and waits.
 class Preparation {
@@ -34,6 +26,14 @@ class Preparation {
     std::vector<Vertex> on_lines;
     std::uint64_t lines = 0;
     std::vector<const HighlightRow*> shown;
+  };
+
+  // What it finds beside the picker's tree.
+  struct Found {
+    HighlightSets highlights;
+    BoundaryLoopCount boundary_loops;
+    EulerPoincare euler;
+    KindOfMesh kind;
   };
 
   // The picker's tree is built too; nobody picks meanwhile. Cancelled, it ends within milliseconds.
@@ -46,7 +46,7 @@ class Preparation {
   double share() const { return share_; }
   bool is_done() const { return is_done_; }
   // Waits until it is done; throws what was thrown there.
-  Findings take();
+  Found take();
 
  private:
   void run();
@@ -57,7 +57,7 @@ class Preparation {
   const Mesh& mesh_;
   Picker& picker_;
   Beside beside_;
-  Findings found_;
+  Found found_;
   std::exception_ptr thrown_ = nullptr;
   std::atomic<double> share_ = 0;
   std::atomic<bool> is_done_ = false, is_cancelled_ = false;

@@ -37,22 +37,21 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   covered.above = 0;  // what is played ends
   const Camera camera_then = framing({&document->mesh()}, first, view.size, covered);
   document->before_writing = [this] {
-    preparation_.reset();
-    trials_.let_write();
+    findings_->end_preparation();
+    trials.let_write();
   };
-  trials_.forget();
+  auto found = std::make_unique<Findings>(*document, view, preferences);
+  found->after_search = [this] { judge_as_drawn(); };
+  trials.forget();
   if (frontend.autosave) frontend.autosave->begin(*document);
-  preparation_.reset();
-  document_ = std::move(document);
-  changes_.begin(document_->serial());
   beside_.reset();
-  surface_.reset();
+  findings_ = std::move(found);
+  document_ = std::move(document);
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   view.camera = framed_ = camera_then;
   shown.forget();
   forget_derived();
-  file_normals_ = FileNormals();
   remedy_line_.clear();
   selection.clear();
   selections.clear();
@@ -65,22 +64,12 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 
 void Session::forget_derived() {
   shown.forget_aside();
-  map_values_.reset();
-  preparation_.reset();  // it builds the tree of the picker
-  hidden_ = HiddenElements();
-  picker_.reset();
-  corner_normals_.reset();
-  file_normals_.end();
-  highlights_.reset();
-  boundary_loops_.reset();
-  euler_.reset();
-  kind_.reset();
+  findings_->forget();
   hover_.reset();
   pointed_handle_ = nullptr;
   tool_verdicts_.reset();
   gesturing_.reset();
   release_verdict();
-  changes_.note_everything();
 }
 
 void Session::follow(const Journal& journal, std::size_t transaction, Document::Change change) {
@@ -101,63 +90,13 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   }
   if (change == Document::Change::trial_ended) forget_gesture();
   const TouchedElements touched = touched_elements(m, journal, transaction);
-  hidden_.follow(m, touched);
   if (touched.everything) view.links.forget_trail();
+  findings_->follow(journal, transaction, change, touched);
   const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
-  const bool has_normals =
-      !is_trial && change != Document::Change::undone && document_->history()[transaction].has_normals;
-  if (has_normals)
-    file_normals_ = FileNormals();
-  else if (!is_trial)
-    file_normals_.follow(m, touched);
-  if (picker_) {
-    const std::vector<std::uint32_t> slots = picker_->update(m, touched);
-    if (corner_normals_ && (touched.everything || !needs_corner_normals())) {
-      corner_normals_.reset();
-      changes_.note_everything();  // what was drawn with them knows nothing of this edit
-    }
-    if (corner_normals_) picker_->note_changed(corner_normals_->update(m, picker_->triangles(), touched));
-    if (touched.everything) changes_.note_everything();
-    picker_->note_changed(slots);
-    for (Vertex v : touched.moved) changes_.note_vertex(v.index);
-    for (Face f : touched.faces) changes_.note_face(f.index);
-  }
   if (tool_verdicts_ && touched.everything)
     tool_verdicts_.reset();
   else if (tool_verdicts_ && !is_trial)
     tool_verdicts_->follow(m, touched);
-  if (!is_trial) {
-    update_map_values(transaction);
-  } else if (map_values_) {  // a trial is no transaction of the history
-    map_values_.reset();
-    map_extent_.reset();
-    changes_.note_everything();
-  }
-  if (highlights_) {
-    forget_hidden();
-    highlights_->update(m, journal, transaction);
-    if (highlights_->changed_everything()) changes_.note_everything();
-    for (const ChangeFeed::Marked& marked : highlights_->changes()) changes_.note_mark(marked);
-    note_marks(touched);
-    // A mark at a point is hidden with all its copies, wherever they are.
-    if (!hidden_.empty() && m.has_copies()) changes_.note_search();
-  }
-  if (boundary_loops_) {
-    const IndexSet& boundary = highlights_->of(ProblemKind::boundary_loop);
-    Neighbourhood around(m);
-    if (highlights_->changed_everything())
-      boundary_loops_->search(around, boundary);
-    else
-      boundary_loops_->update(around, boundary, highlights_->problems().edges_asked());
-  }
-  if (euler_) {
-    const std::string_view line =
-        is_trial ? std::string_view() : std::string_view(document_->history()[transaction].command);
-    const OpInfo* op = find_op(line.substr(0, line.find(' ')));
-    const bool is_kept = op && op->topology == Topology::kept && !touched.everything &&
-                         follow_operator(*euler_, m, highlights_->problems(), *boundary_loops_);
-    if (!is_kept) euler_.reset();
-  }
   if (change == Document::Change::made) {
     const HistoryEntry& entry = document_->history()[transaction];
     std::optional<SelectionMemory::Passage> passage;
@@ -172,7 +111,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   }
   if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
   if (change == Document::Change::trial_ended) shown.bring_back();
-  drop_hidden(selection.changed());
+  findings_->drop_hidden(selection.changed());
   if (is_verdict_held_)
     ask_held_verdict_again();
   else if (hover_)
@@ -190,12 +129,6 @@ Input& Session::input() {
   if (const std::shared_ptr<Input> wanted = frontend.input.lock()) return *wanted;
   if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
   return *view_input_;
-}
-
-Picker& Session::picker() {
-  if (!picker_) picker_.emplace(mesh(), &hidden_);
-  picker_->set_clip(view.clip_plane());
-  return *picker_;
 }
 
 std::string Session::document_name() const {

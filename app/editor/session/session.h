@@ -19,37 +19,20 @@
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
-#include "app/editor/session/change_feed.h"
+#include "app/editor/session/findings.h"
 #include "app/editor/session/frontend.h"
-#include "app/editor/session/preparation.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/selection_memory.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/shown/transform_gesture.h"
 #include "app/editor/textbook/asked_question.h"
-#include "ryosen/algo/measure/other_surface.h"
-#include "ryosen/analysis/boundary_loop_count.h"
-#include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/analysis/mesh_kind.h"
-#include "ryosen/analysis/self_intersections.h"
 #include "ryosen/document/document.h"
-#include "ryosen/highlights/highlight_sets.h"
-#include "ryosen/highlights/map_values.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
 #include "ryosen/pick/picker.h"
-#include "ryosen/view/corner_normals.h"
 
 namespace ryosen {
 
 class Autosave;
-
-struct EdgeAccount;
-
-// What the last repair did and left.
-struct LastRepair {
-  std::uint64_t serial, revision;  // of the document behind it
-  RepairReport report;
-};
 
 // The element under the pointer, and what a click would do.
 struct Hover {
@@ -67,6 +50,11 @@ class Session {
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   const Mesh& mesh() const { return document_->mesh(); }
+  // What follows from the mesh. Of another document they are others.
+  Findings& findings() { return *findings_; }
+  const Findings& findings() const { return *findings_; }
+  // What repairs would do.
+  RepairTrials trials;
 
   // Executes a command line (see commands.h) and logs it if done. Never throws on user input.
   Outcome run(const std::string& line);
@@ -116,9 +104,6 @@ class Session {
   Session* beside();
   // This, or the mesh beside it where a pixel of the picture or window lies in its part.
   Session& part_at(glm::dvec2 pixel);
-  // That of the mesh beside, or that this one stands beside; null where there is none.
-  std::shared_ptr<const OtherSurface> other_surface();
-
   // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
   // selected. None while it is moved.
   std::optional<Gizmo> gizmo() const;
@@ -193,17 +178,10 @@ class Session {
   // The line that selects them: by names where they are few, else by numbers, several in a row as v3..v9.
   std::string select_line() const;
 
-  // What a problem of this kind at an element is about; the element alone where it has none of it (of equal faces it is the
-  // higher one that has it).
-  std::vector<Element> about(const ProblemRow& row, Element element);
-
-  // Hidden elements are neither drawn nor picked, and no longer selected. No entry of the history: it lasts until they are
-  // shown, deleted or renumbered.
-  const HiddenElements& hidden() const { return hidden_; }
+  // As those of the findings; what gets hidden is no longer selected.
   void hide(std::span<const Element> elements);
   void isolate(std::span<const Element> elements);
   void unhide();
-  void drop_hidden(Elements& elements) const;
 
   // The element of the document under a pixel; none outside the view, and none while another mesh is on trial.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
@@ -212,47 +190,9 @@ class Session {
   // What is drawn under a pixel, for who needs its place alone.
   std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px = pick_radius_px);
   Picker::Depth pick_depth() const;
-  Picker& picker();
 
-  // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its
-  // lists of problems, or takes it over when it is found. Until then nothing is picked and no highlights are drawn; what
-  // else asks for findings waits for them. An edit ends it, and waits for that.
+  // For windows, before each frame: goes on with what is found in the background.
   void prepare();
-  // The share that is done while that goes on; none when everything is there.
-  std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }
-
-  // What repairs would do. On a large mesh only what somebody points at is worth trying.
-  RepairTrials& trials() { return trials_; }
-  bool is_dear_to_try() const { return mesh().live().faces > 20000; }
-  // None where the document has changed since.
-  const RepairReport* last_repair() const;
-  void keep_report(RepairReport report);
-
-  // What holds the edges that the last simplification left; null where the document has changed since.
-  const EdgeAccount* account() const;
-  void keep_account(EdgeAccount account);
-
-  // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
-  const CornerNormals& corner_normals();
-  // The sets of problems, and of the highlights that are shown.
-  const HighlightSets& highlights();
-  // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
-  // edit. Whether it was searched for since. `pairs`: which of them belong together, as far as that is known.
-  void put_findings(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs = {});
-  void forget_findings(ProblemKind kind);
-  bool has_searched(ProblemKind kind) const;
-  // The values that the surface is coloured by, kept through edits; there must be such a colouring.
-  const MapValues& map_values();
-  // From the lowest to the highest of them; there must be one.
-  MapRange map_extent();
-  // The number of boundary loops on points; as up to date as the highlights.
-  const BoundaryLoopCount& boundary_loops();
-  // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
-  const EulerPoincare& euler_terms();
-  // The kind of mesh, in one word. If it is expensive (is_kind_evident, and a large mesh) it is recomputed only if
-  // `anew`, not after every edit; until then it is that of an earlier mesh.
-  const KindOfMesh& kind(bool anew = false);
-  bool is_kind_stale() const { return kind_revision_ != document_->revision(); }
 
   // Whether the document's file has changed on disk, as it was last looked at: for windows, now and then, and before a
   // save. True where that is news.
@@ -268,28 +208,18 @@ class Session {
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
-  // The changes of what is drawn.
-  const ChangeFeed& changes() const { return changes_; }
-
  private:
   friend class Shown;  // keeps what is found while another mesh is shown, and forgets it where memory runs out
 
   Outcome run_line(const std::string& line);
   // The log has room for it.
   void log_line(Outcome& outcome, std::string line);
-  // Updates what is derived from the mesh; forgets it where there is no memory for that.
-  void finish_preparation();
-  void ask_slice_of_verdicts();
+  // Updates what is derived from the mesh; forgets that where there is no memory for it.
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
-  bool needs_corner_normals() const {
-    return view.settings.shading == Shading::smooth || view.settings.normals == Normals::vertices;
-  }
-  void note_marks(const TouchedElements& touched);
-  void update_map_values(std::size_t transaction);
-  void follow_hiding(const HiddenElements::Parts& changed);
-  void forget_hidden();
+  void ask_slice_of_verdicts();
+  void follow_hiding();
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
   Outcome apply_at(const OpTarget& target, const std::string& id);
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
@@ -311,35 +241,13 @@ class Session {
   void list_coincident(bool are_listed);  // of points that lie on others by what is on trial
   void judge_as_is();
 
-  std::shared_ptr<const OtherSurface> surface();  // made anew where the mesh is another
-
   std::unique_ptr<Session> beside_;
-  Session* stands_beside_ = nullptr;
-  std::shared_ptr<const OtherSurface> surface_;
-  std::uint64_t surface_revision_ = 0;
   std::unique_ptr<Document> document_;
+  std::unique_ptr<Findings> findings_;
   std::unique_ptr<Gesturing, GesturingDeleter> gesturing_;
   std::uint64_t gesture_step_ = 0;
   FileState::Change change_on_disk_ = FileState::Change::none;
-  HiddenElements hidden_;
-  std::optional<Picker> picker_;
-  FileNormals file_normals_;
-  std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
-  std::optional<HighlightSets> highlights_;
-  struct Searched {
-    ProblemKind kind;
-    std::uint64_t document, revision;
-    std::vector<FacePair> pairs;
-  };
-  std::optional<Searched> searched_;
   Camera framed_;
-  std::optional<MapValues> map_values_;
-  std::optional<MapRange> map_extent_;  // while the values are the same
-  std::optional<BoundaryLoopCount> boundary_loops_;
-  std::optional<EulerPoincare> euler_;
-  std::optional<KindOfMesh> kind_;
-  std::uint64_t kind_revision_ = 0;
-  std::optional<std::uint64_t> unprepared_revision_;  // of the mesh that was too large to prepare
   std::optional<Hover> hover_;
   const HandleRow* pointed_handle_ = nullptr;
   const AxisEnd* pointed_axis_end_ = nullptr;
@@ -357,12 +265,7 @@ class Session {
   std::vector<std::string> remedy_;  // for remedy_line_ at remedy_revision_
   std::string remedy_line_;
   std::uint64_t remedy_revision_ = 0;
-  ChangeFeed changes_;
-  std::optional<LastRepair> last_repair_;
-  std::shared_ptr<const EdgeAccount> account_;
   std::unique_ptr<Input> view_input_;         // made when it is asked for
-  std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
-  RepairTrials trials_;                       // as this does
 };
 
 }  // namespace ryosen

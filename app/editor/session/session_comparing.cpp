@@ -24,7 +24,8 @@ void Session::put_beside(std::unique_ptr<Session> other) {
   const Size whole = beside_ ? Size{view.size.width + gap_px + beside_->view.size.width, view.size.height} : view.size;
   if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
   beside_ = std::move(other);
-  if (beside_) beside_->stands_beside_ = this;
+  findings_->against = beside_ ? &beside_->findings() : nullptr;
+  if (beside_) beside_->findings().against = findings_.get();
   place_view(whole, view.origin);
   frame_all();
 }
@@ -43,7 +44,7 @@ Session* Session::beside() {
   other.preferences.samples = preferences.samples;
   other.view.cut = view.cut;
   other.mode = pointed_sort();
-  if (view.colouring && view.colouring->map->against) other.map_values();  // where this mesh has changed
+  if (view.colouring && view.colouring->map->against) other.findings().map_values();  // where this mesh has changed
   return &other;
 }
 
@@ -54,19 +55,6 @@ Session& Session::part_at(glm::dvec2 pixel) {
   const bool is_there =
       inside.x >= 0 && inside.y >= 0 && inside.x < other->view.size.width && inside.y < other->view.size.height;
   return is_there ? *other : *this;
-}
-
-std::shared_ptr<const OtherSurface> Session::surface() {
-  if (!surface_ || surface_revision_ != document_->revision()) {
-    surface_ = std::make_shared<const OtherSurface>(mesh());
-    surface_revision_ = document_->revision();
-  }
-  return surface_;
-}
-
-std::shared_ptr<const OtherSurface> Session::other_surface() {
-  Session* const other = beside_ ? beside_.get() : stands_beside_;
-  return other ? other->surface() : nullptr;
 }
 
 }  // namespace ryosen

@@ -143,7 +143,7 @@ void Session::follow_what_moves() {
   g.own.reset();
   g.triangles.clear();
   for (const Face f : g.touched.faces)
-    for (const std::uint32_t slot : picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
+    for (const std::uint32_t slot : findings_->picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
   show_gesture();
 }
 
@@ -162,10 +162,11 @@ void Session::show_gesture() {
 // Neither listed is what an operator made and nothing has moved yet, which has no extent, nor that it lies on what it was
 // made of, which only the mesh on trial does.
 void Session::judge_as_drawn() {
-  if (!gesturing_ || !highlights_) return;
+  HighlightSets* const sets = findings_->found_highlights();
+  if (!gesturing_ || !sets) return;
   Gesturing& g = *gesturing_;
   if (g.pull && !g.unlisted) {
-    g.unlisted = coincident_by_made(mesh(), highlights_->problems(), g.pull->first_made);
+    g.unlisted = coincident_by_made(mesh(), sets->problems(), g.pull->first_made);
     list_coincident(false);
   }
   const bool is_unmoved = g.pull && g.transform.does_nothing();
@@ -173,32 +174,33 @@ void Session::judge_as_drawn() {
     if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
     return row.face_at(mesh(), f, g.places);
   };
-  judge_faces(*highlights_, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { changes_.note_mark(marked); });
+  judge_faces(*sets, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { findings_->changes().note_mark(marked); });
 }
 
 void Session::judge_as_is() {
-  if (!gesturing_ || !highlights_) return;
+  HighlightSets* const sets = findings_->found_highlights();
+  if (!gesturing_ || !sets) return;
   list_coincident(true);
   gesturing_->unlisted.reset();
   judge_faces(
-      *highlights_, mesh(), gesturing_->touched.faces,
+      *sets, mesh(), gesturing_->touched.faces,
       [&](const ProblemRow& row, Face f) { return row.face_at(mesh(), f, mesh().positions()); },
-      [&](ChangeFeed::Marked marked) { changes_.note_mark(marked); });
+      [&](ChangeFeed::Marked marked) { findings_->changes().note_mark(marked); });
 }
 
 void Session::list_coincident(bool are_listed) {
   if (!gesturing_->unlisted) return;
   const ProblemRow& row = row_of(ProblemKind::coincident_points);
   for (const Vertex v : *gesturing_->unlisted)
-    if (highlights_->put_member(row, v.index, are_listed)) changes_.note_mark({mark_of(row.kind), v.index});
+    if (findings_->found_highlights()->put_member(row, v.index, are_listed)) findings_->changes().note_mark({mark_of(row.kind), v.index});
 }
 
 void Session::note_gesture() {
   const Gesturing& g = *gesturing_;
   ++gesture_step_;
-  for (const Vertex v : g.touched.moved) changes_.note_vertex(v.index);
-  picker().note_changed(g.triangles);
-  if (highlights_) note_marks(g.touched);
+  for (const Vertex v : g.touched.moved) findings_->changes().note_vertex(v.index);
+  findings_->picker().note_changed(g.triangles);
+  if (findings_->found_highlights()) findings_->note_marks(g.touched);
 }
 
 void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {

@@ -1,5 +1,6 @@
 // What the pointer does to a session: hovering, held verdicts, clicks; and what is picked and selected by it.
 #include <algorithm>
+#include <chrono>
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands/commands.h"
@@ -115,7 +116,7 @@ void Session::ask_held_verdict_again() {
 // The arrow that a click would select, whatever the mode; null where it would not select one.
 const LinkArrow* Session::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
   const bool selects = !info && asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
-  if (!selects || preparing() || shown.by() != ShownBy::document) return nullptr;
+  if (!selects || findings_->preparing() || shown.by() != ShownBy::document) return nullptr;
   return view.links.at(*this, pixel - view.origin);
 }
 
@@ -163,7 +164,7 @@ const std::vector<std::string>& Session::hover_remedy() {
 // While another mesh is on trial, or the selection is moved, they are kept for what comes back.
 ToolVerdicts* Session::tool_verdicts() {
   const OpInfo* const info = find_op(tool);
-  if (!view.shows_verdicts || !info || !is_tool(*info) || preparing()) {
+  if (!view.shows_verdicts || !info || !is_tool(*info) || findings_->preparing()) {
     tool_verdicts_.reset();
     return nullptr;
   }
@@ -211,7 +212,7 @@ Outcome Session::select_along(glm::dvec2 pixel, Modifiers modifiers) {
   const Element first = picked->element;
   Elements found = click_selects(modifiers) == ClickSelects::ring ? edge_rings(mesh(), {&first, 1})
                                                                   : edge_loops(mesh(), {&first, 1});
-  drop_hidden(found);
+  findings_->drop_hidden(found);
   return run((modifiers.shift ? "select add" : "select") + slot_ranges(found));
 }
 
@@ -269,36 +270,46 @@ std::optional<Picked> Session::pick_to_select(glm::dvec2 pixel, PickMode what) {
 std::optional<Picked> Session::pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px) {
   const glm::dvec2 inside = pixel - view.origin;
   if (inside.x < 0 || inside.y < 0 || inside.x >= view.size.width || inside.y >= view.size.height) return std::nullopt;
-  if (preparation_) return std::nullopt;
-  return picker().pick(mesh(), view.camera, view.size, inside, what, pick_depth(),
+  if (findings_->preparing()) return std::nullopt;
+  return findings_->picker().pick(mesh(), view.camera, view.size, inside, what, pick_depth(),
                        radius_px * preferences.size_scale());
+}
+
+void Session::hide(std::span<const Element> elements) {
+  if (findings_->hide(elements)) follow_hiding();
+}
+
+void Session::isolate(std::span<const Element> elements) {
+  if (findings_->isolate(elements)) follow_hiding();
+}
+
+void Session::unhide() {
+  if (findings_->unhide()) follow_hiding();
+}
+
+void Session::follow_hiding() {
+  findings_->drop_hidden(selection.changed());
+  if (!hover_) return;
+  if (is_verdict_held_ && findings_->hidden().hides(mesh(), hover_->picked.element)) release_verdict();
+  point_at(hover_->pixel, hover_->modifiers);
+}
+
+void Session::prepare() {
+  trials.follow(*document_);
+  if (beside_) beside_->prepare();
+  ask_slice_of_verdicts();
+  findings_->prepare();
+}
+
+void Session::ask_slice_of_verdicts() {
+  if (!frontend.asks_in_slices || !tool_verdicts()) return;
+  constexpr std::chrono::milliseconds slice{4};
+  const auto end = std::chrono::steady_clock::now() + slice;
+  tool_verdicts_->ask(mesh(), [&] { return std::chrono::steady_clock::now() < end; });
 }
 
 Picker::Depth Session::pick_depth() const {
   return view.settings.xray == Xray::on ? Picker::Depth::through : Picker::Depth::seen;
-}
-
-std::vector<Element> Session::about(const ProblemRow& row, Element element) {
-  if (row.is_on_request() && has_searched(row.kind)) {
-    std::vector<Element> found{element};
-    for (const auto& [a, b] : searched_->pairs)
-      if (Element(a) == element || Element(b) == element) found.emplace_back(Element(a) == element ? b : a);
-    return found;
-  }
-  if (!row.is_local()) return {element};
-  const IndexSet& members = highlights().of(row.kind);
-  // Of what is several in the kernel one is a member.
-  std::vector<Element> same{element};
-  if (element.kind == Element::Kind::vertex) same = {point(mesh(), element.vertex())};
-  if (element.kind == Element::Kind::edge)
-    for (Halfedge h : sheets_between(mesh(), ends(mesh(), element.edge()).first, ends(mesh(), element.edge()).second))
-      same.emplace_back(edge(h));
-  for (const Element& e : same) {
-    if (e.kind != row.sort() || !members.contains(e.index)) continue;
-    Neighbourhood around(mesh());
-    return ryosen::about(row, around, members, e);
-  }
-  return {element};
 }
 
 }  // namespace ryosen

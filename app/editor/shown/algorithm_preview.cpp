@@ -51,7 +51,7 @@ class ComingPlaces {
 
 bool AlgorithmPreview::is_offered(const Session& session) const {
   if (session.shown.by() != ShownBy::document) return session.shown.by() == ShownBy::preview;
-  return !session.is_dear_to_try() && session.mesh().live().vertices > 0 && !session.preparing();
+  return !is_dear_to_try(session.mesh()) && session.mesh().live().vertices > 0 && !session.findings().preparing();
 }
 
 void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
@@ -66,7 +66,7 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   if (const ReadValues found = values.on(session.mesh()); found.values) {
     const PreviewClock::time_point until = PreviewClock::now() + patience;
     // A picture is the same however long it takes.
-    const bool is_patient = !session.trials().in_background;
+    const bool is_patient = !session.trials.in_background;
     const auto result = session.shown.try_out(ShownBy::preview, row, *found.values, [&](double) {
       return is_patient || PreviewClock::now() < until;
     });

@@ -54,7 +54,7 @@ std::string line_to_account_for(const Session& session) {
 }
 
 const EdgeAccount* make_account(Session& session) {
-  if (session.account()) return session.account();
+  if (session.findings().account()) return session.findings().account();
   const std::string line = line_to_account_for(session);
   if (line.empty()) return nullptr;
   const std::vector<std::string_view> words = split_words(line);
@@ -63,9 +63,9 @@ const EdgeAccount* make_account(Session& session) {
   if (!given.values) return nullptr;
   auto result = session.document().account_of(row, *given.values, session.frontend.on_progress);
   if (!result || !result->account || result->account->rules.empty()) return nullptr;
-  session.keep_account({session.document().serial(), session.document().revision(), std::move(result->account->rules),
+  session.findings().keep_account({session.document().serial(), session.document().revision(), std::move(result->account->rules),
                         std::move(result->account->remaining)});
-  return session.account();
+  return session.findings().account();
 }
 
 }  // namespace ryosen

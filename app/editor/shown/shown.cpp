@@ -144,13 +144,15 @@ void Shown::set_aside() {
   Aside& aside = aside_.emplace();
   aside.selection = session_.selection;
   aside.measures = session_.measures;
-  aside.hidden = session_.hidden().elements();
-  const std::optional<Session::Searched>& searched = session_.searched_;
-  const bool is_of_now = session_.highlights_ && searched && searched->document == document().serial() &&
+  Findings& findings = session_.findings();
+  aside.hidden = findings.hidden().elements();
+  const std::optional<Findings::Searched>& searched = findings.searched();
+  HighlightSets* const sets = findings.found_highlights();
+  const bool is_of_now = sets && searched && searched->document == document().serial() &&
                          searched->revision + 1 == document().revision();
   if (!is_of_now) return;
   aside.searched = searched->kind;
-  aside.findings = session_.highlights_->of(searched->kind).to_vector();
+  aside.findings = sets->of(searched->kind).to_vector();
   aside.pairs = searched->pairs;
 }
 
@@ -160,7 +162,7 @@ void Shown::bring_back() {
   session_.selection = aside.selection;
   session_.measures = aside.measures;
   if (!aside.hidden.empty()) session_.hide(aside.hidden);
-  if (aside.searched) session_.put_findings(*aside.searched, aside.findings, std::move(aside.pairs));
+  if (aside.searched) session_.findings().put(*aside.searched, aside.findings, std::move(aside.pairs));
 }
 
 void Shown::forget_aside() {

@@ -49,7 +49,7 @@ ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
 void ColoursPanel::count_again(Session& session) {
   const std::uint64_t serial = session.document().serial(), revision = session.document().revision();
   if (counted_ == session.view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
-  const MapValues& values = session.map_values();
+  const MapValues& values = session.findings().map_values();
   span_ = session.view.colouring->range;
   double bars = most_bars;
   if (values.map().is_count) {  // a bar for each value, as far as they have room

@@ -33,7 +33,7 @@ class GrowthPanel : public Panel {
 void GrowthPanel::begin(PanelContext& context, const Mesh* mesh) {
   work_.begin(mesh);
   // A picture is not drawn again when it is there.
-  if (!context.session.trials().in_background) work_.wait();
+  if (!context.session.trials.in_background) work_.wait();
 }
 
 void GrowthPanel::draw_buttons(PanelContext& context) {

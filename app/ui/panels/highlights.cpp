@@ -20,7 +20,7 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
   tip(legend);
   ImGui::SameLine();
   // What nobody looks at is not searched for, so it has no count.
-  const HighlightSets& sets = context.session.highlights();
+  const HighlightSets& sets = context.session.findings().highlights();
   const bool is_counted = sets.keeps(row);
   const auto n = is_counted ? static_cast<std::int64_t>(sets.count(row)) : 0;
   const char* const name = context.text(row.name_en, row.name_ja);
@@ -39,7 +39,7 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
 std::vector<const HighlightRow*> rows_that_are_there(Session& session) {
   std::vector<const HighlightRow*> rows;
   for (const HighlightRow& row : highlight_table())
-    if (!row.kinds.empty() && (!row.is_on_request() || session.highlights().count(row) > 0)) rows.push_back(&row);
+    if (!row.kinds.empty() && (!row.is_on_request() || session.findings().highlights().count(row) > 0)) rows.push_back(&row);
   for (const HighlightRow& row : highlight_table())
     if (row.kinds.empty()) rows.push_back(&row);
   return rows;
@@ -51,7 +51,7 @@ class HighlightsPanel : public Panel {
  public:
   void draw(PanelContext& context) override {
     Session& session = context.session;
-    const HighlightSets& sets = session.highlights();
+    const HighlightSets& sets = session.findings().highlights();
     const auto says_something = [&](const HighlightRow& row) {
       return (sets.keeps(row) && sets.count(row) > 0) ||
              session.view.highlights.contains(std::string(row.id)) != row.is_shown_at_first();

@@ -87,7 +87,7 @@ class Inspector {
       links(UiText::copies, copies);
     }
     if (m_.is_isolated(v)) {
-      const IndexSet& isolated = context_.session.highlights().of(ProblemKind::isolated_vertex);
+      const IndexSet& isolated = context_.session.findings().highlights().of(ProblemKind::isolated_vertex);
       if (isolated.contains(point(m_, v).index)) note(UiText::isolated);
       return;
     }
@@ -121,7 +121,7 @@ class Inspector {
 
   // Why a simplification left it, where that is known.
   void tell_rule(Edge e) {
-    const EdgeAccount* const account = context_.session.account();
+    const EdgeAccount* const account = context_.session.findings().account();
     if (!account || account->rules[e.index] == no_rule) return;
     const EdgeRuleRow& rule = edge_rules[account->rules[e.index]];
     labelled(context_, context_.text("left by", "残る理由"), context_.text(rule.name_en.data(), rule.name_ja.data()));

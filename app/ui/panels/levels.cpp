@@ -81,7 +81,7 @@ void draw_levels(PanelContext& context) {
                      "コピーを限界まで簡略化し、すべての手順を残します。") +
         std::string("\nlevels"));
   }
-  const EdgeAccount* const account = context.session.account();
+  const EdgeAccount* const account = context.session.findings().account();
   if (!account) return draw_asking(context);
   ImGui::Separator();
   dim_text(context, context.text("What holds the edges that are left", "残った稜線とその理由"));

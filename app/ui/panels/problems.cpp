@@ -19,7 +19,7 @@ namespace {
 
 // What was found of a kind, without a list of it. Cheap after an edit; only the list of boundary loops is made anew for
 // nth() when the edit has changed loops.
-class Findings {
+class ProblemFindings {
  public:
   std::size_t count(Session& session, const ProblemRow& row);
   Element nth(Session& session, const ProblemRow& row, std::size_t n);
@@ -34,7 +34,7 @@ class Findings {
   std::optional<std::uint64_t> known_loops_;
 };
 
-void Findings::know(const Session& session) {
+void ProblemFindings::know(const Session& session) {
   const Document& document = session.document();
   if (known_document_ == document.serial() && known_quarantined_ == document.tables().quarantine.size()) return;
   known_quarantined_ = document.tables().quarantine.size();
@@ -49,39 +49,39 @@ void Findings::know(const Session& session) {
   }
 }
 
-std::size_t Findings::count(Session& session, const ProblemRow& row) {
+std::size_t ProblemFindings::count(Session& session, const ProblemRow& row) {
   know(session);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
-  if (row.kind == ProblemKind::boundary_loop) return session.boundary_loops().count();
+  if (row.kind == ProblemKind::boundary_loop) return session.findings().boundary_loops().count();
   if (row.kind == ProblemKind::ring) return session.mesh().live().rings;
-  return session.highlights().count(row.kind);
+  return session.findings().highlights().count(row.kind);
 }
 
 // The face of the n-th ring, face by face.
 Face face_of_ring(Session& session, std::size_t n) {
   const Mesh& mesh = session.mesh();
   Face found;
-  session.highlights().of(ProblemKind::ring).for_each([&](std::uint32_t i) {
+  session.findings().highlights().of(ProblemKind::ring).for_each([&](std::uint32_t i) {
     for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index && !found; r = mesh.ring(r).next)
       if (n-- == 0) found = Face(i);
   });
   return found;
 }
 
-Element Findings::nth(Session& session, const ProblemRow& row, std::size_t n) {
+Element ProblemFindings::nth(Session& session, const ProblemRow& row, std::size_t n) {
   know(session);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
   if (row.kind == ProblemKind::ring) return face_of_ring(session, n);
   if (row.kind != ProblemKind::boundary_loop) {
-    const std::uint32_t i = session.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
+    const std::uint32_t i = session.findings().highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
     return row.element(i);
   }
-  if (known_loops_ != session.boundary_loops().revision()) {
+  if (known_loops_ != session.findings().boundary_loops().revision()) {
     Neighbourhood around(session.mesh());
-    const BoundaryLoops loops = find_boundary_loops(around, session.highlights().of(row.kind));
+    const BoundaryLoops loops = find_boundary_loops(around, session.findings().highlights().of(row.kind));
     loops_.clear();
     for (std::size_t i = 0; i < loops.size(); ++i) loops_.emplace_back(edge(loops[i].front()));
-    known_loops_ = session.boundary_loops().revision();
+    known_loops_ = session.findings().boundary_loops().revision();
   }
   return loops_[n];
 }
@@ -128,7 +128,7 @@ class ProblemsPanel : public Panel {
   const HeldKind* held(ProblemKind kind) const;
   void hold(Session& session);
 
-  Findings findings_;
+  ProblemFindings findings_;
   RepairRows repairs_;
   std::vector<HeldKind> held_;       // as they are drawn; empty: nothing is held
   std::uint64_t held_document_ = 0;  // its serial number
@@ -191,7 +191,7 @@ void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std:
 
 // What the last repair left, and why: below all rows, so that it moves none of them.
 void ProblemsPanel::draw_left(PanelContext& context) {
-  const RepairReport* const report = context.session.last_repair();
+  const RepairReport* const report = context.session.findings().last_repair();
   if (!report || report->left.empty()) return;
   ImGui::Separator();
   ImGui::TextUnformatted(context.text("Not mended", "直せなかったもの"));
@@ -212,7 +212,7 @@ void ProblemsPanel::draw_left(PanelContext& context) {
 
 // Offers to delete the loose pieces of the last repair.
 void ProblemsPanel::draw_loose(PanelContext& context) {
-  const RepairReport* const report = context.session.last_repair();
+  const RepairReport* const report = context.session.findings().last_repair();
   if (!report) return;
   const auto loose = std::find_if(report->left.begin(), report->left.end(), tells_of_loose_pieces);
   if (loose == report->left.end()) return;
@@ -240,7 +240,7 @@ bool ProblemsPanel::is_only_degenerate(Session& session) {
 
 // What nobody searches for unasked, until it is asked for.
 void ProblemsPanel::draw_searches(PanelContext& context) {
-  if (context.session.mesh().live().faces == 0 || context.session.has_searched(ProblemKind::self_intersection)) return;
+  if (context.session.mesh().live().faces == 0 || context.session.findings().has_searched(ProblemKind::self_intersection)) return;
   if (link(context, context.text("Search for self-intersections", "自己交差を探す"))) context.run("self_intersections");
   tip(context.text("Faces that meet others elsewhere than in common vertices and edges. It may take a moment.",
                    "共有する頂点・稜線以外で他の面と交わる面を探します。少し時間がかかることがあります。"));

@@ -85,9 +85,9 @@ void draw_sum(PanelContext& context, const EulerPoincare& terms) {
 
 // What the mesh is, in the word of `check`; the reason is its tooltip.
 void draw_kind_of_mesh(PanelContext& context) {
-  const KindOfMesh& kind = context.session.kind();
+  const KindOfMesh& kind = context.session.findings().kind();
   const MeshKindRow& row = row_of(kind.kind);
-  const bool is_stale = context.session.is_kind_stale();
+  const bool is_stale = context.session.findings().is_kind_stale();
   dim_text(context, context.text(UiText::kind));
   ImGui::SameLine();
   const ImVec4 colour = is_stale ? context.colours().dim : ImGui::GetStyleColorVec4(ImGuiCol_Text);
@@ -96,7 +96,7 @@ void draw_kind_of_mesh(PanelContext& context) {
   ImGui::PopFont();
   tip(kind.reason.in(context.language()));
   if (!is_stale) return;
-  if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.session.kind(true);
+  if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.session.findings().kind(true);
   tip(context.text(UiText::kind_is_stale));
 }
 
@@ -120,7 +120,7 @@ void draw_copies(PanelContext& context, const EulerPoincare& terms) {
 
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
 void draw_totals(PanelContext& context) {
-  const EulerPoincare& terms = context.session.euler_terms();
+  const EulerPoincare& terms = context.session.findings().euler_terms();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1 * context.scale});
   float widest = 0;
   for (const EulerTerm& term : euler_letters())

@@ -157,7 +157,7 @@ void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, c
   bool none = false;
   ImGui::BeginDisabled(!is_offered);
   ImGui::SameLine();
-  ImGui::Checkbox(context.session.is_dear_to_try()
+  ImGui::Checkbox(is_dear_to_try(context.session.mesh())
                       ? context.text("Preview (up to 20,000 faces)", "プレビュー（20,000 面まで）")
                       : context.text("Preview", "プレビュー"),
                   is_offered ? &has_preview_ : &none);

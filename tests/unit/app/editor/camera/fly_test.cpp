@@ -129,7 +129,7 @@ TEST(fly, stands_upright_where_it_turns_and_knows_what_an_orthographic_picture_s
       Camera far = session->view.camera;
       if (far.ortho_height) far.eye -= 100.0 * now.forward;
       const auto at = project(far, session->view.size, middle);
-      const auto front = session->picker().pick(m, far, session->view.size, at->pixel, PickMode::face);
+      const auto front = session->findings().picker().pick(m, far, session->view.size, at->pixel, PickMode::face);
       ASSERT_TRUE(front) << first << " f" << f;
       EXPECT_EQ(front->face, Face(f)) << first;
     }
@@ -168,7 +168,7 @@ TEST(fly, costs_no_square_of_the_valence) {
 
 TEST(fly, selects_what_a_problem_is_about) {
   const auto bunny = session_of("stanford_bunny.obj");
-  const IndexSet& boundary = bunny->highlights().of(ProblemKind::boundary_loop);
+  const IndexSet& boundary = bunny->findings().highlights().of(ProblemKind::boundary_loop);
   const Element edge = Edge(boundary.nth(0));
   ASSERT_TRUE(bunny->run("select boundary_loop " + name_to_select(bunny->mesh(), edge)).done());
   EXPECT_GT(bunny->selection.size(), 2u);
@@ -176,19 +176,19 @@ TEST(fly, selects_what_a_problem_is_about) {
   for (const Element& e : bunny->selection) EXPECT_TRUE(boundary.contains(e.index));
 
   const auto tie = session_of("bow_tie.obj");
-  const IndexSet& points = tie->highlights().of(ProblemKind::nonmanifold_vertex);
+  const IndexSet& points = tie->findings().highlights().of(ProblemKind::nonmanifold_vertex);
   ASSERT_EQ(points.size(), 1u);
   const Element knot = Vertex(points.nth(0));
   ASSERT_TRUE(tie->run("select nonmanifold_vertex " + name_to_select(tie->mesh(), knot)).done());
   EXPECT_EQ(tie->selection.size(), 1 + tie->mesh().live().faces) << "the vertex and both fans";
 
   const auto fin = session_of("fin.obj");
-  const Element many = Edge(fin->highlights().of(ProblemKind::nonmanifold_edge).nth(0));
+  const Element many = Edge(fin->findings().highlights().of(ProblemKind::nonmanifold_edge).nth(0));
   ASSERT_TRUE(fin->run("select nonmanifold_edge " + name_to_select(fin->mesh(), many)).done());
   EXPECT_EQ(fin->selection.size(), 4u) << "the edge and three faces";
 
   const auto twice = session_of("duplicate_face.obj");
-  const Element face = Face(twice->highlights().of(ProblemKind::duplicate_face).nth(0));
+  const Element face = Face(twice->findings().highlights().of(ProblemKind::duplicate_face).nth(0));
   ASSERT_TRUE(twice->run("select duplicate_face " + name_of(twice->mesh(), face)).done());
   EXPECT_EQ(twice->selection.size(), 2u);
   EXPECT_EQ(twice->run("select duplicate_face none").exit_code, ExitCode::usage);

@@ -31,7 +31,7 @@ TEST(hiding, is_no_edit_and_leaves_the_selection) {
   const auto session = laid_out("torus.off");
   const auto live = session->mesh().live();
   run(*session, {"select f3 f7 v0", "hide f3 f4"});
-  EXPECT_EQ(session->hidden().faces().to_vector(), (std::vector<std::uint32_t>{3, 4}));
+  EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{3, 4}));
   EXPECT_EQ(session->selection, (std::vector<Element>{Face(7), Vertex(0)}));
   run(*session, {"mode face", "select all"});
   EXPECT_EQ(session->selection.size(), session->mesh().live().faces - 2);
@@ -39,44 +39,44 @@ TEST(hiding, is_no_edit_and_leaves_the_selection) {
   EXPECT_TRUE(session->document().history().empty());
   EXPECT_EQ(session->mesh().live().faces, live.faces);
   run(*session, {"unhide"});
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
 }
 
 TEST(hiding, goes_by_its_keys) {
   const auto session = laid_out("torus.off");
   run(*session, {"select f1..f5", "key H"});
-  EXPECT_EQ(session->hidden().faces().size(), 5u);
+  EXPECT_EQ(session->findings().hidden().faces().size(), 5u);
   EXPECT_TRUE(session->selection.empty());
   run(*session, {"key Ctrl+H", "select f1..f5", "key Shift+H"});
-  EXPECT_EQ(session->hidden().faces().size(), session->mesh().live().faces - 5);
+  EXPECT_EQ(session->findings().hidden().faces().size(), session->mesh().live().faces - 5);
   EXPECT_EQ(session->selection.size(), 5u) << "what is left stays selected";
   run(*session, {"key Ctrl+H"});
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
 }
 
 TEST(hiding, takes_the_faces_at_edges_and_vertices_along) {
   const auto session = laid_out("cube.obj");
   run(*session, {"hide v0"});
-  EXPECT_EQ(session->hidden().faces().size(), 3u);
-  EXPECT_TRUE(session->hidden().hides(session->mesh(), Vertex(0)));
+  EXPECT_EQ(session->findings().hidden().faces().size(), 3u);
+  EXPECT_TRUE(session->findings().hidden().hides(session->mesh(), Vertex(0)));
   std::size_t shown = 0;
   for (std::uint32_t i = 0; i < session->mesh().vertex_slots(); ++i)
-    shown += !session->hidden().hides(session->mesh(), Vertex(i));
+    shown += !session->findings().hidden().hides(session->mesh(), Vertex(i));
   EXPECT_EQ(shown, 7u);
   run(*session, {"unhide", "select all", "isolate e0"});
-  EXPECT_EQ(session->hidden().faces().size(), 4u);
+  EXPECT_EQ(session->findings().hidden().faces().size(), 4u);
 }
 
 TEST(hiding, hides_wires_and_isolated_vertices_themselves) {
   Session session(std::make_unique<Document>());
   run(session, {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_edge v0 v1", "make_vertex 0,1,0", "hide v0"});
-  EXPECT_TRUE(session.hidden().hides(session.mesh(), Edge(0)));
-  EXPECT_FALSE(session.hidden().hides(session.mesh(), Vertex(2)));
+  EXPECT_TRUE(session.findings().hidden().hides(session.mesh(), Edge(0)));
+  EXPECT_FALSE(session.findings().hidden().hides(session.mesh(), Vertex(2)));
   run(session, {"hide v2"});
-  EXPECT_EQ(session.hidden().isolated().to_vector(), (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(session.findings().hidden().isolated().to_vector(), (std::vector<std::uint32_t>{2}));
   run(session, {"make_edge v1 v2"});
-  EXPECT_TRUE(session.hidden().isolated().empty()) << "it is isolated no more";
-  EXPECT_FALSE(session.hidden().hides(session.mesh(), Vertex(2)));
+  EXPECT_TRUE(session.findings().hidden().isolated().empty()) << "it is isolated no more";
+  EXPECT_FALSE(session.findings().hidden().hides(session.mesh(), Vertex(2)));
 }
 
 TEST(hiding, says_what_is_wrong) {
@@ -86,7 +86,7 @@ TEST(hiding, says_what_is_wrong) {
   for (const char* line : {"hide selected", "isolate selected"}) {
     EXPECT_EQ(session->run(line).exit_code, ExitCode::refused) << line;
   }
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
   run(*session, {"select f0"});
   EXPECT_EQ(session->run("hide selected").sentence.en, "one face is hidden");
 }
@@ -122,7 +122,7 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
         ASSERT_EQ(a.has_value(), b.has_value());
         if (a) {
           ASSERT_EQ(a->element, b->element);
-          ASSERT_FALSE(session->hidden().hides(session->mesh(), a->element));
+          ASSERT_FALSE(session->findings().hidden().hides(session->mesh(), a->element));
         }
       }
   }
@@ -131,12 +131,12 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
 TEST(hiding, follows_edits_undo_and_redo) {
   const auto session = laid_out("torus.off");
   run(*session, {"hide f0 f1 f2 f3", "delete f1"});
-  EXPECT_EQ(session->hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3}));
   run(*session, {"undo"});
-  EXPECT_EQ(session->hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3})) << "what comes back is seen";
+  EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3})) << "what comes back is seen";
   run(*session, {"redo", "undo", "select f8", "poke selected"});
   for (std::uint32_t i = 0; i < session->mesh().face_slots(); ++i)
-    EXPECT_EQ(session->hidden().hides(session->mesh(), Face(i)), i == 0 || i == 2 || i == 3) << i;
+    EXPECT_EQ(session->findings().hidden().hides(session->mesh(), Face(i)), i == 0 || i == 2 || i == 3) << i;
   run(*session, {"select f5", "move_vertex v1 0,0,9", "select none", "hide f5", "undo"});
   EXPECT_TRUE(session->selection.empty()) << "what was selected then is hidden now";
 }
@@ -144,9 +144,9 @@ TEST(hiding, follows_edits_undo_and_redo) {
 TEST(hiding, ends_where_everything_is_numbered_anew_or_replaced) {
   const auto session = laid_out("misoriented.obj");
   run(*session, {"hide f0", "orient"});
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
   run(*session, {"hide f0", "new"});
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
 }
 
 }  // namespace

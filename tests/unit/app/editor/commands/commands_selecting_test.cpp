@@ -69,7 +69,7 @@ TEST(selecting, finds_all_problems_of_a_kind) {
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("select boundary_loop").done());
-  EXPECT_EQ(session.selection.size(), session.highlights().count(ProblemKind::boundary_loop));
+  EXPECT_EQ(session.selection.size(), session.findings().highlights().count(ProblemKind::boundary_loop));
   const Outcome unsearched = session.run("select self_intersection");
   EXPECT_TRUE(unsearched.done());
   EXPECT_NE(unsearched.sentence.en.find("since the last edit, as self_intersections does"), std::string::npos)
@@ -91,7 +91,7 @@ TEST(selecting, every_problem_has_a_line_of_its_own) {
     const std::string line = select_line(row);
     for (const KeyRow& key : key_table()) EXPECT_NE(key.command, line);
     ASSERT_TRUE(session.run(line).done()) << line;
-    EXPECT_EQ(session.selection.size(), session.highlights().count(row.kind)) << line;
+    EXPECT_EQ(session.selection.size(), session.findings().highlights().count(row.kind)) << line;
     shared += find_selector(row.id) ? 1 : 0;
     if (row.kind != ProblemKind::ring) continue;
     ASSERT_EQ(session.selection.size(), 1u);

@@ -37,12 +37,12 @@ TEST(repair_trials, would_says_what_the_repair_then_does_and_changes_nothing) {
       ASSERT_NE(tried_report, nullptr) << "at once without a window";
       const RepairReport expected = *tried_report;
       ASSERT_TRUE(session->run(line).done());
-      ASSERT_TRUE(session->last_repair());
-      EXPECT_EQ(session->last_repair()->changed, expected.changed);
-      EXPECT_EQ(session->last_repair()->text.en, expected.text.en);
-      ASSERT_EQ(session->last_repair()->left.size(), expected.left.size());
+      ASSERT_TRUE(session->findings().last_repair());
+      EXPECT_EQ(session->findings().last_repair()->changed, expected.changed);
+      EXPECT_EQ(session->findings().last_repair()->text.en, expected.text.en);
+      ASSERT_EQ(session->findings().last_repair()->left.size(), expected.left.size());
       for (std::size_t i = 0; i < expected.left.size(); ++i) {
-        EXPECT_EQ(session->last_repair()->left[i].elements, expected.left[i].elements);
+        EXPECT_EQ(session->findings().last_repair()->left[i].elements, expected.left[i].elements);
         EXPECT_NE(expected.left[i].reason.en, expected.left[i].reason.ja);
       }
       EXPECT_LE(session->document().position(), 1u) << "one entry of the history";
@@ -67,7 +67,7 @@ TEST(repair_trials, a_list_is_one_entry_that_undo_takes_back_and_the_log_does_ag
   EXPECT_EQ(session->log(), std::vector<std::string>{"repair default"});
   ASSERT_TRUE(session->run("undo").done());
   EXPECT_EQ(session->mesh().hash(), before);
-  EXPECT_EQ(session->last_repair(), nullptr) << "that was another mesh";
+  EXPECT_EQ(session->findings().last_repair(), nullptr) << "that was another mesh";
   const auto again = repair_session("fin.obj");
   ASSERT_TRUE(again->run(session->log().front()).done());
   EXPECT_EQ(again->mesh().hash(), after);
@@ -93,10 +93,10 @@ TEST(repair_trials, wrong_lists_say_what_is_wrong) {
 
 TEST(repair_trials, in_the_background_it_is_there_later_and_edits_meanwhile_are_safe) {
   const auto session = repair_session("stanford_bunny.obj");
-  session->trials().in_background = true;
+  session->trials.in_background = true;
   ASSERT_EQ(tried(*session, "repair fill_holes"), nullptr);
-  ASSERT_TRUE(session->trials().share());
-  for (int i = 0; i < 6000 && session->trials().share(); ++i) {
+  ASSERT_TRUE(session->trials.share());
+  for (int i = 0; i < 6000 && session->trials.share(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session->prepare();
   }
@@ -106,9 +106,9 @@ TEST(repair_trials, in_the_background_it_is_there_later_and_edits_meanwhile_are_
   EXPECT_EQ(tried(*session, "repair default"), nullptr);
   ASSERT_TRUE(session->run("delete f0").done()) << "while the mesh may be copied";
   EXPECT_EQ(tried(*session, "repair fill_holes"), nullptr) << "of another revision";
-  EXPECT_TRUE(session->trials().share());
-  session->trials().cancel();
-  EXPECT_FALSE(session->trials().share());
+  EXPECT_TRUE(session->trials.share());
+  session->trials.cancel();
+  EXPECT_FALSE(session->trials.share());
 }
 
 }  // namespace

@@ -12,17 +12,17 @@ namespace {
 
 std::unique_ptr<Session> opened() {
   auto session = std::make_unique<Session>(Document::open(test::asset("cube.obj")).value());
-  session->picker();
-  session->highlights();
+  session->findings().picker();
+  session->findings().highlights();
   return session;
 }
 
 TEST(change_feed, an_edit_an_undo_and_a_trial_tick_for_each_reader) {
   const auto session = opened();
-  const ChangeFeed::Cursor first = session->changes().since({}).now;
+  const ChangeFeed::Cursor first = session->findings().changes().since({}).now;
   ChangeFeed::Cursor last = first;
   const auto news = [&] {
-    const ChangeFeed::Changes changes = session->changes().since(last);
+    const ChangeFeed::Changes changes = session->findings().changes().since(last);
     last = changes.now;
     return changes;
   };
@@ -43,26 +43,26 @@ TEST(change_feed, an_edit_an_undo_and_a_trial_tick_for_each_reader) {
   EXPECT_FALSE(news().vertices.empty());
   session->shown.end();
   EXPECT_FALSE(news().vertices.empty());
-  const ChangeFeed::Changes all = session->changes().since(first);
+  const ChangeFeed::Changes all = session->findings().changes().since(first);
   EXPECT_FALSE(all.everything);
   EXPECT_TRUE(all.hiding && all.searched) << "who comes late gets all of it";
 }
 
 TEST(change_feed, another_document_is_everything) {
   const auto session = opened();
-  const ChangeFeed::Cursor before = session->changes().since({}).now;
+  const ChangeFeed::Cursor before = session->findings().changes().since({}).now;
   ASSERT_TRUE(session->run("new").done());
-  EXPECT_TRUE(session->changes().since(before).everything);
-  EXPECT_FALSE(session->changes().since(session->changes().since(before).now).everything);
+  EXPECT_TRUE(session->findings().changes().since(before).everything);
+  EXPECT_FALSE(session->findings().changes().since(session->findings().changes().since(before).now).everything);
 }
 
 TEST(change_feed, steps_of_a_gesture_tick_as_they_come) {
   const auto session = opened();
   ASSERT_TRUE(session->run("select v0").done());
   ASSERT_TRUE(session->run("gesture move").done());
-  const ChangeFeed::Cursor before = session->changes().since({}).now;
+  const ChangeFeed::Cursor before = session->findings().changes().since({}).now;
   session->follow_gesture({300, 300}, {});
-  const ChangeFeed::Changes changes = session->changes().since(before);
+  const ChangeFeed::Changes changes = session->findings().changes().since(before);
   EXPECT_FALSE(changes.everything);
   EXPECT_EQ(std::count(changes.vertices.begin(), changes.vertices.end(), 0u), 1);
 }

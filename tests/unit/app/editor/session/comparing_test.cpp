@@ -47,14 +47,14 @@ TEST(comparing, colours_both_by_the_distance_from_the_other_and_follows_edits) {
   EXPECT_EQ(session.run("colours distance").exit_code, ExitCode::refused) << "from nothing";
   session.run("compare " + test::asset("cube.obj"));
   ASSERT_TRUE(session.run("colours distance").done());
-  EXPECT_EQ(figures_of(session.map_values().all()).highest, 0);
+  EXPECT_EQ(figures_of(session.findings().map_values().all()).highest, 0);
   ASSERT_TRUE(session.run("translate by=0,0,3").done());
-  EXPECT_EQ(figures_of(session.map_values().all()).highest, 3);
-  EXPECT_EQ(figures_of(session.map_values().all()).lowest, 2);
-  EXPECT_EQ(figures_of(session.beside()->map_values().all()).highest, 3) << "the other one from this";
+  EXPECT_EQ(figures_of(session.findings().map_values().all()).highest, 3);
+  EXPECT_EQ(figures_of(session.findings().map_values().all()).lowest, 2);
+  EXPECT_EQ(figures_of(session.beside()->findings().map_values().all()).highest, 3) << "the other one from this";
   session.run("undo");
-  EXPECT_EQ(figures_of(session.map_values().all()).highest, 0);
-  EXPECT_EQ(figures_of(session.beside()->map_values().all()).highest, 0);
+  EXPECT_EQ(figures_of(session.findings().map_values().all()).highest, 0);
+  EXPECT_EQ(figures_of(session.beside()->findings().map_values().all()).highest, 0);
   session.run("compare off");
   EXPECT_FALSE(session.view.colouring);
 }

@@ -34,7 +34,7 @@ std::unique_ptr<Session> large_session(std::uint32_t rows = 450) {
 }
 
 void wait_for(Session& session) {
-  while (session.preparing()) {
+  while (session.findings().preparing()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
     session.prepare();
   }
@@ -42,21 +42,21 @@ void wait_for(Session& session) {
 
 void expect_as_if_asked_at_once(Session& session) {
   const HighlightSets anew(session.mesh());
-  EXPECT_TRUE(session.highlights() == anew);
-  EXPECT_EQ(session.boundary_loops().count(), 1u);
-  EXPECT_EQ(session.euler_terms().left(), euler_poincare(session.mesh()).left());
-  EXPECT_EQ(session.euler_terms().genus, euler_poincare(session.mesh()).genus);
-  EXPECT_EQ(session.kind().kind, find_kind(session.mesh(), anew.problems()).kind);
+  EXPECT_TRUE(session.findings().highlights() == anew);
+  EXPECT_EQ(session.findings().boundary_loops().count(), 1u);
+  EXPECT_EQ(session.findings().euler_terms().left(), euler_poincare(session.mesh()).left());
+  EXPECT_EQ(session.findings().euler_terms().genus, euler_poincare(session.mesh()).genus);
+  EXPECT_EQ(session.findings().kind().kind, find_kind(session.mesh(), anew.problems()).kind);
 }
 
 TEST(preparation, finds_in_the_background_what_would_be_found_at_once) {
   const auto session = large_session();
-  EXPECT_FALSE(session->preparing());
+  EXPECT_FALSE(session->findings().preparing());
   session->prepare();
-  ASSERT_TRUE(session->preparing());
+  ASSERT_TRUE(session->findings().preparing());
   EXPECT_FALSE(session->pick({640, 360}, PickMode::face));
   wait_for(*session);
-  EXPECT_TRUE(session->changes().since({}).searched);
+  EXPECT_TRUE(session->findings().changes().since({}).searched);
   expect_as_if_asked_at_once(*session);
   const auto other = large_session();
   for (int x = 100; x < 1200; x += 50) {
@@ -70,7 +70,7 @@ TEST(preparation, regions_are_refused_until_it_is_done_rather_than_empty) {
   const auto session = large_session();
   session->run("select f7");
   session->prepare();
-  ASSERT_TRUE(session->preparing());
+  ASSERT_TRUE(session->findings().preparing());
   for (const char* line : {"box 0,0 1280,720", "lasso 0,0 1280,0 600,700"})
     EXPECT_EQ(session->run(line).exit_code, ExitCode::refused) << line;
   EXPECT_EQ(session->selection, Elements{Face(7)});
@@ -82,12 +82,12 @@ TEST(preparation, regions_are_refused_until_it_is_done_rather_than_empty) {
 TEST(preparation, ends_for_an_edit_and_begins_anew_behind_it) {
   const auto session = large_session();
   session->prepare();
-  ASSERT_TRUE(session->preparing());
+  ASSERT_TRUE(session->findings().preparing());
   const Outcome outcome = session->run("split 0-1");
   EXPECT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_FALSE(session->preparing());
+  EXPECT_FALSE(session->findings().preparing());
   session->prepare();
-  EXPECT_TRUE(session->preparing());
+  EXPECT_TRUE(session->findings().preparing());
   wait_for(*session);
   expect_as_if_asked_at_once(*session);
 }
@@ -120,16 +120,16 @@ TEST(preparation, every_stage_can_be_interrupted) {
 TEST(preparation, is_waited_for_by_who_asks) {
   const auto session = large_session();
   session->prepare();
-  ASSERT_TRUE(session->preparing());
-  EXPECT_EQ(session->boundary_loops().count(), 1u);
-  EXPECT_FALSE(session->preparing());
+  ASSERT_TRUE(session->findings().preparing());
+  EXPECT_EQ(session->findings().boundary_loops().count(), 1u);
+  EXPECT_FALSE(session->findings().preparing());
   expect_as_if_asked_at_once(*session);
 }
 
 TEST(preparation, is_not_worth_it_for_a_small_mesh) {
   const auto session = large_session(10);
   session->prepare();
-  EXPECT_FALSE(session->preparing());
+  EXPECT_FALSE(session->findings().preparing());
 }
 
 }  // namespace

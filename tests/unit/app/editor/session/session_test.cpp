@@ -80,10 +80,10 @@ TEST(session, a_refused_click_changes_nothing_and_says_why) {
 
 TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
   const auto session = sheet_session();
-  session->picker();
+  session->findings().picker();
   ASSERT_TRUE(session->run("show all").done());
-  session->highlights();
-  session->euler_terms();
+  session->findings().highlights();
+  session->findings().euler_terms();
   const std::vector<std::string> lines{"collapse 24-25 mid", "split 9-10", "swap 16-24", "collapse 0-1", "undo", "undo",
                                        "split 3-4 0.25",     "undo 2",     "redo"};
   for (const std::string& line : lines) {
@@ -91,14 +91,14 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
     EXPECT_FALSE(check_invariants(session->mesh())) << line;
     HighlightSets fresh(session->mesh());
     for (const HighlightRow& row : highlight_table()) fresh.keep(session->mesh(), row);
-    EXPECT_EQ(session->highlights(), fresh) << line;
-    EXPECT_EQ(session->euler_terms(), euler_poincare(session->mesh())) << line;
+    EXPECT_EQ(session->findings().highlights(), fresh) << line;
+    EXPECT_EQ(session->findings().euler_terms(), euler_poincare(session->mesh())) << line;
     Picker anew(session->mesh());
     for (double x = 0.3; x < 6; x += 0.7) {
       for (double y = 0.2; y < 6; y += 0.9) {
         const glm::dvec2 pixel = pixel_of(*session, {x, y, 0});
         for (const PickMode mode : {PickMode::face, PickMode::edge, PickMode::vertex}) {
-          const auto a = session->picker().pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
+          const auto a = session->findings().picker().pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
           const auto b = anew.pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
           ASSERT_EQ(a.has_value(), b.has_value()) << line;
           if (!a) continue;
@@ -148,35 +148,35 @@ TEST(session, vertices_on_lines_are_not_isolated_whatever_is_edited) {
   file.elements.vertices = {2, 3, 4};
   const std::vector<Vertex> on_lines{Vertex(2), Vertex(3), Vertex(4)};
   Session session(std::make_unique<Document>(std::move(file)));
-  const auto isolated = [&] { return session.highlights().of(ProblemKind::isolated_vertex).to_vector(); };
+  const auto isolated = [&] { return session.findings().highlights().of(ProblemKind::isolated_vertex).to_vector(); };
   EXPECT_EQ(isolated(), (std::vector<std::uint32_t>{5}));
-  EXPECT_EQ(session.euler_terms().isolated, 3) << "points without an edge";
-  EXPECT_TRUE(session.euler_terms().holds());
+  EXPECT_EQ(session.findings().euler_terms().isolated, 3) << "points without an edge";
+  EXPECT_TRUE(session.findings().euler_terms().holds());
   for (const char* line : {"delete f0", "undo", "redo", "make_edge v3 v5", "undo"}) {
     ASSERT_TRUE(session.run(line).done()) << line;
-    EXPECT_EQ(session.highlights(), HighlightSets(session.mesh(), 0, on_lines)) << line;
-    EXPECT_TRUE(session.euler_terms().holds()) << line;
+    EXPECT_EQ(session.findings().highlights(), HighlightSets(session.mesh(), 0, on_lines)) << line;
+    EXPECT_TRUE(session.findings().euler_terms().holds()) << line;
   }
-  EXPECT_EQ(row_of(session.kind().kind).id, "wires");
-  EXPECT_EQ(session.kind().reason.en, "There is no usable face; lines: 1.");
+  EXPECT_EQ(row_of(session.findings().kind().kind).id, "wires");
+  EXPECT_EQ(session.findings().kind().reason.en, "There is no usable face; lines: 1.");
 }
 
 TEST(session, looks_for_creases_while_they_are_shown_and_no_longer) {
   const auto session = sheet_session();
   const HighlightRow& creases = *find_highlight("creases");
-  EXPECT_FALSE(session->highlights().keeps(creases));
+  EXPECT_FALSE(session->findings().highlights().keeps(creases));
   ASSERT_TRUE(session->run("move_vertex v24 3,3,1").done());
-  EXPECT_FALSE(session->highlights().keeps(creases));
+  EXPECT_FALSE(session->findings().highlights().keeps(creases));
   ASSERT_TRUE(session->run("show creases").done());
-  ASSERT_TRUE(session->highlights().keeps(creases));
-  EXPECT_EQ(session->highlights().count(creases), 12u) << "around the raised vertex";
+  ASSERT_TRUE(session->findings().highlights().keeps(creases));
+  EXPECT_EQ(session->findings().highlights().count(creases), 12u) << "around the raised vertex";
   ASSERT_TRUE(session->run("undo").done());
-  EXPECT_EQ(session->highlights().count(creases), 0u);
+  EXPECT_EQ(session->findings().highlights().count(creases), 0u);
   ASSERT_TRUE(session->run("show creases off").done());
   ASSERT_TRUE(session->run("redo").done());
-  EXPECT_FALSE(session->highlights().keeps(creases));
+  EXPECT_FALSE(session->findings().highlights().keeps(creases));
   ASSERT_TRUE(session->run("show creases on").done());
-  EXPECT_EQ(session->highlights().count(creases), 12u);
+  EXPECT_EQ(session->findings().highlights().count(creases), 12u);
 }
 
 TEST(session, its_log_is_a_script_that_leads_to_the_same_mesh) {
@@ -399,11 +399,11 @@ TEST(session, terms_follow_operators_that_change_boundaries_and_parts) {
   auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/cube.obj");
   ASSERT_TRUE(opened);
   Session session(std::move(opened).value());
-  session.euler_terms();
+  session.findings().euler_terms();
   // Counts that would balance as they were before, too.
   for (const char* line : {"detach f0", "undo", "redo", "delete_loop f3", "make_vertex 5,5,5", "undo 3"}) {
     ASSERT_TRUE(session.run(line).done()) << line;
-    EXPECT_EQ(session.euler_terms(), euler_poincare(session.mesh())) << line;
+    EXPECT_EQ(session.findings().euler_terms(), euler_poincare(session.mesh())) << line;
   }
 }
 
@@ -411,11 +411,11 @@ TEST(session, terms_are_kept_over_rings_copies_and_wires_as_if_made_anew) {
   auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/fin.obj");
   ASSERT_TRUE(opened);
   Session session(std::move(opened).value());
-  EXPECT_EQ(session.euler_terms().no_genus, NoGenus::nonmanifold_edge);
+  EXPECT_EQ(session.findings().euler_terms().no_genus, NoGenus::nonmanifold_edge);
   for (const char* line : {"split 0-1@f0", "make_vertex 3,3,3", "make_vertex 4,4,4", "make_edge v6 v7", "split 6-7",
                            "poke f0", "detach f1", "detach f2", "undo 3", "redo 2"}) {
     ASSERT_TRUE(session.run(line).done()) << line;
-    EXPECT_EQ(session.euler_terms(), euler_poincare(session.mesh())) << line;
+    EXPECT_EQ(session.findings().euler_terms(), euler_poincare(session.mesh())) << line;
   }
 }
 
@@ -423,14 +423,14 @@ TEST(session, knows_the_kind_of_its_mesh_after_edits) {
   auto opened = Document::open(RYOSEN_SOURCE_DIR "/assets/cube.obj");
   ASSERT_TRUE(opened);
   Session session(std::move(opened).value());
-  const auto kind = [&] { return row_of(session.kind().kind).id; };
+  const auto kind = [&] { return row_of(session.findings().kind().kind).id; };
   EXPECT_EQ(kind(), "solid");
   ASSERT_TRUE(session.run("reverse f0").done());
   EXPECT_EQ(kind(), "inside_out");
   ASSERT_TRUE(session.run("delete f0").done());
-  EXPECT_TRUE(session.is_kind_stale());
+  EXPECT_TRUE(session.findings().is_kind_stale());
   EXPECT_EQ(kind(), "surface");
-  EXPECT_FALSE(session.is_kind_stale());
+  EXPECT_FALSE(session.findings().is_kind_stale());
   ASSERT_TRUE(session.run("undo 2").done());
   EXPECT_EQ(kind(), "solid");
 }
@@ -504,7 +504,7 @@ TEST(expect, takes_every_letter_of_the_sum) {
   Session session(Document::open(test::asset("cube.obj")).value());
   for (const EulerTerm& term : euler_letters()) {
     const std::string line = std::string("expect ") + term.letter + " ";
-    const std::int64_t value = term.value(session.euler_terms()).value();
+    const std::int64_t value = term.value(session.findings().euler_terms()).value();
     EXPECT_TRUE(session.run(line + std::to_string(value)).done()) << line;
     EXPECT_EQ(session.run(line + std::to_string(value + 1)).exit_code, ExitCode::found_problems) << line;
   }

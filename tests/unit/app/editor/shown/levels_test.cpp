@@ -181,13 +181,13 @@ TEST_F(LevelsTest, refuse_words_that_no_mesh_makes_right) {
 TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
   EXPECT_EQ(say("account").exit_code, ExitCode::refused);
   ASSERT_TRUE(say("simplify faces=100").done());
-  EXPECT_FALSE(session_.account()) << "nobody has asked for it";
+  EXPECT_FALSE(session_.findings().account()) << "nobody has asked for it";
   const std::uint64_t hash = session_.mesh().hash(), revision = session_.document().revision();
   ASSERT_TRUE(say("account").done());
   EXPECT_EQ(session_.mesh().hash(), hash);
   EXPECT_EQ(session_.document().revision(), revision);
   EXPECT_EQ(session_.document().position(), 1u);
-  const EdgeAccount* const account = session_.account();
+  const EdgeAccount* const account = session_.findings().account();
   ASSERT_TRUE(account);
   EXPECT_EQ(std::accumulate(account->counts.begin(), account->counts.end(), std::size_t{0}),
             session_.mesh().live().edges);
@@ -213,30 +213,30 @@ TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
 TEST_F(LevelsTest, account_is_made_at_once_where_its_panel_is_shown) {
   ASSERT_TRUE(say("panel levels on").done());
   ASSERT_TRUE(say("simplify faces=100").done());
-  EXPECT_TRUE(session_.account());
+  EXPECT_TRUE(session_.findings().account());
 }
 
 TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   ASSERT_TRUE(say("levels max_turn=40").done());
   ASSERT_TRUE(say("levels at 200").done());
-  EXPECT_FALSE(session_.account());
+  EXPECT_FALSE(session_.findings().account());
   const Outcome of_level = say("account");
   ASSERT_TRUE(of_level.done()) << of_level.sentence.en;
   ASSERT_TRUE(session_.shown.levels()) << "they stay";
   EXPECT_LE(faces(), 200u) << "the level stays in the view";
-  ASSERT_TRUE(session_.account());
-  const std::vector<std::uint8_t> rules = session_.account()->rules;
+  ASSERT_TRUE(session_.findings().account());
+  const std::vector<std::uint8_t> rules = session_.findings().account()->rules;
   ASSERT_TRUE(say("account free").done());
-  EXPECT_EQ(session_.selection.size(), session_.account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
+  EXPECT_EQ(session_.selection.size(), session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
   session_.view.gizmo_kind = GizmoKind::move;
   EXPECT_FALSE(session_.gizmo()) << "nothing of a level is moved";
   ASSERT_TRUE(say("levels at 300").done());
-  EXPECT_FALSE(session_.account()) << "that is another mesh";
+  EXPECT_FALSE(session_.findings().account()) << "that is another mesh";
   ASSERT_TRUE(say("levels at 200").done());
   ASSERT_TRUE(say("panel levels off").done());
   ASSERT_TRUE(say("levels keep").done());
   EXPECT_EQ(say("account").sentence.en, of_level.sentence.en);
-  EXPECT_EQ(session_.account()->rules, rules);
+  EXPECT_EQ(session_.findings().account()->rules, rules);
 }
 
 TEST_F(LevelsTest, account_survives_a_look_at_the_levels) {

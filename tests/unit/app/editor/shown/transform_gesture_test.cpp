@@ -85,7 +85,7 @@ TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
   EXPECT_EQ(session_->document().history().size(), 1u);
 }
 
-std::uint32_t flat_faces(Session& session) { return session.highlights().count(ProblemKind::degenerate_area); }
+std::uint32_t flat_faces(Session& session) { return session.findings().highlights().count(ProblemKind::degenerate_area); }
 
 // While faces are pulled out their sides are where they are drawn, not where the operator on trial has put them.
 TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
@@ -111,11 +111,11 @@ TEST_F(GestureTest, lists_faces_that_it_flattens_until_it_is_given_up) {
   const Mesh& mesh = session_->mesh();
   ASSERT_EQ(mesh.position(Vertex(1)) - mesh.position(Vertex(0)), glm::dvec3(1, 0, 0));
   ASSERT_TRUE(find_halfedge(mesh, Vertex(0), Vertex(1)));
-  session_->highlights();
-  const ChangeFeed::Cursor before = session_->changes().since({}).now;
+  session_->findings().highlights();
+  const ChangeFeed::Cursor before = session_->findings().changes().since({}).now;
   run({"key G", "key X", "key 1"});
   EXPECT_EQ(flat_faces(*session_), 2u) << "those at the edge that has no length any more";
-  const std::vector<ChangeFeed::Marked> marks = session_->changes().since(before).marks;
+  const std::vector<ChangeFeed::Marked> marks = session_->findings().changes().since(before).marks;
   EXPECT_GE(std::count_if(marks.begin(), marks.end(),
                           [](const ChangeFeed::Marked& m) { return m.mark.sort == Element::Kind::face; }),
             2);
@@ -419,7 +419,7 @@ constexpr MadeByHand made_by_hand[] = {{"select f0 f1", "key Shift+D", "duplicat
 
 class MadeByHandTest : public GestureTest {
  protected:
-  std::size_t coincident() { return session_->highlights().count(ProblemKind::coincident_points); }
+  std::size_t coincident() { return session_->findings().highlights().count(ProblemKind::coincident_points); }
 };
 
 TEST_F(MadeByHandTest, one_hand_is_one_entry_and_one_undo) {

@@ -163,20 +163,20 @@ TEST(playing, an_exercise_over_a_step_says_what_is_shown) {
 TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {
   const auto session = playing_session("figures/003-image41.obj");
   do_all(*session, {"mode face", "select f0", "hide f3", "measure f0", "self_intersections", "steps collapse 0-1"});
-  const std::vector<std::uint32_t> found = session->highlights().of(ProblemKind::self_intersection).to_vector();
+  const std::vector<std::uint32_t> found = session->findings().highlights().of(ProblemKind::self_intersection).to_vector();
   do_all(*session, {"steps last"});
   ASSERT_TRUE(session->shown.is_replaced());
   EXPECT_TRUE(session->selection.empty());
-  EXPECT_TRUE(session->hidden().empty());
+  EXPECT_TRUE(session->findings().hidden().empty());
   do_all(*session, {"steps first"});
   EXPECT_FALSE(session->shown.is_replaced());
   EXPECT_EQ(session->selection, Elements{Face(0)});
   do_all(*session, {"steps last", "steps close"});
   EXPECT_EQ(session->selection, Elements{Face(0)});
   EXPECT_EQ(session->measures.size(), 1u);
-  EXPECT_TRUE(session->hidden().hides(session->mesh(), Face(3)));
-  EXPECT_EQ(session->highlights().of(ProblemKind::self_intersection).to_vector(), found);
-  EXPECT_TRUE(session->has_searched(ProblemKind::self_intersection));
+  EXPECT_TRUE(session->findings().hidden().hides(session->mesh(), Face(3)));
+  EXPECT_EQ(session->findings().highlights().of(ProblemKind::self_intersection).to_vector(), found);
+  EXPECT_TRUE(session->findings().has_searched(ProblemKind::self_intersection));
 }
 
 TEST(playing, findings_outlive_a_gesture_that_is_given_up) {
@@ -188,8 +188,8 @@ TEST(playing, findings_outlive_a_gesture_that_is_given_up) {
   do_all(session, {"self_intersections", "select f0", "gesture extrude"});
   session.cancel_gesture();
   EXPECT_EQ(session.selection, Elements{Face(0)});
-  EXPECT_TRUE(session.has_searched(ProblemKind::self_intersection));
-  EXPECT_EQ(session.highlights().of(ProblemKind::self_intersection).size(), 2u);
+  EXPECT_TRUE(session.findings().has_searched(ProblemKind::self_intersection));
+  EXPECT_EQ(session.findings().highlights().of(ProblemKind::self_intersection).size(), 2u);
 }
 
 TEST(playing, a_mesh_that_is_pulled_is_not_written_and_not_asked) {

@@ -54,13 +54,17 @@ std::vector<Reason> Poke::warnings(const Mesh& mesh) const {
 }
 
 OpEffect Poke::apply(Edit& edit) const {
+  assert(check(edit.mesh()).legal());
+  return poke(edit, face, position(edit.mesh()));
+}
+
+OpEffect poke(Edit& edit, Face face, const glm::dvec3& place) {
   const Mesh& m = edit.mesh();
-  assert(check(m).legal());
   const FacePolygon polygon(m, face);
   const std::vector<Halfedge>& sides = polygon.corners();
   const std::size_t n = sides.size();
   OpEffect effect;
-  const Vertex centre = edit.add_vertex(position(m));
+  const Vertex centre = edit.add_vertex(place);
   effect.created.push_back(centre);
   std::vector<Vertex> around;
   for (Halfedge h : sides) around.push_back(m.from(h));

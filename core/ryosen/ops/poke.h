@@ -52,4 +52,7 @@ struct Poke {
   glm::dvec3 position(const Mesh& mesh) const;
 };
 
+// Divides any face without rings and bridges, also one with another on the same points.
+OpEffect poke(Edit& edit, Face face, const glm::dvec3& place);
+
 }  // namespace ryosen

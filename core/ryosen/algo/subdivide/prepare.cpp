@@ -10,6 +10,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/poke.h"
 
 namespace ryosen::subdivide {
 
@@ -31,9 +32,28 @@ std::vector<Face> faces_to_cut(const Mesh& mesh, Scheme scheme) {
   return found;
 }
 
-std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces) {
+// Of two triangles with two common edges the later: dividing both would join the middles of these edges twice.
+std::vector<Face> folded_triangles(const Mesh& mesh) {
+  std::vector<Face> found;
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    const Halfedge h = mesh.halfedge(Face(i)), next = mesh.next(h);
+    const Face a = mesh.face(twin(h)), b = mesh.face(twin(next)), c = mesh.face(twin(mesh.next(next)));
+    const Face other = a == b || a == c ? a : b == c ? b : Face();
+    if (other && other.index < i) found.push_back(Face(i));
+  }
+  return found;
+}
+
+std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces, Scheme scheme, std::size_t& count) {
   Edit edit(mesh, nullptr);
   std::optional<Text> fault = cut_faces(edit, faces);
+  count = faces.size();
+  if (!fault && takes_triangles(scheme))
+    for (const Face f : folded_triangles(mesh)) {
+      poke(edit, f, Poke{f}.position(mesh));
+      ++count;
+    }
   edit.commit();
   return fault;
 }
@@ -220,10 +240,11 @@ Prepared prepare(const Mesh& mesh, const Options& options) {
   prepared.creases = creases_of(mesh, options);
   Creases& creases = prepared.creases;
   if (options.wants_descent) creases.origins = own_edges(mesh.edge_slots());
-  prepared.cut_faces = to_cut.size();
-  if (!to_cut.empty() || mesh.live().edges != mesh.edge_slots()) {
+  const bool is_folded = takes_triangles(options.scheme) && to_cut.empty() && !folded_triangles(mesh).empty();
+  if (!to_cut.empty() || is_folded || mesh.live().edges != mesh.edge_slots()) {
     prepared.changed = mesh;
-    if ((prepared.fault = cut(*prepared.changed, to_cut))) return prepared;
+    prepared.fault = cut(*prepared.changed, to_cut, options.scheme, prepared.cut_faces);
+    if (prepared.fault) return prepared;
     if (!creases.sharpness.empty()) creases.sharpness.resize(prepared.changed->edge_slots(), 0);
     if (!creases.corners.empty()) creases.corners.resize(prepared.changed->vertex_slots(), 0);
     if (!creases.origins.empty()) creases.origins.resize(prepared.changed->edge_slots());

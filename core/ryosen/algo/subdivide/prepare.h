@@ -12,7 +12,8 @@ namespace ryosen::subdivide {
 struct Prepared {
   std::optional<Mesh> changed;  // none where the mesh is so already
   Creases creases;
-  std::size_t cut_faces = 0;  // polygons, or faces with rings, that were cut into triangles
+  // Polygons, or faces with rings, that were cut into triangles; and, for triangles, one of two with two common edges.
+  std::size_t cut_faces = 0;
   std::size_t seams = 0;      // edges that are creases because the texture is torn there
   std::optional<Text> fault;  // a face that cannot be cut; then nothing else holds
 };

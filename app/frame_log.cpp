@@ -13,12 +13,12 @@ namespace ryosen {
 namespace {
 
 std::string hovered(const Session& session) {
-  if (session.pointed_handle() || session.pointed_axis_end()) return "handle";
-  return session.hover() ? name_of(session.mesh(), session.hover()->picked.element) : "-";
+  if (session.pointing.pointed_handle() || session.pointing.pointed_axis_end()) return "handle";
+  return session.selecting.hover() ? name_of(session.mesh(), session.selecting.hover()->picked.element) : "-";
 }
 
 std::string first_selected(const Session& session) {
-  return session.selection.empty() ? "-" : name_of(session.mesh(), session.selection[0]);
+  return session.selecting.selection.empty() ? "-" : name_of(session.mesh(), session.selecting.selection[0]);
 }
 
 std::string over_the_view(const Session& session) {
@@ -55,10 +55,10 @@ void FrameLog::frame(const Session& session, const Text& said, std::int64_t pixe
   const ElementCounts live = session.mesh().live();
   log_ << "frame " << ++frames_ << " pixels " << pixels << " ms " << took_ms << " V " << live.vertices << " E "
        << live.edges << " F " << live.faces << " history " << session.document().position() << " hover "
-       << hovered(session) << " held " << session.is_verdict_held() << " selected " << session.selection.size()
+       << hovered(session) << " held " << session.selecting.is_verdict_held() << " selected " << session.selecting.selection.size()
        << " eye " << words_of(session.view.camera.eye) << " first " << first_selected(session) << " panel "
        << over_the_view(session) << " target " << words_of(session.view.camera.target) << " gesture "
-       << (session.gesture() != nullptr) << " said " << in_one_line(said.en) << std::endl;
+       << (session.gesturing.transform() != nullptr) << " said " << in_one_line(said.en) << std::endl;
 }
 
 }  // namespace ryosen

@@ -39,7 +39,7 @@ class Shot {
     // Malformed lines and names produce no picture; refusals and failed expectations do.
     if (code_ != ExitCode::done && code_ != ExitCode::refused && code_ != ExitCode::found_problems) return finish();
     begin_another_step();
-    if (options_.hover) session_.point_at(*options_.hover);
+    if (options_.hover) session_.pointing.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
     if (options_.output) {
       is_written_ = write(picture, *options_.output, FileRole::picture);
@@ -61,7 +61,7 @@ class Shot {
       take(line);
     }
     for (const ShotClick& click : options_.clicks)
-      if (code_ == ExitCode::done) note(session_.click(click.pixel, click.tool), 0);
+      if (code_ == ExitCode::done) note(session_.pointing.click(click.pixel, click.tool), 0);
   }
 
   // Before what flags say.

@@ -25,7 +25,7 @@ class CornerPainter {
 
  private:
   void draw(const PlacedAxisEnd& placed) {
-    const bool is_pointed = placed.end == session_.pointed_axis_end();
+    const bool is_pointed = placed.end == session_.pointing.pointed_axis_end();
     const Rgba colour = palette(theme_).axes[static_cast<std::size_t>(placed.end->axis)];
     const Rgba ink = rgb(0x0C1018);
     if (placed.end->is_negative) {
@@ -63,7 +63,7 @@ class CornerPainter {
 }  // namespace
 
 Overlay axes_overlay(const Session& session, Theme theme) {
-  const auto corner = session.axes_in_corner();
+  const auto corner = session.pointing.axes_in_corner();
   return corner ? CornerPainter(session, *corner, theme).drawn() : Overlay();
 }
 

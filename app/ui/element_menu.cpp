@@ -29,10 +29,10 @@ void operator_item(PanelContext& context, const OpInfo& op) {
 
 // What takes a place as well: the line is begun with the middle of the element, for the user to change.
 void place_item(PanelContext& context, const OpInfo& op) {
-  const Elements& selection = context.session.selection;
+  const Elements& selection = context.session.selecting.selection;
   if (selection.size() != 1 || op.on_selection != OnSelection::each || !offer_on_selection(context.session, op).may_be)
     return;
-  const std::string name = context.session.selected_names()[0];
+  const std::string name = context.session.selecting.selected_names()[0];
   const std::string_view words[] = {name, "0,0,0"};
   if (first_misfit(op.syntax, words)) return;
   const std::string label =
@@ -78,8 +78,8 @@ void selector_menu(PanelContext& context) {
   if (!begin_submenu(context.text("Select", "選択"))) return;
   for (const Selector& row : selectors()) {
     if (row.value != Selector::Value::none && row.usual.empty()) continue;
-    if (!row.needs && !row.needs_any && !context.session.selection.empty()) continue;
-    if (!missing_for(row, context.session.selection).en.empty()) continue;
+    if (!row.needs && !row.needs_any && !context.session.selecting.selection.empty()) continue;
+    if (!missing_for(row, context.session.selecting.selection).en.empty()) continue;
     const std::string line = select_line(row), chord = chord_of(context.session, line);
     if (ImGui::MenuItem(context.text(row.name_en, row.name_ja), chord.c_str())) context.run(line);
   }
@@ -94,9 +94,9 @@ void gesture_items(PanelContext& context) {
   item("Turn", "回転", "gesture turn");
   item("Scale", "拡大縮小", "gesture scale");
   const auto is_no_vertex = [](const Element& e) { return e.kind != Element::Kind::vertex; };
-  if (std::any_of(context.session.selection.begin(), context.session.selection.end(), is_no_vertex))
+  if (std::any_of(context.session.selecting.selection.begin(), context.session.selecting.selection.end(), is_no_vertex))
     item("Extrude and move", "押し出して移動", "gesture extrude");
-  const Elements& selection = context.session.selection;
+  const Elements& selection = context.session.selecting.selection;
   if (selection.size() == 1 &&
       (selection[0].kind == Element::Kind::edge || selection[0].kind == Element::Kind::halfedge))
     item("Split and move", "分けて移動", "gesture split");
@@ -104,9 +104,9 @@ void gesture_items(PanelContext& context) {
 }
 
 std::string title(PanelContext& context) {
-  const std::vector<Element>& selection = context.session.selection;
+  const std::vector<Element>& selection = context.session.selecting.selection;
   if (selection.empty()) return context.text("Nothing is selected", "選択なし");
-  if (selection.size() == 1) return context.session.selected_names()[0];
+  if (selection.size() == 1) return context.session.selecting.selected_names()[0];
   return grouped(static_cast<std::int64_t>(selection.size())) + context.text(" selected", " 個を選択中");
 }
 
@@ -137,20 +137,20 @@ void draw_element_menu(PanelContext& context) {
   // In one line: wrapped, it would be as high as it is long in the frame that finds out how large the menu is.
   ImGui::TextColored(context.colours().dim, "%s", title(context).c_str());
   ImGui::Separator();
-  if (!context.session.selection.empty()) gesture_items(context);
+  if (!context.session.selecting.selection.empty()) gesture_items(context);
   for (const OpGroupRow& group : op_groups)
     if (!group.is_apart) operator_items(context, group);
   for (const OpGroupRow& group : op_groups)
     if (group.is_apart) group_menu(context, group);
   ImGui::Separator();
   selector_menu(context);
-  const std::string frame = context.session.selection.empty() ? "frame all" : "frame selected";
-  const UiText name = context.session.selection.empty() ? UiText::frame_all : UiText::frame_selected;
+  const std::string frame = context.session.selecting.selection.empty() ? "frame all" : "frame selected";
+  const UiText name = context.session.selecting.selection.empty() ? UiText::frame_all : UiText::frame_selected;
   if (ImGui::MenuItem(context.text(name), chord_of(context.session, frame).c_str())) context.run(frame);
   const auto hiding = [&](UiText name_of, const char* line) {
     if (ImGui::MenuItem(context.text(name_of), chord_of(context.session, line).c_str())) context.run(line);
   };
-  if (!context.session.selection.empty()) {
+  if (!context.session.selecting.selection.empty()) {
     hiding(UiText::hide_selected, "hide selected");
     hiding(UiText::isolate_selected, "isolate selected");
   }

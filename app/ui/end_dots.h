@@ -13,7 +13,7 @@ namespace ryosen {
 
 class EndDots {
  public:
-  explicit EndDots(const Session& session) : m_(session.mesh()), places_(session.drawn_positions()) {}
+  explicit EndDots(const Session& session) : m_(session.mesh()), places_(session.gesturing.drawn_positions()) {}
 
   void add(Edge e);
   void draw(Theme theme, Overlay& overlay) const;

@@ -116,14 +116,14 @@ class Guides {
 
 Overlay gizmo_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  if (const TransformGesture* const gesture = session.gesture()) {
+  if (const TransformGesture* const gesture = session.gesturing.transform()) {
     Guides(session, *gesture, theme, overlay).draw();
     return overlay;
   }
-  const auto gizmo = session.gizmo();
+  const auto gizmo = session.pointing.gizmo();
   if (!gizmo) return overlay;
   HandlePainter painter(overlay, theme);
-  for (const GizmoHandle& handle : gizmo->handles) painter.draw(handle, handle.row == session.pointed_handle());
+  for (const GizmoHandle& handle : gizmo->handles) painter.draw(handle, handle.row == session.pointing.pointed_handle());
   return overlay;
 }
 

@@ -103,7 +103,7 @@ bool are_many_in_view(const Session& session, std::span<const Face> faces) {
   std::size_t seen = 0;
   for (std::size_t i = 0; i < faces.size() && seen <= most; ++i) {
     const Vertex v = session.mesh().from(session.mesh().halfedge(faces[i]));
-    const auto at = project(session.view.camera, session.view.size, session.drawn_positions()[v.index]);
+    const auto at = project(session.view.camera, session.view.size, session.gesturing.drawn_positions()[v.index]);
     seen += at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session.view.size.width &&
             at->pixel.y < session.view.size.height;
   }
@@ -112,7 +112,7 @@ bool are_many_in_view(const Session& session, std::span<const Face> faces) {
 
 // Many are drawn thin and where they are seen, so that what is moved stays to be seen among them.
 void draw_spoilt(const Session& session, Theme theme, Overlay& overlay) {
-  const std::span<const Face> faces = session.spoilt_by_gesture();
+  const std::span<const Face> faces = session.gesturing.spoilt();
   const bool are_many = are_many_in_view(session, faces);
   Style looks = style(Role::refused, theme);
   if (are_many) {
@@ -128,11 +128,11 @@ void draw_spoilt(const Session& session, Theme theme, Overlay& overlay) {
 Overlay hover_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   draw_spoilt(session, theme, overlay);
-  const SnapTarget* const target = session.gesture() ? session.gesture()->snapped_to() : nullptr;
+  const SnapTarget* const target = session.gesturing.transform() ? session.gesturing.transform()->snapped_to() : nullptr;
   if (target && target->element.kind != Element::Kind::vertex)
     Painter(session, overlay, style(Role::hover, theme), 1).draw(target->element);
-  if (!session.hover()) return overlay;
-  const Hover& hover = *session.hover();
+  if (!session.selecting.hover()) return overlay;
+  const Hover& hover = *session.selecting.hover();
   if (!hover.op) {
     Painter(session, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
     return overlay;

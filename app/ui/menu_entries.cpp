@@ -77,7 +77,7 @@ void key_items(PanelContext& context, KeyMenu menu) {
   for (const KeyRow& row : key_table())
     if (row.menu == menu)
       item(context, context.text(row.menu_en, row.menu_ja), row.command,
-           menu != KeyMenu::edit || !context.session.selection.empty());
+           menu != KeyMenu::edit || !context.session.selecting.selection.empty());
 }
 
 void draw_edit_menu(PanelContext& context) {
@@ -87,12 +87,12 @@ void draw_edit_menu(PanelContext& context) {
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {
     if (op.key == '\0') continue;  // operators without a key are only in the tools panel
-    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.tool == op.id);
+    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.selecting.tool == op.id);
   }
   ImGui::Separator();
   key_items(context, KeyMenu::edit);
   item(context, context.text("Duplicate in place", "その場に複製"), "duplicate elements=selected",
-       !context.session.selection.empty());
+       !context.session.selecting.selection.empty());
   item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
   if (begin_submenu(context.text("Algorithms", "アルゴリズム"))) {
@@ -117,7 +117,7 @@ void draw_select_problems(PanelContext& context) {
 void draw_selector_field(PanelContext& context, const Selector& row) {
   const char* const name =
       row.menu_en.empty() ? context.text(row.name_en, row.name_ja) : context.text(row.menu_en, row.menu_ja);
-  if (!begin_submenu(name, missing_for(row, context.session.selection).en.empty())) return;
+  if (!begin_submenu(name, missing_for(row, context.session.selecting.selection).en.empty())) return;
   dim_text(context, context.text(row.value_en, row.value_ja));
   std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
   if (ImGui::IsWindowAppearing() || is_left_alone("##value")) ImGui::SetKeyboardFocusHere();
@@ -144,19 +144,19 @@ void draw_select_menu(PanelContext& context) {
       continue;
     }
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
-         missing_for(row, context.session.selection).en.empty());
+         missing_for(row, context.session.selecting.selection).en.empty());
   }
   draw_select_problems(context);
   ImGui::Separator();
   key_items(context, KeyMenu::select);
   ImGui::Separator();
-  item(context, UiText::hide_selected, "hide selected", !context.session.selection.empty());
-  item(context, UiText::isolate_selected, "isolate selected", !context.session.selection.empty());
+  item(context, UiText::hide_selected, "hide selected", !context.session.selecting.selection.empty());
+  item(context, UiText::isolate_selected, "isolate selected", !context.session.selecting.selection.empty());
   item(context, UiText::unhide, "unhide", !context.session.findings().hidden().empty());
   ImGui::Separator();
-  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selection.empty()))
+  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selecting.selection.empty()))
     context.begin_command("keep ");
-  for (const auto& [name, elements] : context.session.selections.kept)
+  for (const auto& [name, elements] : context.session.selecting.memory.kept)
     if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str()))
       context.run("select kept " + file_argument(name));
 }
@@ -191,7 +191,7 @@ void draw_switches(PanelContext& context) {
 
 void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
-  item(context, UiText::frame_selected, "frame selected", !context.session.selection.empty());
+  item(context, UiText::frame_selected, "frame selected", !context.session.selecting.selection.empty());
   ImGui::Separator();
   if (begin_submenu(context.text("Look from", "視点"))) {
     for (const NamedView& view : named_views())

@@ -64,7 +64,7 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
 
 Overlay NormalLines::block(Session& session, std::uint32_t number) const {
   const Mesh& mesh = session.mesh();
-  const std::span<const glm::dvec3> places = session.drawn_positions();
+  const std::span<const glm::dvec3> places = session.gesturing.drawn_positions();
   const Rgba colour = with_alpha(palette(theme_).label, 190);
   const std::uint32_t end = std::min((number + 1) * block_slots, slots_of(mesh, drawn_));
   Overlay overlay;

@@ -17,7 +17,7 @@ class Painter {
   Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0,
           bool thins_out = false)
       : m_(session.mesh()),
-        places_(session.drawn_positions()),
+        places_(session.gesturing.drawn_positions()),
         overlay_(overlay),
         style_(style),
         hidden_(hidden),

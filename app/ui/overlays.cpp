@@ -35,14 +35,14 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 // Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
 // Of many, which nobody selects one by one, there is no such order.
 static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
-  if (session.selection.size() < 2 || session.selection.size() > most_ringed) return;
+  if (session.selecting.selection.size() < 2 || session.selecting.selection.size() > most_ringed) return;
   const Mesh& mesh = session.mesh();
-  const Element& last = session.selection.back();
+  const Element& last = session.selecting.selection.back();
   if (session.findings().hidden().hides(mesh, last)) return;
   glm::dvec3 sum(0);
   double n = 0;
   const auto add = [&](Vertex v) {
-    sum += session.drawn_positions()[v.index];
+    sum += session.gesturing.drawn_positions()[v.index];
     ++n;
   };
   if (last.kind == Element::Kind::vertex) add(last.vertex());
@@ -60,18 +60,18 @@ Overlay selection_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   // Of very many those behind are hidden by those before, and dense ones need not be wide to be seen.
   constexpr std::size_t many = 1000, very_many = 20000;
-  const std::size_t n = session.selection.size();
+  const std::size_t n = session.selecting.selection.size();
   Painter painter(session, overlay, style(Role::selected, theme), n > very_many ? 0 : faintly, 0, n > many);
   constexpr std::size_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
-  const bool has_outlines = session.selection.count(Element::Kind::face) <= most_outlines;
+  const bool has_outlines = session.selecting.selection.count(Element::Kind::face) <= most_outlines;
   const bool has_arrow = session.view.links.is_on(session);  // of the selected halfedge, in its face
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&
-           !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selection.back()) &&
+           !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selecting.selection.back()) &&
            !session.findings().hidden().hides(session.mesh(), e);
   };
-  for (const Element& e : session.selection)
+  for (const Element& e : session.selecting.selection)
     if (is_drawn(e)) painter.draw(e);
   draw_last(session, theme, overlay);
   return overlay;
@@ -100,7 +100,7 @@ Overlay measures_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   const Style looks = style(Role::witness, theme);
   const auto lives = [&](const Element& e) { return is_alive(session.mesh(), e); };
-  for (const Elements& measured : session.measures) {
+  for (const Elements& measured : session.selecting.measures) {
     if (!std::all_of(measured.begin(), measured.end(), lives)) continue;
     const std::vector<glm::dvec3> path = measure(session.mesh(), measured).path;
     for (std::size_t i = 0; i < path.size(); ++i) {

@@ -150,12 +150,12 @@ Outcome PanelContext::run_from(const std::string& line, const std::string& panel
 }
 
 Outcome PanelContext::click(const Navigation::Click& click) {
-  Outcome outcome = session.click(click.pixel, session.tool, click.modifiers);
+  Outcome outcome = session.pointing.click(click.pixel, session.selecting.tool, click.modifiers);
   // Of the mesh something is there, but nothing that can be selected now.
-  const PickMode pointed = session.pointed_sort(click.modifiers);
-  const bool misses = outcome.done() && session.tool.empty() && session.selection.empty() &&
+  const PickMode pointed = session.selecting.pointed_sort(click.modifiers);
+  const bool misses = outcome.done() && session.selecting.tool.empty() && session.selecting.selection.empty() &&
                       outcome.performed.empty() && outcome.sentence.en.empty() && pointed != PickMode::face;
-  if (misses && session.pick(click.pixel, PickMode::face)) {
+  if (misses && session.pointing.pick(click.pixel, PickMode::face)) {
     const PickModeRow& sort = pick_modes[static_cast<std::size_t>(pointed)];
     Outcome told;
     told.sentence = Text{std::string(sort.point_en), std::string(sort.point_ja)} +

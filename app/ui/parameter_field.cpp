@@ -53,7 +53,7 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
   ImGui::SameLine();
   if (ImGui::Button((of_selection + ("##selection_" + id)).c_str())) {
     context.session.shown.end();  // what is shown before it is run has no selection
-    text = context.session.selection.empty() ? "" : selection_word;
+    text = context.session.selecting.selection.empty() ? "" : selection_word;
   }
   return entered;
 }

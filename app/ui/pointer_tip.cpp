@@ -25,7 +25,7 @@ std::vector<TipPart> parts_of_tip(PanelContext& context, const Preview& preview)
     parts.push_back({sentence.in(context.language()), ImGui::GetStyleColorVec4(ImGuiCol_Text)});
   if (legal) return parts;
   std::string help;
-  for (const std::string& line : context.session.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
+  for (const std::string& line : context.session.selecting.hover_remedy()) help += (help.empty() ? "" : "; ") + line;
   if (help.empty()) help = without_remedy(preview.verdict).in(context.language());
   parts.push_back({context.text(UiText::remedy) + (": " + help), context.colours().accent});
   return parts;
@@ -33,8 +33,8 @@ std::vector<TipPart> parts_of_tip(PanelContext& context, const Preview& preview)
 
 // Where the pointer is; of a verdict that is held where its element is, which the camera may have moved.
 std::optional<glm::dvec2> place_of_tip(const Session& session) {
-  if (!session.is_verdict_held()) return session.hover()->pixel;
-  const auto place = project(session.view.camera, session.view.size, session.hover()->picked.place);
+  if (!session.selecting.is_verdict_held()) return session.selecting.hover()->pixel;
+  const auto place = project(session.view.camera, session.view.size, session.selecting.hover()->picked.place);
   if (!place) return std::nullopt;
   return place->pixel + session.view.origin;
 }
@@ -55,8 +55,8 @@ ImVec2 size_of_tip(const std::vector<TipPart>& parts, float width) {
 // only once the view has rested.
 void draw_pointer_tip(PanelContext& context) {
   const Session& session = context.session;
-  if (!session.hover() || !session.hover()->op) return;
-  const Preview& preview = session.hover()->preview;
+  if (!session.selecting.hover() || !session.selecting.hover()->op) return;
+  const Preview& preview = session.selecting.hover()->preview;
   const bool legal = preview.verdict.legal();
   if (legal && preview.warnings.empty()) return;
   const auto pixel = place_of_tip(session);

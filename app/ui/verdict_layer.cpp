@@ -58,7 +58,7 @@ void VerdictLayer::follow_slots(View& view, std::uint32_t slots) {
 
 void VerdictLayer::follow(Session& session, View& view) {
   constexpr std::uint32_t most_at_once = 40;  // of a tenth of a millisecond each
-  ToolVerdicts* const verdicts = session.tool_verdicts();
+  ToolVerdicts* const verdicts = session.selecting.tool_verdicts();
   if (!verdicts && serial_ == 0) return;
   if (is_stale_ || !verdicts || serial_ != verdicts->serial() || theme_ != session.view.settings.theme)
     begin(session, view, verdicts);

@@ -28,7 +28,7 @@ TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) 
   const SurfaceTriangles& triangles = session.findings().picker().triangles();
   const Mesh& mesh = session.mesh();
   TriangleSource source{
-      session.drawn_positions(), triangles.slots(),
+      session.gesturing.drawn_positions(), triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
   if (session.view.settings.shading == Shading::smooth) source.corner_normals = session.findings().corner_normals().packed();
@@ -105,7 +105,7 @@ double room_of(Session& session, Mark mark) {
   const IndexSet& members = session.findings().highlights().of(mark);
   Box bounds;
   members.for_each([&](std::uint32_t i) {
-    if (is_finite(session.drawn_positions()[i])) bounds.add(session.drawn_positions()[i]);
+    if (is_finite(session.gesturing.drawn_positions()[i])) bounds.add(session.gesturing.drawn_positions()[i]);
   });
   return room_of_points(bounds, members.size());
 }
@@ -170,7 +170,7 @@ void Viewport::follow(Session& session) {
   samples_ = samples;
   const ViewSettings before = std::exchange(settings_, session.view.settings);
   if (settings_.dots == Dots::picked)
-    settings_.dots = session.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
+    settings_.dots = session.selecting.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
   highlights_stale_ |= settings_.theme != before.theme || settings_.dots != before.dots;
   view_->set_settings(settings_);
   const auto scale = static_cast<float>(session.preferences.size_scale());
@@ -237,7 +237,7 @@ void Viewport::follow_mesh(Session& session) {
   std::vector<std::uint32_t> triangles;
   if (!changes.everything) slots.for_each_since(seen_slots_, [&](std::uint32_t slot) { triangles.push_back(slot); });
   seen_slots_ = slots.clock();
-  const bool other_selection = selection_ != session.selection.stamp();
+  const bool other_selection = selection_ != session.selecting.selection.stamp();
   if (other_selection) follow_selected_faces(session, changes.faces, triangles);
   const FaceTints tints(session, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
@@ -245,7 +245,7 @@ void Viewport::follow_mesh(Session& session) {
                     drawn_file_colours_ != session.view.settings.file_colours ||
                     drawn_crease_deg_ != session.preferences.crease_deg;
   const bool other_highlights = shown_ != session.view.highlights || changes.searched;
-  if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesture_step() &&
+  if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesturing.step() &&
       mesh_revision_ == session.document().revision())
     return;
   face_tints_.resize(mesh.face_slots());
@@ -265,7 +265,7 @@ void Viewport::follow_mesh(Session& session) {
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
-  gesture_step_ = session.gesture_step();
+  gesture_step_ = session.gesturing.step();
   drawn_shading_ = session.view.settings.shading;
   drawn_colouring_ = session.view.colouring;
   drawn_file_colours_ = session.view.settings.file_colours;
@@ -282,7 +282,7 @@ void Viewport::follow_selected_faces(Session& session, std::vector<std::uint32_t
                                      std::vector<std::uint32_t>& triangles) {
   constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
   IndexSet selected;
-  for (const Element& e : session.selection)
+  for (const Element& e : session.selecting.selection)
     if (e.kind == Element::Kind::face) selected.insert(e.index);
   std::vector<std::uint32_t> others;
   selected.for_each([&](std::uint32_t f) {
@@ -351,15 +351,15 @@ void Viewport::follow_highlights(Session& session) {
 
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
-      highlights_stale_ || selection_ != session.selection.stamp() || draws_links_ != session.view.links.is_on(session);
+      highlights_stale_ || selection_ != session.selecting.selection.stamp() || draws_links_ != session.view.links.is_on(session);
   draws_links_ = session.view.links.is_on(session);
   verdict_layer_.follow(session, *view_);
   if (!session.findings().preparing()) follow_highlights(session);
   normal_lines_.follow(session, *view_);
   if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
-  if (selection_stale_ || measures_ != session.measures)
+  if (selection_stale_ || measures_ != session.selecting.measures)
     view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
-  measures_ = session.measures;
+  measures_ = session.selecting.measures;
   const Player* const player = session.shown.player().get();
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
@@ -375,7 +375,7 @@ void Viewport::follow_overlays(Session& session) {
     view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));
   account_ = drawn;
   selection_stale_ = false;
-  selection_ = session.selection.stamp();
+  selection_ = session.selecting.selection.stamp();
   view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
   view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
   view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));

@@ -44,8 +44,8 @@ class WindowInput : public ViewInput {
   Outcome click(const Navigation::Click& click) override;
   Outcome open_menu(const Navigation::Click& click) override;
   Outcome run(const std::string& line) override { return gui_.run(session_, line); }
-  Outcome end_gesture() override { return gui_.keep(session_, session_.end_gesture()); }
-  Outcome give_up_gesture() override { return gui_.keep(session_, session_.give_up_gesture()); }
+  Outcome end_gesture() override { return gui_.keep(session_, session_.gesturing.end()); }
+  Outcome give_up_gesture() override { return gui_.keep(session_, session_.gesturing.give_up()); }
   Outcome press_key(const std::string& chord, bool is_again, const InputPreset& preset);
   Outcome let_key_go(const std::string& chord, const InputPreset& preset);
   Outcome act_on(const std::string& chord, bool is_again, const InputPreset& preset);

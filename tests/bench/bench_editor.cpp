@@ -32,7 +32,7 @@ std::unique_ptr<Session> open_session(Source source) {
   MeshFile file;
   file.mesh = source();
   auto session = std::make_unique<Session>(std::make_unique<Document>(std::move(file)));
-  session->tool = "collapse";
+  session->selecting.tool = "collapse";
   session->findings().picker();
   session->findings().highlights();
   return session;
@@ -44,8 +44,8 @@ std::vector<glm::dvec2> pixels_on(Session& session, std::size_t count) {
   std::vector<glm::dvec2> pixels;
   while (pixels.size() < count) {
     const glm::dvec2 pixel(0.5 + static_cast<double>(random() % 1280), 0.5 + static_cast<double>(random() % 720));
-    session.point_at(pixel);
-    if (session.hover() && session.hover()->op) pixels.push_back(pixel);
+    session.pointing.point_at(pixel);
+    if (session.selecting.hover() && session.selecting.hover()->op) pixels.push_back(pixel);
   }
   return pixels;
 }
@@ -55,7 +55,7 @@ void hover_verdict(benchmark::State& state, Source source) {
   const auto session = open_session(source);
   const std::vector<glm::dvec2> pixels = pixels_on(*session, 1000);
   std::size_t i = 0;
-  for (auto _ : state) session->point_at(pixels[i++ % pixels.size()]);
+  for (auto _ : state) session->pointing.point_at(pixels[i++ % pixels.size()]);
 }
 
 // One collapse under the pointer with everything that follows it: tree, highlights, hover; undone outside the time.
@@ -63,11 +63,11 @@ void edit_and_follow(benchmark::State& state, Source source) {
   if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
   const auto session = open_session(source);
   std::vector<glm::dvec2> pixels = pixels_on(*session, 500);
-  session->point_away();
+  session->pointing.point_away();
   std::size_t i = 0;
   for (auto _ : state) {
     const auto start = now();
-    const Outcome outcome = session->click(pixels[i++ % pixels.size()], "collapse");
+    const Outcome outcome = session->pointing.click(pixels[i++ % pixels.size()], "collapse");
     state.SetIterationTime(seconds_since(start));
     if (outcome.done()) session->document().undo();
   }
@@ -150,7 +150,7 @@ void redraw(benchmark::State& state, Source source, Reaction reaction) {
   if (!screen.viewport) return state.SkipWithError("no OSMesa");
   const auto session = open_session(source);
   const std::vector<glm::dvec2> pixels = pixels_on(*session, 500);
-  session->point_away();
+  session->pointing.point_away();
   Viewport& viewport = *screen.viewport;
   const auto show = [&] {
     viewport.follow(*session);
@@ -164,8 +164,8 @@ void redraw(benchmark::State& state, Source source, Reaction reaction) {
     const auto start = now();
     if (reaction == Reaction::camera)
       session->view.camera = orbited(session->view.camera, {3, 1}, session->view.size, session->view.camera.target);
-    if (reaction == Reaction::hover) session->point_at(pixel);
-    if (reaction == Reaction::edit) session->click(pixel, "collapse");
+    if (reaction == Reaction::hover) session->pointing.point_at(pixel);
+    if (reaction == Reaction::edit) session->pointing.click(pixel, "collapse");
     show();
     state.SetIterationTime(seconds_since(start));
   }
@@ -180,14 +180,14 @@ void gesture_step(benchmark::State& state, Source source) {
   const glm::dvec2 pixel = pixels_on(*session, 1)[0];
   session->run("tool none");
   session->run("mode vertex");
-  session->click(pixel, "");
-  for (int i = 0; i < 20 && session->selection.size() < 90; ++i) session->run("select grow");
+  session->pointing.click(pixel, "");
+  for (int i = 0; i < 20 && session->selecting.selection.size() < 90; ++i) session->run("select grow");
   session->view.pointer = pixel;
-  session->begin_gesture(PointTransform::Kind::move);
+  session->gesturing.begin(PointTransform::Kind::move);
   Viewport& viewport = *screen.viewport;
   int step = 0;
   const auto show = [&] {
-    session->follow_gesture(pixel + glm::dvec2(step % 7, step % 5), {});
+    session->gesturing.follow(pixel + glm::dvec2(step % 7, step % 5), {});
     ++step;
     viewport.follow(*session);
     viewport.draw();
@@ -199,7 +199,7 @@ void gesture_step(benchmark::State& state, Source source) {
     show();
     state.SetIterationTime(seconds_since(start));
   }
-  state.counters["vertices"] = static_cast<double>(session->selection.size());
+  state.counters["vertices"] = static_cast<double>(session->selecting.selection.size());
 }
 
 double median(std::vector<double> values) {

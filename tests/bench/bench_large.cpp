@@ -91,15 +91,15 @@ class LargeScene {
   }
 
   void point(Costs& costs, const char* tool) {
-    session_->tool = tool;
-    for (const glm::dvec2& pixel : pixels()) costs.add(cost_of([&] { session_->point_at(pixel); }));
-    session_->point_away();
+    session_->selecting.tool = tool;
+    for (const glm::dvec2& pixel : pixels()) costs.add(cost_of([&] { session_->pointing.point_at(pixel); }));
+    session_->pointing.point_away();
   }
 
   void edit(Costs& costs) {
     for (const glm::dvec2& pixel : pixels()) {
       const Cost cost = cost_of([&] {
-        session_->click(pixel, "collapse");
+        session_->pointing.click(pixel, "collapse");
         show();
       });
       costs.add(cost);
@@ -109,10 +109,10 @@ class LargeScene {
   // That lie on the mesh.
   const std::vector<glm::dvec2>& pixels() {
     constexpr std::size_t count = 200;
-    session_->mode = PickMode::edge;
+    session_->selecting.mode = PickMode::edge;
     while (pixels_.size() < count) {
       const glm::dvec2 pixel(0.5 + static_cast<double>(random_() % 1280), 0.5 + static_cast<double>(random_() % 720));
-      if (session_->pick(pixel, PickMode::edge)) pixels_.push_back(pixel);
+      if (session_->pointing.pick(pixel, PickMode::edge)) pixels_.push_back(pixel);
     }
     return pixels_;
   }

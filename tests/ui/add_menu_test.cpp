@@ -82,7 +82,7 @@ TEST_F(AddMenu, keeps_values_that_were_refused_with_the_reason) {
 TEST_F(AddMenu, selects_what_was_added) {
   const std::uint32_t before = session.mesh().live().faces;
   ASSERT_TRUE(session.run("sphere").done());
-  EXPECT_EQ(session.selection.size(), session.mesh().live().faces - before);
+  EXPECT_EQ(session.selecting.selection.size(), session.mesh().live().faces - before);
   // Its preview, which the fields show, is not what was there before.
   ASSERT_TRUE(session.run("values torus").done());
   frames(3);
@@ -93,7 +93,7 @@ TEST_F(AddMenu, selects_what_was_added) {
   frames(4);
   EXPECT_EQ(session.mesh().live().faces, shown);
   EXPECT_FALSE(session.document().is_on_trial());
-  EXPECT_EQ(session.selection.size(), 512u);
+  EXPECT_EQ(session.selecting.selection.size(), 512u);
 }
 
 TEST_F(AddMenu, takes_a_share_of_the_diagonal_without_what_its_preview_adds) {

@@ -38,14 +38,14 @@ class ColoursPanelTest : public testing::Test, public Laid {
 TEST_F(ColoursPanelTest, a_drag_over_the_histogram_selects_what_lies_in_its_range) {
   constexpr double in_histogram = 110;
   drag(0.0, 0.4, in_histogram);
-  EXPECT_EQ(session.selected_names().size(), 4u) << "the four triangles of a quarter each";
+  EXPECT_EQ(session.selecting.selected_names().size(), 4u) << "the four triangles of a quarter each";
   drag(1.0, 0.4, in_histogram);
-  EXPECT_EQ(session.selected_names().size(), 5u) << "backwards; the squares of area 1, the highest value";
+  EXPECT_EQ(session.selecting.selected_names().size(), 5u) << "backwards; the squares of area 1, the highest value";
   drag(0.0, 1.0, in_histogram);
-  EXPECT_EQ(session.selected_names().size(), 9u);
-  for (const Element& e : session.selection) EXPECT_EQ(e.kind, Element::Kind::face);
+  EXPECT_EQ(session.selecting.selected_names().size(), 9u);
+  for (const Element& e : session.selecting.selection) EXPECT_EQ(e.kind, Element::Kind::face);
   drag(0.3, 0.6, in_histogram);
-  EXPECT_TRUE(session.selection.empty()) << "nothing lies between";
+  EXPECT_TRUE(session.selecting.selection.empty()) << "nothing lies between";
 }
 
 TEST_F(ColoursPanelTest, a_map_of_counts_has_a_bar_for_each_value) {
@@ -53,11 +53,11 @@ TEST_F(ColoursPanelTest, a_map_of_counts_has_a_bar_for_each_value) {
   frames(4);
   drag(0.3, 0.3, 110);
   EXPECT_EQ(session.log().size(), 1u) << "only the poke";
-  EXPECT_EQ(session.selected_names().size(), 4u) << "of three edges: those that the poke leaves";
+  EXPECT_EQ(session.selecting.selected_names().size(), 4u) << "of three edges: those that the poke leaves";
   drag(0.8, 0.8, 110);
-  EXPECT_EQ(session.selected_names().size(), 5u);
+  EXPECT_EQ(session.selecting.selected_names().size(), 5u);
   drag(0.8, 0.3, 110);
-  EXPECT_EQ(session.selected_names().size(), 9u);
+  EXPECT_EQ(session.selecting.selected_names().size(), 9u);
   EXPECT_EQ(DrawnText(gui).count("3.0"), 0u);
 }
 

@@ -22,7 +22,7 @@ class ElementMenu : public testing::Test, protected test::Laid {
     for (std::uint32_t i = 0; i < session.mesh().edge_slots(); ++i) {
       const Element edge{Edge(i)};
       const auto seen = project(session.view.camera, session.view.size, middle_of(session.mesh(), edge));
-      const auto picked = seen ? session.pick(session.view.origin + seen->pixel, PickMode::edge) : std::nullopt;
+      const auto picked = seen ? session.pointing.pick(session.view.origin + seen->pixel, PickMode::edge) : std::nullopt;
       if (picked && picked->element == edge) return session.view.origin + seen->pixel;
     }
     ADD_FAILURE() << "no edge is seen";

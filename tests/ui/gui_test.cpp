@@ -140,9 +140,9 @@ TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
   Laid laid("torus.off");
   const glm::dvec2 row = test::DrawnText(laid.gui).place("Collapse edge");
   laid.click(row);
-  EXPECT_EQ(laid.session.tool, "collapse");
+  EXPECT_EQ(laid.session.selecting.tool, "collapse");
   laid.click(row);
-  EXPECT_EQ(laid.session.tool, "");
+  EXPECT_EQ(laid.session.selecting.tool, "");
 }
 
 TEST(gui, a_highlight_is_switched_in_its_panel) {

@@ -32,10 +32,10 @@ TEST(intersections, are_searched_for_on_request_and_selected_as_all_problems_are
   EXPECT_NE(outcome.sentence.en.find("one pair"), std::string::npos) << outcome.sentence.en;
   EXPECT_EQ(found(session), 2u);
   ASSERT_TRUE(session.run("select self_intersection").done());
-  EXPECT_EQ(session.selection, (std::vector<Element>{Face(0), Face(1)}));
+  EXPECT_EQ(session.selecting.selection, (std::vector<Element>{Face(0), Face(1)}));
   for (const char* face : {"f0", "f1"}) {
     ASSERT_TRUE(session.run(std::string("select self_intersection ") + face).done());
-    EXPECT_EQ(session.selection.size(), 2u) << face << " with what it meets";
+    EXPECT_EQ(session.selecting.selection.size(), 2u) << face << " with what it meets";
   }
   ASSERT_TRUE(session.run("self_intersections off").done());
   EXPECT_EQ(found(session), 0u);

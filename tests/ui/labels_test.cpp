@@ -87,7 +87,7 @@ TEST_F(LabelsTest, do_not_overlap_and_give_way_to_what_is_selected) {
     }
   }
   const std::set<std::string> shown = texts();
-  const auto seen = session_.pick({240, 180}, PickMode::face);
+  const auto seen = session_.pointing.pick({240, 180}, PickMode::face);
   ASSERT_TRUE(seen);
   const std::string name = "f" + std::to_string(seen->element.index);
   ASSERT_TRUE(session_.run("select " + name).done());
@@ -116,9 +116,9 @@ TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
   for (const Size view : {Size{480, 360}, Size{640, 480}}) {
     session_.view.size = view;
     session_.frame_all();
-    ASSERT_GE(session_.measures.size(), 4u);
+    ASSERT_GE(session_.selecting.measures.size(), 4u);
     const std::vector<PlacedLabel> all = placed_labels(session_, size_of, 1);
-    EXPECT_EQ(all.size(), session_.measures.size()) << view.width;
+    EXPECT_EQ(all.size(), session_.selecting.measures.size()) << view.width;
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(rect_of(all[i]), rect_of(all[k])));
   }
@@ -134,10 +134,10 @@ TEST_F(LabelsTest, of_measures_lie_beside_the_handles_of_the_gizmo) {
       const std::vector<PlacedLabel> all = placed();
       ASSERT_EQ(all.size(), 1u);
       const PixelRect rect = rect_of(all[0]);
-      ASSERT_TRUE(session_.gizmo());
+      ASSERT_TRUE(session_.pointing.gizmo());
       for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
-          ASSERT_EQ(session_.handle_at(session_.view.origin + glm::dvec2(x, y), {}), nullptr) << measured;
+          ASSERT_EQ(session_.pointing.handle_at(session_.view.origin + glm::dvec2(x, y), {}), nullptr) << measured;
     }
 }
 

@@ -152,7 +152,7 @@ TEST_F(LayoutTest, a_drag_of_its_border_makes_a_column_wider_and_the_view_follow
   EXPECT_EQ(view().x0, session.layout.left_px);
   EXPECT_EQ(session.view.origin.x, view().x0);
   EXPECT_EQ(session.view.size.width, view().width());
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
   drag({before.x1 + 2, 400}, {before.x1 + 900, 400});
   EXPECT_EQ(session.layout.right_px, least_column_px);
   drag({view().x1 + 2, 400}, {5, 400});
@@ -350,16 +350,16 @@ TEST_F(NarrowWindow, a_click_into_the_view_closes_what_a_tab_has_opened_and_does
   run("mode face");
   run("panel history flyout");
   const glm::dvec2 in_view{320, 240};
-  ASSERT_TRUE(session.pick(in_view, PickMode::face));
+  ASSERT_TRUE(session.pointing.pick(in_view, PickMode::face));
   const glm::dvec3 eye = session.view.camera.eye;
   drag({200, 240}, {260, 240});
   EXPECT_NE(session.view.camera.eye, eye);
   EXPECT_EQ(session.layout.flyout, "history") << "a drag turns the view beside it";
   view_click(in_view);
   EXPECT_EQ(session.layout.flyout, "");
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
   view_click(in_view);
-  EXPECT_EQ(session.selection.size(), 1u);
+  EXPECT_EQ(session.selecting.selection.size(), 1u);
 }
 
 TEST_F(NarrowWindow, a_wider_one_has_columns_again) {

@@ -116,11 +116,11 @@ TEST(legible, problems_remedies_and_measured_forms_fit_a_narrow_column) {
     }
     for (double x = view.x0 + 60; x < view.x1; x += 60) {
       const glm::dvec2 pixel{x, (view.y0 + view.y1) / 2.0};
-      laid.session.point_at(pixel);
+      laid.session.pointing.point_at(pixel);
       is_legible("pointed at");
       laid.gui.click(laid.session, {MouseButton::left, pixel, {}, false});
       is_legible("clicked");
-      laid.session.release_verdict();
+      laid.session.selecting.release_verdict();
     }
   }
 }
@@ -302,17 +302,17 @@ TEST(legible, what_is_said_beside_the_pointer_is_whole_in_the_first_frame_that_s
       const auto [a, b] = ends(session.mesh(), Edge(i));
       const auto at = project(session.view.camera, session.view.size,
                               (session.mesh().position(a) + session.mesh().position(b)) / 2.0);
-      session.point_at(at->pixel + session.view.origin);
+      session.pointing.point_at(at->pixel + session.view.origin);
       laid.frames(1);
       const DrawnText first(laid.gui);
       laid.frames(3);
       const DrawnText later(laid.gui);
-      for (const Reason& reason : session.hover() ? session.hover()->preview.verdict.reasons : std::vector<Reason>()) {
+      for (const Reason& reason : session.selecting.hover() ? session.selecting.hover()->preview.verdict.reasons : std::vector<Reason>()) {
         const std::string end = Text(describe(session.mesh(), reason)).en;
         EXPECT_EQ(first.last_place(end.substr(end.rfind(' '))), later.last_place(end.substr(end.rfind(' ')))) << end;
         ++told;
       }
-      session.point_away();
+      session.pointing.point_away();
       if (i % 2 == 0) laid.frames(1);  // it goes, and comes again
     }
   }

@@ -97,8 +97,8 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
     const std::vector<LinkArrow> all = arrows();
     ASSERT_EQ(all.size(), 2 * session_.mesh().live().edges);
     for (const LinkArrow& arrow : all) {
-      ASSERT_TRUE(session_.click(pixel_of(arrow), "").done());
-      EXPECT_EQ(session_.selection, (std::vector<Element>{arrow.halfedge})) << name << " h" << arrow.halfedge.index;
+      ASSERT_TRUE(session_.pointing.click(pixel_of(arrow), "").done());
+      EXPECT_EQ(session_.selecting.selection, (std::vector<Element>{arrow.halfedge})) << name << " h" << arrow.halfedge.index;
     }
   }
   // Those of a solid that face away are hidden, and so not clicked; all others are.
@@ -110,9 +110,9 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
     const ScreenPoint at = *project(session_.view.camera, session_.view.size, middle);
     const bool is_seen =
         session_.findings().picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size, at, middle, arrow.on);
-    session_.selection.clear();
-    session_.click(pixel_of(arrow), "");
-    EXPECT_EQ(session_.selection == std::vector<Element>{arrow.halfedge}, is_seen) << "h" << arrow.halfedge.index;
+    session_.selecting.selection.clear();
+    session_.pointing.click(pixel_of(arrow), "");
+    EXPECT_EQ(session_.selecting.selection == std::vector<Element>{arrow.halfedge}, is_seen) << "h" << arrow.halfedge.index;
     seen += is_seen ? 1 : 0;
   }
   EXPECT_GE(seen, 12u + 4u);
@@ -124,13 +124,13 @@ TEST_F(LinksTest, are_pointed_at_as_they_are_clicked) {
   for (const char* const mode : {"mode vertex", "mode edge", "mode face", "mode halfedge"}) {
     open("fan.obj", {"view front", "links all", "tool none", mode});
     for (const LinkArrow& arrow : std::vector<LinkArrow>(arrows())) {
-      session_.point_at(pixel_of(arrow));
-      ASSERT_TRUE(session_.hover());
-      EXPECT_EQ(session_.hover()->picked.element, Element(arrow.halfedge)) << mode;
+      session_.pointing.point_at(pixel_of(arrow));
+      ASSERT_TRUE(session_.selecting.hover());
+      EXPECT_EQ(session_.selecting.hover()->picked.element, Element(arrow.halfedge)) << mode;
     }
     ASSERT_TRUE(session_.run("tool split").done());
-    session_.point_at(pixel_of(arrows()[0]));
-    EXPECT_TRUE(!session_.hover() || session_.hover()->picked.element.kind == Element::Kind::edge)
+    session_.pointing.point_at(pixel_of(arrows()[0]));
+    EXPECT_TRUE(!session_.selecting.hover() || session_.selecting.hover()->picked.element.kind == Element::Kind::edge)
         << "a tool takes its own";
   }
 }
@@ -169,7 +169,7 @@ TEST_F(LinksTest, are_reached_from_twice_as_far_where_all_is_twice_as_large) {
 TEST_F(LinksTest, of_a_halfedge_are_its_links) {
   open("fan.obj", {"view front", "mode halfedge", "select 0-1"});
   const Halfedge h = find_edge(session_.mesh(), "0-1").element;
-  session_.selection = {h};
+  session_.selecting.selection = {h};
   const Mesh& m = session_.mesh();
   for (const auto& [role, to] : {std::pair{LinkRole::itself, h},
                                  {LinkRole::next, m.next(h)},
@@ -201,15 +201,15 @@ TEST_F(LinksTest, of_edges_vertices_and_faces_are_what_they_store) {
   const auto count = [&](LinkRole role) {
     return std::count_if(arrows().begin(), arrows().end(), [&](const LinkArrow& a) { return a.role == role; });
   };
-  session_.selection = {edge(m.halfedge(Face(1)))};
+  session_.selecting.selection = {edge(m.halfedge(Face(1)))};
   EXPECT_EQ(count(LinkRole::vertex), 2);
   EXPECT_EQ(count(LinkRole::face), 2);
   EXPECT_EQ(count(LinkRole::wing), 4);
-  session_.selection = {Vertex(5)};
+  session_.selecting.selection = {Vertex(5)};
   EXPECT_EQ(count(LinkRole::itself), 1);
   EXPECT_EQ(find(LinkRole::itself)->halfedge, m.halfedge(Vertex(5)));
   EXPECT_EQ(count(LinkRole::around), 2) << "the cycle, of three";
-  session_.selection = {Face(8)};
+  session_.selecting.selection = {Face(8)};
   EXPECT_EQ(find(LinkRole::itself)->halfedge, m.halfedge(Face(8)));
   EXPECT_EQ(count(LinkRole::around), 3);
   EXPECT_EQ(count(LinkRole::ring), 4);
@@ -223,13 +223,13 @@ TEST_F(LinksTest, name_halfedges_and_edges_by_their_points) {
   open("cube.obj", {"mode halfedge"});
   const Mesh& m = session_.mesh();
   const Halfedge h = m.halfedge(Face(0));
-  session_.selection = {h};
+  session_.selecting.selection = {h};
   const auto label = [&](LinkRole role) { return find(role)->label; };
   EXPECT_EQ(label(LinkRole::itself).en, "halfedge " + name_of(m, h));
   EXPECT_EQ(label(LinkRole::next).en, "next " + name_of(m, m.next(h)));
   EXPECT_EQ(label(LinkRole::twin).ja, "対 " + name_of(m, twin(h)));
   EXPECT_EQ(label(LinkRole::face).en, "face f0");
-  session_.selection = {edge(h)};
+  session_.selecting.selection = {edge(h)};
   const LinkArrow* const wing = find(LinkRole::wing);
   ASSERT_NE(wing, nullptr);
   EXPECT_EQ(wing->label.en, "left next " + name_of(m, edge(wing->halfedge)));
@@ -237,15 +237,15 @@ TEST_F(LinksTest, name_halfedges_and_edges_by_their_points) {
 
 TEST_F(LinksTest, are_walked_and_the_trail_stays) {
   open("fan.obj", {"view front", "mode halfedge"});
-  session_.selection = {find_edge(session_.mesh(), "0-1").element};
-  std::vector<Halfedge> expected{session_.selection[0].halfedge()};
+  session_.selecting.selection = {find_edge(session_.mesh(), "0-1").element};
+  std::vector<Halfedge> expected{session_.selecting.selection[0].halfedge()};
   for (const char* const step : {"next", "next", "twin", "around"}) {
     ASSERT_TRUE(session_.run(std::string("walk ") + step).done());
-    expected.push_back(session_.selection[0].halfedge());
+    expected.push_back(session_.selecting.selection[0].halfedge());
   }
   EXPECT_EQ(session_.view.links.trail(), expected);
   EXPECT_NE(find(LinkRole::trail), nullptr);
-  session_.selection = {twin(expected[0])};
+  session_.selecting.selection = {twin(expected[0])};
   EXPECT_EQ(find(LinkRole::trail), nullptr) << "elsewhere it is not shown";
   ASSERT_TRUE(session_.run("walk next").done());
   EXPECT_EQ(session_.view.links.trail().size(), 2u) << "and begins anew";
@@ -253,16 +253,16 @@ TEST_F(LinksTest, are_walked_and_the_trail_stays) {
 
 TEST_F(LinksTest, the_trail_ends_with_its_mesh) {
   open("cube.obj", {"mode halfedge", "select h18", "walk next", "walk twin"});
-  const Element end = session_.selection[0];
+  const Element end = session_.selecting.selection[0];
   open("two_quads.obj", {"mode halfedge"});
   EXPECT_TRUE(session_.view.links.trail().empty());
   if (end.index < session_.mesh().halfedge_slots()) {
-    session_.selection = {end};
+    session_.selecting.selection = {end};
     EXPECT_EQ(find(LinkRole::trail), nullptr);
   }
   // What a step shows may have fewer halfedges than the trail.
   open("cube.obj", {"mode halfedge", "select h22", "walk next", "walk twin", "steps script triangle", "steps at 3"});
-  session_.selection = {session_.view.links.trail().back()};
+  session_.selecting.selection = {session_.view.links.trail().back()};
   arrows();
   SUCCEED();
 }
@@ -287,7 +287,7 @@ TEST_F(LinksTest, are_at_most_two_thousand_and_follow_edits) {
   EXPECT_LT(whole, 200u) << "from afar its edges are too short to tell";
   ASSERT_TRUE(session_.run("select f1000").done());
   ASSERT_TRUE(session_.run("frame selected").done());
-  session_.selection.clear();
+  session_.selecting.selection.clear();
   EXPECT_LE(arrows().size(), DrawnLinks::most);
   open("torus.off", {"links all"});
   const std::size_t before = arrows().size();
@@ -338,7 +338,7 @@ TEST_F(LinksTest, tell_the_face_of_every_halfedge_that_is_selected) {
       const bool is_seen =
           std::any_of(arrows().begin(), arrows().end(), [&](const LinkArrow& a) { return a.halfedge == h; });
       if (!m.face(h) || !is_seen) continue;
-      session_.selection = {h};
+      session_.selecting.selection = {h};
       const std::vector<PlacedLabel> labels = placed();
       const std::string wanted = "face f" + std::to_string(m.face(h).index);
       told += std::any_of(labels.begin(), labels.end(), [&](const PlacedLabel& label) { return label.text == wanted; });

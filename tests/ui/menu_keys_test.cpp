@@ -97,11 +97,11 @@ TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_o
   ASSERT_TRUE(shows("1%")) << "what stands there";
   press("Enter");
   EXPECT_FALSE(gui.has_menu(session));
-  EXPECT_TRUE(session.selection.empty()) << "six of more than five hundred are no less than 1%";
+  EXPECT_TRUE(session.selecting.selection.empty()) << "six of more than five hundred are no less than 1%";
   open();
   write("7");
   press("Enter");
-  EXPECT_EQ(session.selection.size(), 6u) << gui.said().en;
+  EXPECT_EQ(session.selecting.selection.size(), 6u) << gui.said().en;
   open();
   ASSERT_TRUE(shows("7")) << "it stays what it was";
 }
@@ -129,12 +129,12 @@ TEST_F(MenuKeys, what_has_a_trait_is_selected_by_any_number) {
     if (*usual) {
       EXPECT_TRUE(shows(usual)) << entry;
       press("Enter");
-      EXPECT_EQ(session.selection.size(), usually) << entry << ": " << gui.said().en;
+      EXPECT_EQ(session.selecting.selection.size(), usually) << entry << ": " << gui.said().en;
       open();
     }
     write(value);
     press("Enter");
-    EXPECT_EQ(session.selection.size(), found) << entry << ": " << gui.said().en;
+    EXPECT_EQ(session.selecting.selection.size(), found) << entry << ": " << gui.said().en;
   }
   ASSERT_TRUE(session.run("select f0").done());
   ASSERT_TRUE(session.run("menu select").done());
@@ -143,7 +143,7 @@ TEST_F(MenuKeys, what_has_a_trait_is_selected_by_any_number) {
   frames(3);
   write("91");
   press("Enter");
-  EXPECT_EQ(session.selection.size(), 6u) << gui.said().en;
+  EXPECT_EQ(session.selecting.selection.size(), 6u) << gui.said().en;
 }
 
 TEST_F(MenuKeys, entries_that_ask_for_more_end_in_dots) {
@@ -260,7 +260,7 @@ TEST_F(MenuKeys, keys_that_come_faster_than_frames_go_where_they_were_meant) {
   for (const char* chord : {"F10", "Right", "Right", "Right", "Down", "Down", "Escape", "4"}) tap(chord);
   frames(4);
   EXPECT_FALSE(gui.has_menu(session));
-  EXPECT_EQ(session.mode, PickMode::halfedge) << "the view has the keys again";
+  EXPECT_EQ(session.selecting.mode, PickMode::halfedge) << "the view has the keys again";
   tap("F3");
   tap("4");  // a letter of the field, no command
   frames(4);
@@ -320,14 +320,14 @@ TEST_F(MenuKeys, the_palette_measures_what_is_selected) {
     write(typed);
     EXPECT_TRUE(shows("Measuretheselection")) << typed;
     press("Enter");
-    EXPECT_EQ(session.measures.size(), 1u) << typed << ": " << gui.said().en;
-    session.measures.clear();
+    EXPECT_EQ(session.selecting.measures.size(), 1u) << typed << ": " << gui.said().en;
+    session.selecting.measures.clear();
   }
   ASSERT_TRUE(session.run("select none").done());
   press("F3");
   write("measure");
   press("Enter");
-  EXPECT_EQ(session.asked_line, "measure") << gui.said().en;
+  EXPECT_EQ(session.selecting.asked_line, "measure") << gui.said().en;
   EXPECT_EQ(session.layout.open_panel, "") << "so that the mesh can be pointed at";
 }
 
@@ -337,7 +337,7 @@ TEST_F(MenuKeys, what_is_asked_for_again_says_why) {
   frames(3);
   EXPECT_TRUE(shows("Pointatavertex"));
   press("Enter");
-  EXPECT_EQ(session.asked_line, "make_face") << "it begins anew";
+  EXPECT_EQ(session.selecting.asked_line, "make_face") << "it begins anew";
   ASSERT_NE(gui.said().en, "");
   EXPECT_TRUE(shows(without_spaces(gui.said().en).substr(0, 24))) << gui.said().en;
   EXPECT_TRUE(shows("Pointatavertex"));
@@ -346,7 +346,7 @@ TEST_F(MenuKeys, what_is_asked_for_again_says_why) {
   for (const char* const does : {"press left ", "release left "})
     gui.run(session, does + std::to_string(std::lround(at.x)) + "," + std::to_string(std::lround(at.y)));
   frames(3);
-  EXPECT_EQ(session.asked_line, "make_face v3") << gui.said().en;
+  EXPECT_EQ(session.selecting.asked_line, "make_face v3") << gui.said().en;
   EXPECT_TRUE(shows("Pointatavertex"));
   EXPECT_EQ(gui.said().en, "");
 }
@@ -370,7 +370,7 @@ TEST_F(MenuKeys, the_palette_has_its_last_lines_behind_up) {
   }
   press("F3");
   for (const char* chord : {"Up", "Up", "Enter"}) press(chord);
-  EXPECT_EQ(session.selection.size(), 2u) << gui.said().en;
+  EXPECT_EQ(session.selecting.selection.size(), 2u) << gui.said().en;
 }
 
 TEST_F(MenuKeys, the_palette_says_once_how_a_line_is_written) {

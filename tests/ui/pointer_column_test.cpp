@@ -48,8 +48,8 @@ TEST(pointer_column, stays_where_it_is_over_what_is_refused_what_is_legal_and_no
       for (const glm::dvec2& place : first) ASSERT_GT(place.x, 0);
       for (const glm::dvec2& pixel : places_to_point(session)) {
         laid.gui.pointer(pixel);
-        session.point_at(pixel);
-        const auto& hover = session.hover();
+        session.pointing.point_at(pixel);
+        const auto& hover = session.selecting.hover();
         ++seen[!hover ? "nothing" : !hover->op ? "an element" : hover->preview.verdict.legal() ? "legal" : "refused"];
         for (int frame = 0; frame < 2; ++frame) {
           laid.frames(1);

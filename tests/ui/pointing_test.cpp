@@ -51,7 +51,7 @@ TEST(pointing, picks_the_face_that_is_drawn) {
         for (int x = 2; x < ids.size.width; x += 5) {
           const auto i =
               static_cast<std::size_t>(y) * static_cast<std::size_t>(ids.size.width) + static_cast<std::size_t>(x);
-          const auto picked = session->pick({x + 0.5, y + 0.5}, PickMode::face);
+          const auto picked = session->pointing.pick({x + 0.5, y + 0.5}, PickMode::face);
           const std::uint32_t face = picked ? picked->element.index : no_index;
           ++asked;
           different += face != ids.face[i];
@@ -129,7 +129,7 @@ TEST(pointing, picks_the_nearest_edge_that_is_seen) {
       const glm::dvec2 pixel(static_cast<double>(random() % 320u) + 0.5, static_cast<double>(random() % 240u) + 0.5);
       const auto expected = nearest_seen_edge(*session, ids, pixel);
       if (!expected) continue;
-      const auto picked = session->pick(pixel, PickMode::edge);
+      const auto picked = session->pointing.pick(pixel, PickMode::edge);
       const bool is_near = expected->distance_px < pick_radius_px;
       (is_near ? hits : misses) += 1;
       ASSERT_EQ(picked.has_value(), is_near) << name << " at " << pixel.x << "," << pixel.y;
@@ -152,23 +152,23 @@ TEST(pointing, a_click_that_selects_reaches_as_far_for_an_edge_as_one_for_its_lo
     const auto session = session_of(i % 3 == 0 ? "cube.obj" : "torus.off");
     ASSERT_TRUE(session->run(i % 2 == 0 ? "mode edge" : "mode face").done());
     const glm::dvec2 pixel(random() % 320u, random() % 240u);
-    const auto picked = session->pick_to_select(pixel, PickMode::edge);
+    const auto picked = session->pointing.pick_to_select(pixel, PickMode::edge);
     (picked ? hits : misses) += 1;
     if (picked && picked->distance_px > pick_radius_px) {
       ++far_hits;
-      EXPECT_TRUE(session->pick(pixel, PickMode::face)) << pixel.x << "," << pixel.y;
+      EXPECT_TRUE(session->pointing.pick(pixel, PickMode::face)) << pixel.x << "," << pixel.y;
     }
-    session->point_at(pixel, {.alt = true});
-    ASSERT_EQ(session->hover().has_value(), picked.has_value()) << pixel.x << "," << pixel.y;
-    session->click(pixel, "", {.alt = true});
-    const Elements loop = session->selection;
+    session->pointing.point_at(pixel, {.alt = true});
+    ASSERT_EQ(session->selecting.hover().has_value(), picked.has_value()) << pixel.x << "," << pixel.y;
+    session->pointing.click(pixel, "", {.alt = true});
+    const Elements loop = session->selecting.selection;
     ASSERT_EQ(!loop.empty(), picked.has_value()) << pixel.x << "," << pixel.y;
     if (!picked) continue;
-    EXPECT_EQ(session->hover()->picked.element, picked->element);
+    EXPECT_EQ(session->selecting.hover()->picked.element, picked->element);
     EXPECT_NE(std::find(loop.begin(), loop.end(), picked->element), loop.end());
-    if (session->mode != PickMode::edge) continue;
-    session->click(pixel, "", {});
-    EXPECT_EQ(session->selection[0], picked->element);
+    if (session->selecting.mode != PickMode::edge) continue;
+    session->pointing.click(pixel, "", {});
+    EXPECT_EQ(session->selecting.selection[0], picked->element);
   }
   EXPECT_GT(hits, 20);
   EXPECT_GT(far_hits, 20);
@@ -184,12 +184,12 @@ TEST(pointing, a_click_does_what_the_command_on_the_edge_does) {
     for (int i = 0; i < 60; ++i) {
       const auto clicked = session_of("torus.off");
       const glm::dvec2 pixel(random() % 320u, random() % 240u);
-      const auto picked = clicked->pick(pixel, PickMode::edge);
+      const auto picked = clicked->pointing.pick(pixel, PickMode::edge);
       if (!picked) continue;
       ++clicks;
-      clicked->tool = tool;
-      clicked->point_at(pixel);
-      const bool expected = clicked->hover()->preview.verdict.legal();
+      clicked->selecting.tool = tool;
+      clicked->pointing.point_at(pixel);
+      const bool expected = clicked->selecting.hover()->preview.verdict.legal();
       const std::string line =
           command_of(clicked->mesh(), op_at(clicked->mesh(), tool, {picked->halfedge, picked->along}));
       const std::string by_click =
@@ -210,10 +210,10 @@ TEST(pointing, a_click_does_what_the_command_on_the_edge_does) {
 TEST(pointing, the_picture_follows_edits_and_undo) {
   const auto session = session_of("torus.off");
   const Image before = headless().picture(*session);
-  session->point_at({161, 196});
+  session->pointing.point_at({161, 196});
   ASSERT_TRUE(session->run("split 0-1").done());
   ASSERT_TRUE(session->run("undo").done());
-  session->point_away();
+  session->pointing.point_away();
   EXPECT_TRUE(headless().picture(*session) == before);
   // Step by step or all at once, the picture is the same.
   ASSERT_TRUE(session->run("split 0-1").done());

@@ -158,7 +158,7 @@ TEST_F(PracticePanelTest, escape_leaves_the_question_last) {
   ASSERT_TRUE(session.run("select v0").done());
   ASSERT_TRUE(gui.run(session, "cancel").done());
   frames(3);
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
   EXPECT_TRUE(asked_element(session));
   ASSERT_TRUE(gui.run(session, "cancel").done());
   frames(3);
@@ -181,7 +181,7 @@ TEST_F(PracticePanelTest, takes_a_click_on_a_number) {
 TEST_F(PracticePanelTest, takes_a_click_in_the_view) {
   const Question question = go_to(QuestionKind::twin);
   const Solution solution = solve(session.mesh(), question);
-  session.selection = {*solution.element};
+  session.selecting.selection = {*solution.element};
   frames(3);
   EXPECT_TRUE(has("Right."));
 }
@@ -228,7 +228,7 @@ TEST(help_menu, shows_what_is_clicked_in_the_list_of_the_texts) {
   EXPECT_TRUE(laid.session.layout.open_panel.empty());
   EXPECT_EQ(laid.session.view.settings.numbers, Numbers::all);
   take("Table3");
-  EXPECT_EQ(laid.session.selection.size(), 1u);
+  EXPECT_EQ(laid.session.selecting.selection.size(), 1u);
   ASSERT_TRUE(laid.session.run("poke f0").done());
   take("Figure11:thefileofatorus");
   EXPECT_EQ(laid.session.mesh().live().faces, 6u) << "the edited mesh is there";

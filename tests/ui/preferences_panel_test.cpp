@@ -103,7 +103,7 @@ TEST_F(PreferencesPanelTest, a_key_is_bound_by_pressing_it) {
   EXPECT_EQ(session.preferences.bindings, own);
   key("Escape");
   key("Ctrl+K");
-  EXPECT_EQ(session.mode, PickMode::vertex);
+  EXPECT_EQ(session.selecting.mode, PickMode::vertex);
 }
 
 TEST_F(PreferencesPanelTest, a_key_that_is_taken_is_asked_about_with_both_names) {

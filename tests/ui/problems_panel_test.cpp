@@ -52,9 +52,9 @@ TEST_F(ProblemsPanel, points_that_lie_on_others_are_listed_with_a_repair_and_a_c
   unfold("8coincidentpoints");
   EXPECT_TRUE(is_drawn("Weldequalpoints") || is_drawn("Weld")) << "a repair is offered";
   click(DrawnText(gui).place("v0v1v2"));
-  EXPECT_EQ(session.selection, (Elements{Vertex(0), Vertex(8)}));
+  EXPECT_EQ(session.selecting.selection, (Elements{Vertex(0), Vertex(8)}));
   ASSERT_TRUE(session.run("select problem coincident_points").done());
-  EXPECT_EQ(session.selection.size(), 8u);
+  EXPECT_EQ(session.selecting.selection.size(), 8u);
   ASSERT_TRUE(session.run("undo").done());
   gui.pointer({500, 400});
   frames(4);
@@ -202,16 +202,16 @@ TEST_F(ProblemsPanel, repair_all_is_one_entry_and_says_what_could_not_be_mended)
   ASSERT_FALSE(report.left.empty());
   session.run("select");
   const glm::dvec3 eye = session.view.camera.eye;
-  session.selection.clear();
-  const std::string name = session.names_of({report.left.front().elements.front()}).front();
+  session.selecting.selection.clear();
+  const std::string name = session.selecting.names_of({report.left.front().elements.front()}).front();
   const glm::dvec2 heading = place("Notmended");
   bool was_found = false;
   for (double y = heading.y + 12; y < heading.y + 140 && !was_found; y += 6) {
     click({heading.x + 2, y});
-    was_found = !session.selection.empty();
+    was_found = !session.selecting.selection.empty();
   }
   ASSERT_TRUE(was_found) << "a link to " << name;
-  EXPECT_EQ(session.selected_names().front(), name);
+  EXPECT_EQ(session.selecting.selected_names().front(), name);
   EXPECT_NE(session.view.camera.eye, eye) << "it flies there";
   EXPECT_EQ(session.document().history().size(), 1u);
 }
@@ -246,7 +246,7 @@ TEST_F(ProblemsPanel, loose_pieces_that_a_repair_leaves_are_offered_for_deletion
   gui.pointer({500, 400});
   frames(3);
   click(place("Selecttheloosepieces(2)"));
-  EXPECT_FALSE(session.selection.empty());
+  EXPECT_FALSE(session.selecting.selection.empty());
   EXPECT_EQ(session.document().history().size(), 1u);
   click(place("Deletetheloosepieces(2)"));
   ASSERT_EQ(session.document().history().size(), 2u);
@@ -316,9 +316,9 @@ TEST_F(ProblemsPanel, a_press_on_an_element_selects_it_and_goes_there) {
   const glm::dvec3 eye = session.view.camera.eye;
   unfold("4misorientededges");
   click(place("0-1"));
-  ASSERT_EQ(session.selection.size(), 3u) << "the edge and its faces";
+  ASSERT_EQ(session.selecting.selection.size(), 3u) << "the edge and its faces";
   EXPECT_EQ(session.document().position(), 0u);
-  EXPECT_EQ(session.selection[0].kind, Element::Kind::edge);
+  EXPECT_EQ(session.selecting.selection[0].kind, Element::Kind::edge);
   EXPECT_NE(session.view.camera.eye, eye);
 }
 

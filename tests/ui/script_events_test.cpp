@@ -37,7 +37,7 @@ TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
   run(*session, {"press left 640,560", "move 700,580", "release left 700,580"});
   run(*other, {"drag 640,560 700,580"});
   EXPECT_EQ(session->view.camera.eye, other->view.camera.eye);
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
 
   const Camera turned = session->view.camera;
   run(*session, {"press left 640,560 Shift", "move left 660,560 Shift", "release left 660,560"});
@@ -46,7 +46,7 @@ TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
   EXPECT_NE(session->view.camera.eye, turned.eye);
 
   run(*session, {"frame all", "mode face", "press left 640,560", "release left 641,560"});
-  EXPECT_EQ(session->selection.size(), 1u);
+  EXPECT_EQ(session->selecting.selection.size(), 1u);
   EXPECT_EQ(session->log().size(), 0u) << "looking and selecting are no edits";
   const Camera before = session->view.camera;
   run(*session, {"press left 640,560", "release left 640,560"});
@@ -55,7 +55,7 @@ TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
   EXPECT_EQ(session->view.camera.fov_y_deg, before.fov_y_deg);
   EXPECT_NE(session->view.camera.eye, before.eye);
   run(*session, {"frame all", std::string("move ") + on_torus});
-  ASSERT_TRUE(session->hover());
+  ASSERT_TRUE(session->selecting.hover());
 }
 
 TEST(script_events, a_click_with_a_tool_edits_and_a_refused_one_says_so) {
@@ -79,16 +79,16 @@ TEST(script_events, a_click_selects_with_shift_adds_with_ctrl_toggles) {
   run(*session, {"mode face"});
   click("640,560", "");
   click("500,480", " Shift");
-  ASSERT_EQ(session->selection.size(), 2u);
-  const Element second = session->selection[1];
+  ASSERT_EQ(session->selecting.selection.size(), 2u);
+  const Element second = session->selecting.selection[1];
   click("500,480", " Shift");
-  EXPECT_EQ(session->selection.size(), 2u) << "once";
+  EXPECT_EQ(session->selecting.selection.size(), 2u) << "once";
   click("640,560", " Ctrl");
-  EXPECT_EQ(session->selection, std::vector<Element>{second});
+  EXPECT_EQ(session->selecting.selection, std::vector<Element>{second});
   click("3,3", " Shift");
-  EXPECT_EQ(session->selection, std::vector<Element>{second}) << "beside the mesh nothing is lost";
+  EXPECT_EQ(session->selecting.selection, std::vector<Element>{second}) << "beside the mesh nothing is lost";
   click("3,3", "");
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
   for (const char* line : {"select add", "select toggle", "select add none", "select duplicate_face none"})
     EXPECT_EQ(session->run(line).exit_code, ExitCode::usage) << line;
 }
@@ -127,7 +127,7 @@ TEST_F(PanelEvents, reach_the_rows_of_panels_and_the_view_between_them) {
   const glm::dvec2 row = test::Laid("torus.off").place_of("Collapse edge");
   const std::string at = format_pixel(row), beside = format_pixel(row + glm::dvec2(20, 0));
   run(*session_, {"press left " + at, "release left " + at});
-  EXPECT_EQ(session_->tool, "collapse");
+  EXPECT_EQ(session_->selecting.tool, "collapse");
   const Camera before = session_->view.camera;
   run(*session_, {"press left " + at, "move " + beside, "release left " + beside, "wheel 1 " + at});
   EXPECT_EQ(session_->view.camera.eye, before.eye) << "over a panel nothing navigates";
@@ -159,9 +159,9 @@ TEST_F(PanelEvents, keys_and_text_go_to_a_field_that_is_open) {
   run(*session_, {"key F3", "type poke f1", "key Backspace", "type 2", "key Enter"});
   EXPECT_EQ(session_->log().back().substr(0, 7), "poke f2");
   run(*session_, {"key F3", "type C", "key C"});
-  EXPECT_TRUE(session_->tool.empty()) << "the field has the keyboard";
+  EXPECT_TRUE(session_->selecting.tool.empty()) << "the field has the keyboard";
   run(*session_, {"key Escape", "key C"});
-  EXPECT_EQ(session_->tool, "collapse");
+  EXPECT_EQ(session_->selecting.tool, "collapse");
   EXPECT_EQ(session_->run("type abc").exit_code, ExitCode::refused);
 }
 

@@ -154,9 +154,9 @@ class Stage {
     session_->files = RunFiles(RunFiles::Policy::keep);
     for (const char* const line : first_lines) EXPECT_TRUE(session_->run(line).done()) << line;
     for (const char* const line : owner.lines) EXPECT_TRUE(session_->run(line).done()) << line;
-    if (session_->gesture()) {
-      session_->follow_gesture({700, 360}, {});
-      session_->follow_gesture({720, 380}, {});
+    if (session_->gesturing.transform()) {
+      session_->gesturing.follow({700, 360}, {});
+      session_->gesturing.follow({720, 380}, {});
     }
     show_preview();
     first_ = state();
@@ -182,14 +182,14 @@ class Stage {
       text += " step " + std::to_string(s.shown.player()->position()) + (s.shown.shows(ShownBy::step) ? " shown" : "");
     if (s.shown.levels())
       text += " level " + std::to_string(s.shown.levels()->faces()) + (s.shown.shows(ShownBy::level) ? " shown" : "");
-    if (s.gesture()) text += " gesture";
+    if (s.gesturing.transform()) text += " gesture";
     text += " | " + std::to_string(d.position()) + "/" + std::to_string(d.history().size());
     if (!d.history().empty()) text += " " + d.history().back().command;
     text += std::string(" ") + (d.is_modified() ? "*" : "") + d.path().filename().string();
-    text += " | " + std::to_string(s.selection.size()) + " selected, " + std::to_string(s.findings().hidden().elements().size()) + " hidden, " +
-            std::to_string(s.measures.size()) + " measured";
+    text += " | " + std::to_string(s.selecting.selection.size()) + " selected, " + std::to_string(s.findings().hidden().elements().size()) + " hidden, " +
+            std::to_string(s.selecting.measures.size()) + " measured";
     if (!s.layout.open_panel.empty()) text += ", panel " + s.layout.open_panel;
-    if (!s.tool.empty()) text += ", tool " + s.tool;
+    if (!s.selecting.tool.empty()) text += ", tool " + s.selecting.tool;
     return text;
   }
   const std::string& first() const { return first_; }

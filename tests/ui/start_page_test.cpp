@@ -121,7 +121,7 @@ TEST_F(StartPageTest, leaves_the_keys_to_a_menu_that_is_open) {
   key("Down");  // shows where it is
   for (const char* const chord : {"F10", "Right", "Down", "Down"}) key(chord);
   key("Enter");
-  EXPECT_NE(session.tool, "") << "an entry of Edit";
+  EXPECT_NE(session.selecting.tool, "") << "an entry of Edit";
   EXPECT_TRUE(session.document().history().empty()) << "no shape";
   EXPECT_TRUE(session.is_at_start());
 }

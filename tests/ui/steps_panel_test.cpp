@@ -155,9 +155,9 @@ TEST_F(StepsPanelTest, every_row_and_script_is_offered_and_goes_forth_and_back) 
   for (const char* const script : {"triangle", "cube_with_hole", "figure_2", "figure_6"})
     expect_playing("script " + std::string(script));
   for (const steps::StepsRow& row : steps::all_steps()) {
-    if (row.plays_script || row.choices(session.mesh(), session.selection).empty()) continue;
+    if (row.plays_script || row.choices(session.mesh(), session.selecting.selection).empty()) continue;
     std::string call(row.id);
-    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selection);
+    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selecting.selection);
     ASSERT_FALSE(choices.empty()) << row.id;
     for (const std::string& argument : choices.front()) call += " " + argument;
     expect_playing(call);
@@ -182,7 +182,7 @@ TEST_F(StepsPanelTest, the_panel_leads_through_and_says_what_changes) {
 TEST_F(StepsPanelTest, calls_are_told_by_name_in_the_language_of_the_window) {
   ASSERT_TRUE(say("language ja").done());
   for (const steps::StepsRow& row : steps::all_steps()) {
-    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selection);
+    const std::vector<std::vector<std::string>> choices = row.choices(session.mesh(), session.selecting.selection);
     if (row.plays_script || choices.empty()) continue;
     std::string call(row.id);
     for (const std::string& argument : choices.front()) call += " " + argument;
@@ -369,10 +369,10 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
   escape();
   EXPECT_EQ(session.layout.open_panel, "");
   escape();
-  EXPECT_EQ(session.tool, "");
-  EXPECT_EQ(session.selection.size(), 1u);
+  EXPECT_EQ(session.selecting.tool, "");
+  EXPECT_EQ(session.selecting.selection.size(), 1u);
   escape();
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
   ASSERT_TRUE(session.shown.player());
   escape();
   EXPECT_FALSE(session.shown.player());
@@ -384,7 +384,7 @@ TEST_F(StepsPanelTest, escape_leaves_what_is_played_last) {
   escape();
   EXPECT_FALSE(session.shown.player());
   EXPECT_EQ(session.mesh().hash(), hash);
-  EXPECT_EQ(session.selection.size(), 1u);
+  EXPECT_EQ(session.selecting.selection.size(), 1u);
 }
 
 // Only an edit of the mesh beneath ends it, which is said; what changes nothing, and what writes, leaves it as it is.

@@ -251,7 +251,7 @@ TEST_F(ValuesPanel, tells_the_copies_of_a_point_apart) {
   std::string names;
   for (std::uint32_t i = 0; i < session.mesh().vertex_slots(); ++i) {
     if (!has_copies(session.mesh(), Vertex(i))) continue;
-    session.selection.push_back(Vertex(i));
+    session.selecting.selection.push_back(Vertex(i));
     names += (names.empty() ? "" : ",") + name_of_copy(session.mesh(), Vertex(i));
   }
   ASSERT_NE(names.find('@'), std::string::npos);

@@ -105,7 +105,7 @@ TEST_F(ViewAidsTest, the_cut_shows_what_is_inside_and_its_line) {
   for (const char* const next : {"clip_at 0.3", "wire off", "shading smooth", "move_vertex v3 0.2,0.4,0.1",
                                  "show all on", "mode vertex", "select all", "xray on", "clip -x", "undo", "xray off"})
     expect_followed(next);
-  session_->selection.clear();
+  session_->selecting.selection.clear();
   picture("show all off");
   picture("mode edge");
   picture("wire on");
@@ -123,7 +123,7 @@ TEST_F(ViewAidsTest, what_is_picked_is_what_is_drawn) {
     int compared = 0, same = 0;
     for (int y = 4; y < 480; y += 9)
       for (int x = 4; x < 640; x += 9) {
-        const auto picked = session_->pick({x + 0.5, y + 0.5}, PickMode::face);
+        const auto picked = session_->pointing.pick({x + 0.5, y + 0.5}, PickMode::face);
         const std::uint32_t drawn = ids.face[static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x)];
         compared += drawn != no_index;
         same += drawn != no_index && picked && picked->face.index == drawn;

@@ -37,7 +37,7 @@ class WindowCamera : public test::WindowHand {
   bool is_seen_at(const glm::dvec3& place, glm::dvec2 pixel) {
     return glm::distance(pixel_of(place, camera()), pixel) < 2;
   }
-  glm::dvec3 place_under(glm::dvec2 pixel) { return session().pick(pixel, PickMode::face)->place; }
+  glm::dvec3 place_under(glm::dvec2 pixel) { return session().pointing.pick(pixel, PickMode::face)->place; }
 };
 
 TEST_F(WindowCamera, the_wheel_goes_a_constant_share_of_the_way_to_the_point_under_it_and_never_through) {
@@ -67,7 +67,7 @@ TEST_F(WindowCamera, over_the_background_the_wheel_goes_as_deep_as_the_nearest_t
   const Camera before = home();
   const glm::dvec2 face = on_face(), beside = session().view.origin + glm::dvec2(60, 60);
   for (const PickMode what : {PickMode::vertex, PickMode::edge, PickMode::face})
-    ASSERT_FALSE(session().pick(beside, what)) << "there is no background";
+    ASSERT_FALSE(session().pointing.pick(beside, what)) << "there is no background";
   const glm::dvec3 place = place_under(face);
   click(face, "", 4);
   ASSERT_TRUE(has_moved(before));
@@ -160,7 +160,7 @@ TEST_F(WindowCamera, a_problem_of_the_list_is_flown_to_and_its_loop_selected_wit
   ASSERT_EQ(loop.size(), 3u);
   const auto is_seen = [&](Edge e) {
     const auto [a, b] = ends(m, e);
-    const auto picked = session().pick(pixel_of(0.5 * (m.position(a) + m.position(b))), PickMode::edge);
+    const auto picked = session().pointing.pick(pixel_of(0.5 * (m.position(a) + m.position(b))), PickMode::edge);
     return picked && picked->element == Element(e);
   };
   beside().frames(3);

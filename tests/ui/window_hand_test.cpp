@@ -52,7 +52,7 @@ TEST_F(WindowHand, halfedges_are_clicked_walked_by_arrows_and_followed_by_links_
     return shows([name = name_of(m, h)](const Frame& frame) { return frame.first == name && frame.selected == 1; });
   };
   const glm::dvec2 at = on_edge(0.5).pixel + glm::dvec2(0, 3);
-  const auto picked = session().pick(at, PickMode::halfedge);
+  const auto picked = session().pointing.pick(at, PickMode::halfedge);
   ASSERT_TRUE(picked && picked->element.kind == Element::Kind::halfedge);
   Halfedge h = picked->element.halfedge();
   xdotool("key 4 mousemove " + words_of(at) + " click 1");

@@ -54,7 +54,7 @@ TEST_F(WindowInputTest, a_press_on_a_panel_that_ends_over_the_view) {
   release(in_view);
   EXPECT_FALSE(gui_has_a_button());
   EXPECT_FALSE(moves_view());
-  EXPECT_TRUE(session_.selection.empty()) << "no click";
+  EXPECT_TRUE(session_.selecting.selection.empty()) << "no click";
 }
 
 TEST_F(WindowInputTest, a_press_in_the_view_that_ends_over_a_panel) {
@@ -66,7 +66,7 @@ TEST_F(WindowInputTest, a_press_in_the_view_that_ends_over_a_panel) {
   EXPECT_FALSE(input_.is_dragging());
   EXPECT_FALSE(moves_view());
   EXPECT_FALSE(gui_has_a_button());
-  EXPECT_EQ(session_.tool, "") << "the panel was not clicked";
+  EXPECT_EQ(session_.selecting.tool, "") << "the panel was not clicked";
 }
 
 TEST_F(WindowInputTest, a_press_on_a_panel_during_a_drag_is_released_too) {
@@ -87,7 +87,7 @@ TEST_F(WindowInputTest, losing_the_keyboard_ends_every_press_without_a_click) {
   EXPECT_FALSE(input_.is_dragging());
   EXPECT_FALSE(moves_view());
   release(in_view);  // the window system may still tell
-  EXPECT_TRUE(session_.selection.empty());
+  EXPECT_TRUE(session_.selecting.selection.empty());
 
   input_.move({on_panel_});
   press(on_panel_);
@@ -107,7 +107,7 @@ TEST_F(WindowInputTest, a_panel_that_opens_during_a_press_takes_the_click) {
   ASSERT_TRUE(session_.run("panel keys").done());
   frames(2);
   release(in_view);
-  EXPECT_TRUE(session_.selection.empty());
+  EXPECT_TRUE(session_.selecting.selection.empty());
   EXPECT_FALSE(input_.is_dragging());
 }
 
@@ -118,7 +118,7 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_with_select_and_edits_twi
     ASSERT_TRUE(session_.run("frame all").done());
     const std::size_t before = session_.document().position();
     const glm::dvec3 target = session_.view.camera.target;
-    ASSERT_TRUE(session_.pick(in_view, PickMode::face));
+    ASSERT_TRUE(session_.pointing.pick(in_view, PickMode::face));
     for (int click = 1; click <= 2; ++click) {
       press(in_view);
       release(in_view);
@@ -137,17 +137,17 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_through_a_handle_that_its
   for (int y = 100; y < window.height - 100 && !at; y += 5)
     for (int x = 300; x < window.width - 300 && !at; x += 5) {
       const glm::dvec2 pixel(x, y);
-      if (session_.pick(pixel, PickMode::edge) || !session_.pick_to_select(pixel, PickMode::edge)) continue;
-      session_.click(pixel, "");
-      if (session_.handle_at(pixel, {})) at = pixel;
-      session_.selection.clear();
+      if (session_.pointing.pick(pixel, PickMode::edge) || !session_.pointing.pick_to_select(pixel, PickMode::edge)) continue;
+      session_.pointing.click(pixel, "");
+      if (session_.pointing.handle_at(pixel, {})) at = pixel;
+      session_.selecting.selection.clear();
     }
   ASSERT_TRUE(at);
   const glm::dvec3 target = session_.view.camera.target;
   for (int click = 1; click <= 2; ++click) {
     press(*at);
     release(*at);
-    EXPECT_EQ(session_.selection.size(), 1u);
+    EXPECT_EQ(session_.selecting.selection.size(), 1u);
   }
   EXPECT_NE(session_.view.camera.target, target);
 }
@@ -162,19 +162,19 @@ TEST_F(WindowInputTest, a_key_between_two_clicks_makes_them_two) {
   press(in_view);
   release(in_view);
   EXPECT_EQ(session_.view.camera.target, target);
-  EXPECT_EQ(session_.selection.size(), 1u);
+  EXPECT_EQ(session_.selecting.selection.size(), 1u);
 }
 
 TEST_F(WindowInputTest, a_click_may_move_as_far_as_the_display_is_fine) {
   session_.run("mode face");
   const glm::dvec2 away = in_view + glm::dvec2(6, 0);
   for (const double scale : {1.0, 2.0}) {
-    session_.selection.clear();
+    session_.selecting.selection.clear();
     session_.preferences.display_scale = scale;
     press(in_view);
     input_.move({away});
     release(away);
-    EXPECT_EQ(session_.selection.size(), scale == 1 ? 0u : 1u) << scale;
+    EXPECT_EQ(session_.selecting.selection.size(), scale == 1 ? 0u : 1u) << scale;
   }
 }
 
@@ -187,7 +187,7 @@ TEST_F(WindowInputTest, a_click_on_a_panel_is_where_it_was_made_though_the_point
   fast.release(MouseButton::left, {on_panel_});
   fast.move({in_view});
   frames(2);
-  EXPECT_NE(session_.tool, "") << "the row of the tool was clicked";
+  EXPECT_NE(session_.selecting.tool, "") << "the row of the tool was clicked";
 }
 
 TEST(gui, takes_another_scale_while_it_runs) {
@@ -210,14 +210,14 @@ TEST_F(WindowInputTest, a_key_that_is_held_down_repeats_where_that_helps) {
   session_.run("mode face");
   session_.run("select f0");
   input_.key_down("+");
-  const std::size_t once = session_.selection.size();
+  const std::size_t once = session_.selecting.selection.size();
   EXPECT_GT(once, 1u);
   input_.key_down("+", true);
-  EXPECT_GT(session_.selection.size(), once);
+  EXPECT_GT(session_.selecting.selection.size(), once);
   input_.key_down("I");
-  const std::size_t others = session_.selection.size();
+  const std::size_t others = session_.selecting.selection.size();
   input_.key_down("I", true);
-  EXPECT_EQ(session_.selection.size(), others) << "it would come and go";
+  EXPECT_EQ(session_.selecting.selection.size(), others) << "it would come and go";
 }
 
 TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
@@ -234,21 +234,21 @@ TEST_F(WindowInputTest, bands_select_what_lies_in_them) {
   };
   const Camera camera = session_.view.camera;
   drag({.shift = true, .ctrl = true});
-  const std::size_t seen = session_.selection.size(), all = session_.mesh().live().faces;
+  const std::size_t seen = session_.selecting.selection.size(), all = session_.mesh().live().faces;
   EXPECT_GT(seen, 0u);
   EXPECT_LT(seen, all);
   drag({.shift = true, .ctrl = true, .alt = true});
-  EXPECT_EQ(session_.selection.size(), all) << "through the surface";
+  EXPECT_EQ(session_.selecting.selection.size(), all) << "through the surface";
   EXPECT_EQ(session_.view.camera, camera);
   input_.key("B");
   drag({.ctrl = true});
-  EXPECT_EQ(session_.selection.size(), all - seen) << "toggled";
+  EXPECT_EQ(session_.selecting.selection.size(), all - seen) << "toggled";
   input_.key("Shift+B");
   drag({});
-  EXPECT_TRUE(session_.selection.empty()) << "a lasso along a line surrounds nothing";
+  EXPECT_TRUE(session_.selecting.selection.empty()) << "a lasso along a line surrounds nothing";
   ASSERT_TRUE(session_.run("preset blender").done());
   drag({});
-  EXPECT_EQ(session_.selection.size(), seen) << "the left button draws boxes there";
+  EXPECT_EQ(session_.selecting.selection.size(), seen) << "the left button draws boxes there";
   EXPECT_TRUE(session_.log().empty());
 }
 
@@ -260,7 +260,7 @@ TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_do
                        session_.view.origin + glm::dvec2(session_.view.size.width - 2, session_.view.size.height - 2);
   const Modifiers of_box{.shift = true, .ctrl = true};
   const auto drag_to_end = [&] {
-    session_.selection.clear();
+    session_.selecting.selection.clear();
     input_.move({low, of_box});
     input_.press(MouseButton::left, {low, of_box});
     input_.move({high, of_box});
@@ -268,7 +268,7 @@ TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_do
   drag_to_end();
   input_.key_down("Alt");
   input_.release(MouseButton::left, {high, {.alt = true}});
-  EXPECT_EQ(session_.selection.size(), session_.mesh().live().faces) << "through the surface";
+  EXPECT_EQ(session_.selecting.selection.size(), session_.mesh().live().faces) << "through the surface";
   input_.key_up("Alt");
   frames(4);
   EXPECT_FALSE(gui_.has_menu(session_));
@@ -276,7 +276,7 @@ TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_do
   input_.key_down("Alt");
   input_.key_up("Alt");
   input_.release(MouseButton::left, {high, {}});
-  EXPECT_LT(session_.selection.size(), session_.mesh().live().faces);
+  EXPECT_LT(session_.selecting.selection.size(), session_.mesh().live().faces);
   frames(4);
   EXPECT_FALSE(gui_.has_menu(session_));
   input_.key("Alt");
@@ -290,7 +290,7 @@ TEST_F(WindowInputTest, the_blender_preset_has_the_keys_of_selecting_and_hiding)
   const auto press_key = [&](const char* chord) {
     input_.key_down(chord);
     input_.key_up(chord);
-    return session_.selection.size();
+    return session_.selecting.selection.size();
   };
   const std::size_t all = session_.mesh().live().faces;
   const std::size_t grown = press_key("Ctrl++");
@@ -315,14 +315,14 @@ TEST_F(WindowInputTest, a_band_is_given_up_by_escape) {
   input_.key("Escape");
   input_.move({at + glm::dvec2(300), {}});
   input_.release(MouseButton::left, {at + glm::dvec2(300), {}});
-  EXPECT_TRUE(session_.selection.empty());
+  EXPECT_TRUE(session_.selecting.selection.empty());
   EXPECT_FALSE(session_.view.band);
 }
 
 TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own) {
   ASSERT_TRUE(session_.run("preset blender").done());
   input_.key_down("Shift+S");
-  EXPECT_EQ(session_.tool, "swap");
+  EXPECT_EQ(session_.selecting.tool, "swap");
   session_.run("tool none");
   EXPECT_EQ(find_key("Shift+S", input_presets()[1])->command, "tool swap");
   for (const InputPreset& preset : input_presets()) {
@@ -338,20 +338,20 @@ TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own
 
 TEST_F(WindowInputTest, what_was_under_the_pointer_is_lit_no_more_when_it_is_on_a_panel) {
   input_.move({in_view});
-  ASSERT_TRUE(session_.hover());
+  ASSERT_TRUE(session_.selecting.hover());
   input_.move({on_panel_});  // at once, as it can
-  EXPECT_FALSE(session_.hover());
+  EXPECT_FALSE(session_.selecting.hover());
 
   ASSERT_TRUE(session_.run("select f0").done());
   ASSERT_TRUE(session_.run("gizmo move").done());
-  const auto gizmo = session_.gizmo();
+  const auto gizmo = session_.pointing.gizmo();
   ASSERT_TRUE(gizmo);
-  for (int y = 0; y < window.height && !session_.pointed_handle(); y += 6)
-    for (int x = 0; x < window.width && !session_.pointed_handle(); x += 6)
+  for (int y = 0; y < window.height && !session_.pointing.pointed_handle(); y += 6)
+    for (int x = 0; x < window.width && !session_.pointing.pointed_handle(); x += 6)
       input_.move({{static_cast<double>(x), static_cast<double>(y)}});
-  ASSERT_TRUE(session_.pointed_handle());
+  ASSERT_TRUE(session_.pointing.pointed_handle());
   input_.move({on_panel_});
-  EXPECT_FALSE(session_.pointed_handle());
+  EXPECT_FALSE(session_.pointing.pointed_handle());
 }
 
 TEST_F(WindowInputTest, the_status_line_names_the_only_button_that_orbits) {
@@ -365,11 +365,11 @@ TEST_F(WindowInputTest, the_status_line_names_the_only_button_that_orbits) {
 TEST_F(WindowInputTest, a_right_click_selects_and_opens_the_menu_of_the_element) {
   session_.run("mode face");
   const glm::dvec2 middle = in_view;
-  const auto face = session_.pick(middle, PickMode::face);
+  const auto face = session_.pointing.pick(middle, PickMode::face);
   ASSERT_TRUE(face);
   input_.press(MouseButton::right, {middle, {}});
   input_.release(MouseButton::right, {middle, {}});
-  EXPECT_EQ(session_.selection, (std::vector<Element>{face->element}));
+  EXPECT_EQ(session_.selecting.selection, (std::vector<Element>{face->element}));
   frames(4);
   EXPECT_TRUE(gui_.owns_pointer(session_, test::window, middle)) << "the menu is open";
   // Its first entries are operators.
@@ -392,14 +392,14 @@ TEST_F(WindowInputTest, a_menu_takes_the_keys_and_escape_closes_it) {
   press(in_view, MouseButton::right);
   release(in_view, MouseButton::right);
   frames(4);
-  ASSERT_EQ(session_.selection.size(), 1u);
+  ASSERT_EQ(session_.selecting.selection.size(), 1u);
   ASSERT_TRUE(gui_.has_menu(session_));
   input_.key_down("X");
   EXPECT_TRUE(session_.log().empty()) << "nothing behind the menu is deleted";
   input_.key_down("Escape");
   frames(4);
   EXPECT_FALSE(gui_.has_menu(session_));
-  EXPECT_EQ(session_.selection.size(), 1u) << "one step at a time";
+  EXPECT_EQ(session_.selecting.selection.size(), 1u) << "one step at a time";
 }
 
 TEST_F(WindowInputTest, a_key_of_ones_own_asks_before_edits_are_lost) {

@@ -106,7 +106,7 @@ TEST_F(WindowKeys, isolate_show_all_and_take_the_others_and_the_menu_of_the_elem
   ASSERT_TRUE(has_selected(1)) << "what the menu is about";
   ASSERT_TRUE(session().run("mode face").done());
   beside().gui.pointer(at);
-  session().select_for_menu(at);
+  session().pointing.select_for_menu(at);
   beside().gui.open_element_menu();
   beside().frames(4);
   const glm::dvec2 entry = test::DrawnText(beside().gui).last_place(find_op("detach")->name_en);
@@ -154,7 +154,7 @@ TEST_F(WindowKeys, the_preset_meshlab_turns_by_left_pans_by_ctrl_zooms_by_shift_
   say("preset meshlab");
   const auto [low, high] = around_all();
   const glm::dvec2 at = on_face(), by(70, 30);
-  const glm::dvec3 place = session().pick(at, PickMode::face)->place;
+  const glm::dvec3 place = session().pointing.pick(at, PickMode::face)->place;
   xdotool("key 3");
   drag(low, high, "ctrl shift");
   ASSERT_TRUE(shows([](const Frame& frame) { return frame.selected > 0; })) << "both select by a box";

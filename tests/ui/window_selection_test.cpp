@@ -35,7 +35,7 @@ TEST_F(WindowSelection, loops_rings_what_is_linked_and_neighbours_are_selected_b
   open_made({"grid", "--columns", "6", "--rows", "4"});
   const auto selected_here = [&](const std::string& line) {
     EXPECT_TRUE(session().run(line).done());
-    return static_cast<long>(session().selection.size());
+    return static_cast<long>(session().selecting.selection.size());
   };
   const OnEdge at = on_edge(0.5, 7);
   const std::string select = "select " + name_of(session().mesh(), at.edge),
@@ -83,20 +83,20 @@ TEST_F(WindowSelection, a_trait_of_the_menu_is_selected_kept_by_a_name_and_calle
   const OnEdge edge = on_edge(0.5);
   xdotool("key ctrl+shift+a mousemove " + words_of(edge.pixel) + " click 1 key shift+x");
   ASSERT_TRUE(is_at(1));
-  session().selection = {edge.edge};
+  session().selecting.selection = {edge.edge};
   ASSERT_TRUE(session().run("dissolve selected").done());
   xdotool("key ctrl+shift+a");
   ASSERT_TRUE(has_selected(0));
-  session().selection.clear();
+  session().selecting.selection.clear();
   choose("my edges");
   ASSERT_TRUE(session().run("select kept \"my edges\"").done());
-  const long left = static_cast<long>(session().selection.size());
+  const long left = static_cast<long>(session().selecting.selection.size());
   EXPECT_TRUE(left > 0 && left < 12);
   EXPECT_TRUE(has_selected(left)) << "those that are left: " << left << ", not " << last().selected;
   EXPECT_EQ(last().history, 1) << "selecting is no entry";
   say("select longer 1");
   ASSERT_TRUE(session().run("select longer 1").done());
-  EXPECT_TRUE(has_selected(static_cast<long>(session().selection.size()))) << "by the palette";
+  EXPECT_TRUE(has_selected(static_cast<long>(session().selecting.selection.size()))) << "by the palette";
 }
 
 TEST_F(WindowSelection, an_operator_on_it_is_one_entry_and_counts_by_reason_what_it_refused_and_leaves_selected) {
@@ -130,7 +130,7 @@ TEST_F(WindowSelection, an_operator_on_it_is_one_entry_and_counts_by_reason_what
   EXPECT_EQ(last().selected, refused) << "what was refused stays selected";
   ASSERT_TRUE(session().run("mode edge").done() && session().run("select all").done());
   ASSERT_TRUE(session().run("swap selected").done());
-  EXPECT_EQ(refused, static_cast<long>(session().selection.size())) << "as the command does it";
+  EXPECT_EQ(refused, static_cast<long>(session().selecting.selection.size())) << "as the command does it";
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ std::string on_an_edge(const std::string& asset) {
     const auto [a, b] = ends(m, Edge(i));
     const auto at = project(session.view.camera, session.view.size, (m.position(a) + m.position(b)) / 2.0);
     const glm::dvec2 pixel = at->pixel + session.view.origin;
-    const auto picked = session.pick(pixel, PickMode::edge);
+    const auto picked = session.pointing.pick(pixel, PickMode::edge);
     if (picked && picked->element == Element(Edge(i)))
       return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y));
   }
@@ -137,7 +137,7 @@ TEST_F(WindowTest, a_drag_of_a_handle_moves_the_selection) {
   test::Laid laid("torus.off", {1280, 800});
   laid.session.view.gizmo_kind = GizmoKind::move;
   ASSERT_TRUE(laid.session.run("select v0").done());
-  const auto gizmo = laid.session.gizmo();
+  const auto gizmo = laid.session.pointing.gizmo();
   ASSERT_TRUE(gizmo);
   const auto up = std::find_if(gizmo->handles.begin(), gizmo->handles.end(),
                                [](const GizmoHandle& handle) { return handle.row->way == HandleWay::y; });
@@ -191,7 +191,7 @@ OnEdge on_long_edge(const std::string& file, double share) {
     const auto to = project(laid.session.view.camera, laid.session.view.size, m.position(b));
     const glm::dvec2 pixel =
         glm::round(project(laid.session.view.camera, laid.session.view.size, place)->pixel + laid.session.view.origin);
-    const auto picked = laid.session.pick(pixel, PickMode::edge);
+    const auto picked = laid.session.pointing.pick(pixel, PickMode::edge);
     if (glm::distance(from->pixel, to->pixel) < 60 || !picked || picked->element != Element(Edge(i))) continue;
     return {std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)), name_of(m, Edge(i)),
             place};

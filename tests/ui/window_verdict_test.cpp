@@ -28,8 +28,8 @@ TEST_F(WindowVerdict, a_held_one_waits_until_the_pointer_has_pressed_the_button_
   EXPECT_FALSE(last().said.empty()) << "nobody says why";
   ASSERT_TRUE(session().run("tool collapse").done());
   beside().gui.pointer(edge.pixel);
-  ASSERT_EQ(session().click(edge.pixel, "collapse").kind, Outcome::Kind::refused);
-  const std::vector<std::string> remedy = session().hover_remedy();
+  ASSERT_EQ(session().pointing.click(edge.pixel, "collapse").kind, Outcome::Kind::refused);
+  const std::vector<std::string> remedy = session().selecting.hover_remedy();
   ASSERT_FALSE(remedy.empty());
   beside().frames(3);
   const glm::dvec2 button = test::DrawnText(beside().gui).place(remedy.back());
@@ -55,7 +55,7 @@ TEST_F(WindowVerdict, a_held_one_waits_until_the_pointer_has_pressed_the_button_
 TEST_F(WindowVerdict, shift_frees_a_split_from_tenths_and_what_is_small_collapses_to_its_middle) {
   open_copy("cube.obj");
   const OnEdge at = on_edge(0.337);
-  const auto picked = session().pick(at.pixel, PickMode::edge);
+  const auto picked = session().pointing.pick(at.pixel, PickMode::edge);
   ASSERT_GT(std::abs(10 * picked->along - std::round(10 * picked->along)), 0.1) << "it cannot be told from a tenth";
   const Mesh& m = session().mesh();
   const glm::dvec3 from = m.position(m.from(picked->halfedge)), to = m.position(m.to(picked->halfedge));
@@ -86,7 +86,7 @@ TEST_F(WindowVerdict, shift_frees_a_split_from_tenths_and_what_is_small_collapse
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));
     const glm::dvec2 near_end = pixel_of(m.position(a) + 0.2 * (m.position(b) - m.position(a)));
-    const auto small = session().pick(near_end, PickMode::edge);
+    const auto small = session().pointing.pick(near_end, PickMode::edge);
     if (!small || small->element != Element(Edge(i)) || std::abs(small->along - 0.5) < 0.2) continue;
     xdotool("key c");
     click(near_end);

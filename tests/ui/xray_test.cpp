@@ -26,7 +26,7 @@ class XrayTest : public testing::Test {
     std::size_t met = 0;
     for (std::uint32_t i = 0; i < session_.mesh().vertex_slots(); ++i) {
       const auto at = project(session_.view.camera, session_.view.size, session_.mesh().position(Vertex(i)));
-      const auto picked = session_.pick(at->pixel + session_.view.origin, PickMode::vertex);
+      const auto picked = session_.pointing.pick(at->pixel + session_.view.origin, PickMode::vertex);
       met += picked && picked->element == Element(Vertex(i));
     }
     return met;
@@ -103,10 +103,10 @@ TEST_F(XrayTest, is_picked_through) {
   EXPECT_EQ(vertices_met(), all);
   EXPECT_TRUE(session_.run("mode vertex").done());
   EXPECT_TRUE(session_.run("box 0,0 320,240").done());
-  EXPECT_EQ(session_.selection.size(), all);
+  EXPECT_EQ(session_.selecting.selection.size(), all);
   EXPECT_TRUE(session_.run("xray off").done());
   EXPECT_TRUE(session_.run("box 0,0 320,240").done());
-  EXPECT_LT(session_.selection.size(), all);
+  EXPECT_LT(session_.selecting.selection.size(), all);
 }
 
 // What is nearer on the screen comes before what is nearer to the eye.
@@ -116,7 +116,7 @@ TEST_F(XrayTest, prefers_what_is_in_front_at_one_distance_on_the_screen) {
   for (const char* line : {"view front", "projection orthographic", "xray on"}) EXPECT_TRUE(cube.run(line).done());
   for (std::uint32_t i = 0; i < 8; ++i) {
     const glm::dvec3 place = cube.mesh().position(Vertex(i));
-    const auto picked = cube.pick(project(cube.view.camera, cube.view.size, place)->pixel, PickMode::vertex);
+    const auto picked = cube.pointing.pick(project(cube.view.camera, cube.view.size, place)->pixel, PickMode::vertex);
     ASSERT_TRUE(picked);
     EXPECT_GT(cube.mesh().position(picked->element.vertex()).z, 0) << i;
   }

@@ -19,7 +19,7 @@ constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles t
 std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
   Session& part = session.part_at(pixel);
   for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
-    if (const auto picked = part.pick_drawn(pixel, what)) return picked->place;
+    if (const auto picked = part.pointing.pick_drawn(pixel, what)) return picked->place;
   return std::nullopt;
 }
 
@@ -32,7 +32,7 @@ double nearest_depth(Session& session) {
       const glm::dvec2 share((column + 0.5) / columns, (row + 0.5) / rows);
       const glm::dvec2 pixel =
           session.view.origin + share * glm::dvec2(session.view.size.width, session.view.size.height);
-      const auto picked = session.pick_drawn(pixel, PickMode::face);
+      const auto picked = session.pointing.pick_drawn(pixel, PickMode::face);
       if (!picked) continue;
       const double depth = depth_of(session.view.camera, picked->place);
       nearest = std::min(nearest.value_or(depth), depth);

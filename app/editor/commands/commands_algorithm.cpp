@@ -88,7 +88,7 @@ std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
 
 std::vector<std::string> names_of_kept(const Session& session) {
   std::vector<std::string> names;
-  for (const auto& [name, elements] : session.selections.kept) names.push_back(name);
+  for (const auto& [name, elements] : session.selecting.memory.kept) names.push_back(name);
   return names;
 }
 
@@ -96,7 +96,7 @@ std::vector<std::string> names_of_kept(const Session& session) {
 Text gone_text(const Session& session, const std::vector<std::string>& names) {
   std::string gone, gone_ja;
   for (const std::string& name : names) {
-    if (session.selections.kept.contains(name)) continue;
+    if (session.selecting.memory.kept.contains(name)) continue;
     gone += (gone.empty() ? "'" : ", '") + name + "'";
     gone_ja += "「" + name + "」";
   }
@@ -110,10 +110,10 @@ Text gone_text(const Session& session, const std::vector<std::string>& names) {
 Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
   const std::string id(row.id);
   if (const auto fault = fault_of_selected(row, given_words)) return usage_error(behind(row.id, *fault));
-  if (session.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
+  if (session.selecting.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
     return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
   std::vector<std::string> names;
-  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selected_names();
+  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selecting.selected_names();
   const std::vector<std::string> meant = with_names(given_words, names);
   const std::vector<std::string_view> words(meant.begin(), meant.end());
   const ReadValues given = read_values(row.parameters, words);
@@ -130,7 +130,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   // Who wants it later asks for it (make_account).
   const bool wants_account = row.accounts_for_edges && session.layout.is_shown(panel_opened_by(PanelOpener::levelled));
   const std::vector<std::string> names_before = names_of_kept(session);
-  const bool wants_descent = !session.selection.empty() || !names_before.empty();
+  const bool wants_descent = !session.selecting.selection.empty() || !names_before.empty();
   auto result = session.document().run(row, *found.values, outcome.performed, session.frontend.on_progress,
                                        {wants_account, wants_descent});
   if (!result) return cancelled();
@@ -139,7 +139,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
     return failed(ExitCode::refused, {id + ": " + result->refused->en, id + "：" + result->refused->ja});
   if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
   unless_memory_lacks([&] {
-    if (row.selects_added && result->changed > 0) session.selection = before.added_to(session.mesh());
+    if (row.selects_added && result->changed > 0) session.selecting.selection = before.added_to(session.mesh());
     if (result->account && !result->account->rules.empty())
       session.findings().keep_account({session.document().serial(), session.document().revision(),
                             std::move(result->account->rules), std::move(result->account->remaining)});

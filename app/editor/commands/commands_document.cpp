@@ -104,7 +104,7 @@ Outcome run_append(Session& session, Words arguments, std::string_view whole) {
   const std::string line = "append " + file_argument(name);
   const Text left_out = session.document().append(std::move(file).value(), line);
   session.files.reads(name, FileRole::mesh);
-  session.selection = before.added_to(session.mesh());
+  session.selecting.selection = before.added_to(session.mesh());
   if (was_empty) session.frame_all();
   Outcome outcome = performed(line);
   outcome.sentence = left_out;
@@ -113,11 +113,11 @@ Outcome run_append(Session& session, Words arguments, std::string_view whole) {
 
 Outcome run_save_selected(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("save_selected");
-  if (session.selection.empty())
+  if (session.selecting.selection.empty())
     return failed(ExitCode::refused, {"save_selected: nothing is selected", "save_selected：選択がありません"});
   const std::string name = file_name(whole);
   if (const Status may = session.files.may_write(name, FileRole::saved); !may) return failed(may.failure());
-  const MeshFile part = session.document().part(session.selection);
+  const MeshFile part = session.document().part(session.selecting.selection);
   const Format* const format = format_to_write(name, part);
   const std::vector<Message> losses = format && format->write ? loss_messages(part, *format) : std::vector<Message>();
   if (session.strict && !losses.empty()) return failed(refusal_of_losses());

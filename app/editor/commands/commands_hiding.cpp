@@ -11,16 +11,16 @@ bool is_selection(Words arguments) { return arguments.size() == 1 && arguments[0
 
 // `lacks`: what is said where nothing is selected.
 Outcome hide_named(Session& session, std::string_view command, Words arguments,
-                   void (Session::*hide)(std::span<const Element>), const Text& lacks) {
+                   void (Selecting::*hide)(std::span<const Element>), const Text& lacks) {
   if (arguments.empty()) return wrong_arguments(command);
-  Elements elements = session.selection;
+  Elements elements = session.selecting.selection;
   if (!is_selection(arguments)) {
     elements.clear();
     if (Outcome outcome = find_named(session, command, arguments, elements); !outcome.done()) return outcome;
   } else if (elements.empty()) {
     return failed(ExitCode::refused, lacks);
   }
-  (session.*hide)(elements);
+  (session.selecting.*hide)(elements);
   Outcome outcome;
   outcome.sentence = hidden_text(session.findings().hidden());
   return outcome;
@@ -35,18 +35,18 @@ std::optional<Text> fault_of_hide(Words arguments, const std::string& line) {
 }
 
 Outcome run_hide(Session& session, Words arguments, std::string_view) {
-  return hide_named(session, "hide", arguments, &Session::hide,
+  return hide_named(session, "hide", arguments, &Selecting::hide,
                     {"select first what is to be hidden", "先に非表示にする要素を選択してください"});
 }
 
 Outcome run_isolate(Session& session, Words arguments, std::string_view) {
-  return hide_named(session, "isolate", arguments, &Session::isolate,
+  return hide_named(session, "isolate", arguments, &Selecting::isolate,
                     {"select first what alone is to be shown", "先に、それだけを表示する要素を選択してください"});
 }
 
 Outcome run_unhide(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("unhide");
-  session.unhide();
+  session.selecting.unhide();
   return {};
 }
 

@@ -71,12 +71,12 @@ std::optional<Text> fault_of_measure(Words arguments, const std::string&) {
 Outcome run_measure(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_measure(arguments, {})) return usage_error(*fault);
   if (arguments[0] == "clear") {
-    session.measures.clear();
+    session.selecting.measures.clear();
     return {};
   }
   Elements measured;
   if (arguments[0] == "selected") {
-    measured = session.selection;
+    measured = session.selecting.selection;
     if (measured.empty())
       return failed(ExitCode::refused,
                     {"nothing is selected that could be measured", "計測する要素が選択されていません"});
@@ -89,7 +89,7 @@ Outcome run_measure(Session& session, Words arguments, std::string_view) {
         ExitCode::refused,
         {"there is nothing to measure: name an edge, a face, two elements or three vertices with finite places",
          "計測できません。稜線、面、二つの要素、または三つの頂点（座標が有限のもの）を指定してください"});
-  session.measures.push_back(std::move(measured));
+  session.selecting.measures.push_back(std::move(measured));
   show_panel(session);
   Outcome outcome;
   outcome.sentence = text_of(found);

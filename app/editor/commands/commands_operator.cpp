@@ -147,7 +147,7 @@ void select_refused(Session& session, const EachResult& result) {
   for (const EachResult::Refused& refused : result.refused)
     left.insert(left.end(), refused.elements.begin(), refused.elements.end());
   drop_lost(left, session.mesh(), false);
-  session.selection = std::move(left);
+  session.selecting.selection = std::move(left);
 }
 
 // The selection without those that were refused: the same is done with it whatever is refused for.
@@ -165,7 +165,7 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
   const Elements selected = worked_on(session, op, words.subspan(1));
   Outcome outcome;
   outcome.performed = line_of(op, words);
-  outcome.selecting = selected == session.selection ? session.select_line() : "select" + slot_ranges(selected);
+  outcome.selecting = selected == session.selecting.selection ? session.selecting.select_line() : "select" + slot_ranges(selected);
   const auto result = session.document().apply_to_each(op, selected, words.subspan(1), outcome.performed,
                                                        session.strict, session.frontend.on_progress);
   if (!result) return cancelled();
@@ -189,7 +189,7 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
 }
 
 Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
-  if (session.selection.empty()) return nothing_selected(op);
+  if (session.selecting.selection.empty()) return nothing_selected(op);
   const Elements selected = worked_on(session, op, words.subspan(1));
   const std::vector<std::string> names = names_taken(session, op, selected, words.subspan(1));
   std::vector<std::string_view> arguments(names.begin(), names.end());

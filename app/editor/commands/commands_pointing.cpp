@@ -42,27 +42,27 @@ Outcome not_a_tool(std::string_view id) {
 Outcome run_walk(Session& session, Words arguments, std::string_view) {
   const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
   if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
-  if (session.selection.size() != 1 || session.selection[0].kind != Element::Kind::halfedge)
+  if (session.selecting.selection.size() != 1 || session.selecting.selection[0].kind != Element::Kind::halfedge)
     return failed(ExitCode::refused, {"select one halfedge first; halfedges are walked from there",
                                       "先に半稜線を一つ選択してください。そこから辿ります"});
   const Mesh& mesh = session.mesh();
-  const Halfedge h = session.selection[0].halfedge();
-  session.selection = {where == "next"   ? mesh.next(h)
+  const Halfedge h = session.selecting.selection[0].halfedge();
+  session.selecting.selection = {where == "next"   ? mesh.next(h)
                        : where == "prev" ? mesh.prev(h)
                        : where == "twin" ? twin(h)
                                          : mesh.counter_clockwise(h)};
-  session.view.links.walked(h, session.selection[0].halfedge());
-  keep_in_sight(session, session.selection[0]);
+  session.view.links.walked(h, session.selecting.selection[0].halfedge());
+  keep_in_sight(session, session.selecting.selection[0]);
   return {};
 }
 
 Outcome run_tool(Session& session, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
-  session.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
-  session.asked_line.clear();
-  session.release_verdict();
-  if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
+  session.selecting.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  session.selecting.asked_line.clear();
+  session.selecting.release_verdict();
+  if (session.selecting.hover()) session.pointing.point_at(session.selecting.hover()->pixel, session.selecting.hover()->modifiers);
   return {};
 }
 
@@ -75,23 +75,23 @@ std::optional<Text> fault_of_ask(Words arguments, const std::string& line) {
 Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
   if (const auto fault = fault_of_ask(arguments, "ask " + std::string(whole))) return usage_error(*fault);
   if (!arguments.empty()) {
-    session.tool.clear();
-    session.asked_line = without_blanks(whole);
-    session.release_verdict();
+    session.selecting.tool.clear();
+    session.selecting.asked_line = without_blanks(whole);
+    session.selecting.release_verdict();
     return {};
   }
-  if (session.asked_line.empty())
+  if (session.selecting.asked_line.empty())
     return failed(ExitCode::refused, {"no operator asks for elements", "要素を待っている操作はありません"});
-  if (fault_of_command(session.asked_line)) return failed(ExitCode::refused, asked_text(session.asked_line));
+  if (fault_of_command(session.selecting.asked_line)) return failed(ExitCode::refused, asked_text(session.selecting.asked_line));
   return carry_out_asked(session);
 }
 
 Outcome run_mode(Session& session, Words arguments, std::string_view) {
   for (const auto& [mode, id, point_en, point_ja, help_en, help_ja] : pick_modes) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
-    session.mode = mode;
-    session.release_verdict();
-    if (session.hover()) session.point_at(session.hover()->pixel, session.hover()->modifiers);
+    session.selecting.mode = mode;
+    session.selecting.release_verdict();
+    if (session.selecting.hover()) session.pointing.point_at(session.selecting.hover()->pixel, session.selecting.hover()->modifiers);
     return {};
   }
   return wrong_arguments("mode");
@@ -101,7 +101,7 @@ Outcome run_click(Session& session, Words arguments, std::string_view) {
   const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
   if (!at || arguments.size() > 2) return wrong_arguments("click");
   if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
-  return session.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.tool);
+  return session.pointing.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.selecting.tool);
 }
 
 std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {
@@ -111,12 +111,12 @@ std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {
 Outcome run_remedy(Session& session, Words arguments, std::string_view) {
   const auto number = count_of(arguments);
   if (!number) return wrong_arguments("remedy");
-  if (!session.is_verdict_held())
+  if (!session.selecting.is_verdict_held())
     return failed(ExitCode::refused,
                   {"there is nothing to carry out here: no click was refused, and nothing waits for elements",
                    "ここで実行することはありません。拒否されたクリックも、要素を待っている操作もありません"});
-  const std::vector<std::string> lines = session.hover_remedy();
-  if (lines.empty()) return failed(ExitCode::refused, without_remedy(session.hover()->preview.verdict));
+  const std::vector<std::string> lines = session.selecting.hover_remedy();
+  if (lines.empty()) return failed(ExitCode::refused, without_remedy(session.selecting.hover()->preview.verdict));
   if (*number > lines.size())
     return failed(ExitCode::refused, {"the remedy has only " + std::to_string(lines.size()) + " lines",
                                       "対処は " + std::to_string(lines.size()) + " 行しかありません"});

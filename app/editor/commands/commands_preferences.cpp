@@ -51,12 +51,12 @@ Outcome run_bind(Session& session, Words arguments, std::string_view whole) {
   if (const auto fault = fault_of_bind(arguments, "bind " + std::string(whole))) return usage_error(*fault);
   const std::string chord = *chord_from(arguments[0]), command = command_behind(whole);
   if (command == "initial") {
-    bind(session, chord, BindTo::preset);
+    bind(session.preferences, chord, BindTo::preset);
     return {};
   }
   const std::string wanted = command == "none" ? std::string() : command;
-  const auto conflict = conflict_of(session, chord, wanted);
-  bind(session, chord, BindTo::command, wanted);
+  const auto conflict = conflict_of(session.preferences, chord, wanted);
+  bind(session.preferences, chord, BindTo::command, wanted);
   Outcome outcome;
   if (!conflict || wanted.empty()) return outcome;
   const Text lost = help_of_key(*conflict);

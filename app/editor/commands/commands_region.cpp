@@ -33,21 +33,21 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 }
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
-  const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pick_depth() : call.depth;
+  const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pointing.pick_depth() : call.depth;
   if (session.shown.is_replaced()) return session.shown.refusal();
   if (session.findings().preparing())
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
-      session.findings().picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.mode, depth);
-  put_into_selection(session.selection.changed(), found, call.how);
+      session.findings().picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.selecting.mode, depth);
+  put_into_selection(session.selecting.selection.changed(), found, call.how);
   Outcome outcome;
   if (found.empty())
     outcome.sentence =
         depth == Picker::Depth::seen
             ? Text{"nothing lies wholly in there and is seen; ", "全体が収まり見えている要素はありません。"}
             : Text{"nothing lies wholly in there; ", "全体が収まる要素はありません。"};
-  outcome.sentence = outcome.sentence + count_text(session.selection.size(), "one element is selected",
+  outcome.sentence = outcome.sentence + count_text(session.selecting.selection.size(), "one element is selected",
                                                    "# elements are selected", "# 個を選択しています");
   return outcome;
 }

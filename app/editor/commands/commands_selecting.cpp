@@ -20,7 +20,7 @@ namespace {
 
 // What is asked for: names, behind a word that says what becomes of the selection; all that a problem is about, or all
 // problems of a kind; or what a selector finds.
-struct Selecting {
+struct SelectRequest {
   SelectHow how = SelectHow::anew;
   const ProblemRow* problem = nullptr;
   const Selector* selector = nullptr;
@@ -47,8 +47,8 @@ Text fault_of_kept_name(std::string_view command, Words words) {
   return form + Text{"; a name of several words stands in quotes", "。空白を含む名前は引用符で囲みます"};
 }
 
-Selecting read_selecting(Words arguments) {
-  Selecting asked{.names = arguments};
+SelectRequest read_selecting(Words arguments) {
+  SelectRequest asked{.names = arguments};
   const std::string_view first = arguments.empty() ? "" : arguments[0];
   if (first == of_problem) {
     asked.names = arguments.subspan(std::min<std::size_t>(arguments.size(), 2));
@@ -82,7 +82,7 @@ Text meant_by(std::string_view word) {
   return Text{"; did you mean ", "。"} + ids + Text{"?", " ですか？"};
 }
 
-std::optional<Text> fault_of(const Selecting& asked) {
+std::optional<Text> fault_of(const SelectRequest& asked) {
   if (asked.is_wrong) return wrong_arguments("select").sentence;
   if (asked.how != SelectHow::anew && asked.names.empty()) return wrong_arguments("select").sentence;
   if (asked.is_kept)
@@ -134,7 +134,7 @@ const PickModeRow& mode_of(Element::Kind kind) {
 Outcome nothing_kept(const Session& session, std::string_view name) {
   const std::string wanted(name);
   std::vector<std::string> known;
-  for (const auto& [kept, elements] : session.selections.kept) known.push_back(kept);
+  for (const auto& [kept, elements] : session.selecting.memory.kept) known.push_back(kept);
   const Text hint = did_you_mean(name, known);
   return failed(
       ExitCode::refused,
@@ -148,7 +148,7 @@ Outcome select(Session& session, Elements found) {
   outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
                                    : count_text(found.size(), "one element is selected", "# elements are selected",
                                                 "# 個を選択しました");
-  session.selection = std::move(found);
+  session.selecting.selection = std::move(found);
   return outcome;
 }
 
@@ -166,8 +166,8 @@ Outcome select_all_of(Session& session, const ProblemRow& row) {
 
 // What lives of it.
 Outcome select_kept(Session& session, std::string_view name) {
-  const auto kept = session.selections.kept.find(name);
-  if (kept == session.selections.kept.end()) return nothing_kept(session, name);
+  const auto kept = session.selecting.memory.kept.find(name);
+  if (kept == session.selecting.memory.kept.end()) return nothing_kept(session, name);
   Elements found = kept->second;
   drop_lost(found, session.mesh(), false);
   return select(session, std::move(found));
@@ -230,14 +230,14 @@ void put_into_selection(Elements& selection, std::span<const Element> elements, 
 std::optional<Text> fault_of_select(Words arguments, const std::string&) { return fault_of(read_selecting(arguments)); }
 
 Outcome run_select(Session& session, Words arguments, std::string_view) {
-  const Selecting asked = read_selecting(arguments);
+  const SelectRequest asked = read_selecting(arguments);
   if (const auto fault = fault_of(asked)) return usage_error(*fault);
   if (asked.selector) {
     const Selector& row = *asked.selector;
-    if (const Text missing = missing_for(row, session.selection); !missing.en.empty())
+    if (const Text missing = missing_for(row, session.selecting.selection); !missing.en.empty())
       return failed(ExitCode::refused, missing);
     Elements found =
-        row.find(session.mesh(), session.selection, kind_of(session.mode), *parse_values(row, asked.names));
+        row.find(session.mesh(), session.selecting.selection, kind_of(session.selecting.mode), *parse_values(row, asked.names));
     if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
     return select(session, std::move(found));
   }
@@ -246,7 +246,7 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   Elements found;
   if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.findings().about(*asked.problem, found[0]);
-  put_into_selection(session.selection.changed(), found, asked.how);
+  put_into_selection(session.selecting.selection.changed(), found, asked.how);
   return {};
 }
 
@@ -258,18 +258,18 @@ std::optional<Text> fault_of_keep(Words arguments, const std::string& line) {
 Outcome run_keep(Session& session, Words arguments, std::string_view) {
   const std::optional<std::string> name = kept_name(arguments);
   if (!name) return usage_error(fault_of_kept_name("keep", arguments));
-  if (session.selection.empty())
+  if (session.selecting.selection.empty())
     return failed(ExitCode::refused, {"nothing is selected that could be kept", "取っておく選択がありません"});
-  session.selections.kept.insert_or_assign(*name, session.selection);
+  session.selecting.memory.kept.insert_or_assign(*name, session.selecting.selection);
   return {};
 }
 
 Outcome run_forget(Session& session, Words arguments, std::string_view) {
   const std::optional<std::string> name = kept_name(arguments);
   if (!name) return usage_error(fault_of_kept_name("forget", arguments));
-  const auto kept = session.selections.kept.find(*name);
-  if (kept == session.selections.kept.end()) return nothing_kept(session, *name);
-  session.selections.kept.erase(kept);
+  const auto kept = session.selecting.memory.kept.find(*name);
+  if (kept == session.selecting.memory.kept.end()) return nothing_kept(session, *name);
+  session.selecting.memory.kept.erase(kept);
   return {};
 }
 

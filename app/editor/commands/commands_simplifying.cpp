@@ -90,7 +90,7 @@ void select_under(Session& session, const EdgeAccount& account, EdgeRule rule) {
   Elements found;
   for (std::uint32_t i = 0; i < account.rules.size(); ++i)
     if (account.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
-  session.selection = std::move(found);
+  session.selecting.selection = std::move(found);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ Outcome run_frame(Session& session, Words arguments, std::string_view) {
     return {};
   }
   Outcome outcome;
-  if (session.selection.empty())
+  if (session.selecting.selection.empty())
     outcome.sentence = {"nothing is selected; the whole mesh is shown", "選択がないため、全体を表示しています"};
-  fly_to(session, session.selection);
+  fly_to(session, session.selecting.selection);
   return outcome;
 }
 
@@ -57,9 +57,9 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_gesture(Session& session, Words arguments, std::string_view) {
-  if (arguments.size() == 1 && arguments[0] == "extrude") return session.begin_pull();
-  if (arguments.size() == 1 && arguments[0] == "split") return session.begin_split();
-  if (arguments.size() == 1 && arguments[0] == "duplicate") return session.begin_copy();
+  if (arguments.size() == 1 && arguments[0] == "extrude") return session.gesturing.begin_pull();
+  if (arguments.size() == 1 && arguments[0] == "split") return session.gesturing.begin_split();
+  if (arguments.size() == 1 && arguments[0] == "duplicate") return session.gesturing.begin_copy();
   const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal", "yz", "zx", "xy"};
   const char* const keys[] = {"X", "Y", "Z", "N", "Shift+X", "Shift+Y", "Shift+Z"};  // that choose them
   const std::string_view word = arguments.empty() ? "" : arguments[0];
@@ -67,8 +67,8 @@ Outcome run_gesture(Session& session, Words arguments, std::string_view) {
   const auto axis = arguments.size() == 2 ? std::find(std::begin(axes), std::end(axes), arguments[1]) : std::end(axes);
   if (kind == std::end(kinds) || arguments.size() > 2 || (arguments.size() == 2 && axis == std::end(axes)))
     return wrong_arguments("gesture");
-  Outcome outcome = session.begin_gesture(static_cast<PointTransform::Kind>(kind - std::begin(kinds)));
-  if (outcome.done() && axis != std::end(axes)) session.gesture_key(keys[axis - std::begin(axes)]);
+  Outcome outcome = session.gesturing.begin(static_cast<PointTransform::Kind>(kind - std::begin(kinds)));
+  if (outcome.done() && axis != std::end(axes)) session.gesturing.key(keys[axis - std::begin(axes)]);
   return outcome;
 }
 

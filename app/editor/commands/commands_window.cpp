@@ -133,17 +133,17 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
     return {};
   }
   if (!session.layout.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");
-  if (session.is_verdict_held()) {
-    session.release_verdict();
-    session.point_away();
+  if (session.selecting.is_verdict_held()) {
+    session.selecting.release_verdict();
+    session.pointing.point_away();
     return {};
   }
-  if (!session.asked_line.empty()) {
-    session.asked_line.clear();
+  if (!session.selecting.asked_line.empty()) {
+    session.selecting.asked_line.clear();
     return {};
   }
-  if (!session.tool.empty()) return session.run("tool none");
-  if (!session.shown.is_replaced() && !session.selection.empty()) return session.run("select none");
+  if (!session.selecting.tool.empty()) return session.run("tool none");
+  if (!session.shown.is_replaced() && !session.selecting.selection.empty()) return session.run("select none");
   if (session.shown.player()) return leave_playing(session);
   if (session.shown.by() == ShownBy::level) return leave_level(session);
   if (asked_element(session)) return leave_question(session);

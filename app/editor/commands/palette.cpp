@@ -138,7 +138,7 @@ PaletteChoice choice_of(const Session& session, const PaletteEntry& entry) {
   if (const AlgorithmRow* const row = find_algorithm(entry.line))
     return {Kind::run, row->parameters.empty() ? line_of(*row, ParameterValues()) : "values " + entry.line};
   if (const auto row = find_command_row(entry.line); row && row->most_elements > 0)
-    return {Kind::run, session.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
+    return {Kind::run, session.selecting.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
   if (fault_of_command(entry.line)) return {Kind::begin, entry.line + " "};
   return {Kind::run, entry.line};
 }

@@ -15,10 +15,10 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   // The window may have missed its release.
   if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();
   if (button == MouseButton::left) held_handle_.reset();
-  if (session_.gesture() && button != MouseButton::middle) {
+  if (session_.gesturing.transform() && button != MouseButton::middle) {
     gesture_ended_ = {button, {}};
     if (button == MouseButton::left) {
-      session_.follow_gesture(at.pixel, at.modifiers);
+      session_.gesturing.follow(at.pixel, at.modifiers);
       gesture_ended_->outcome = end_gesture();
     } else {
       gesture_ended_->outcome = give_up_gesture();
@@ -29,8 +29,8 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   const bool is_armed = session_.view.armed_gesture && button == MouseButton::left;
   const Gesture gesture = is_armed ? *session_.view.armed_gesture : gesture_of(preset, button, at.modifiers);
   const HandleRow* const handle =
-      button == MouseButton::left && !is_armed && !is_dragging() && !session_.axis_end_at(at.pixel)
-          ? session_.handle_at(at.pixel, at.modifiers)
+      button == MouseButton::left && !is_armed && !is_dragging() && !session_.pointing.axis_end_at(at.pixel)
+          ? session_.pointing.handle_at(at.pixel, at.modifiers)
           : nullptr;
   if (handle) {
     held_handle_ = HeldHandle{handle, at.pixel, at.modifiers};
@@ -52,15 +52,15 @@ void ViewInput::drag_handle(const Pointer& at) {
     run(std::string(held_handle_->row->line));
     session_.view.pointer = at.pixel;
   }
-  if (session_.gesture()) session_.follow_gesture(at.pixel, at.modifiers);
+  if (session_.gesturing.transform()) session_.gesturing.follow(at.pixel, at.modifiers);
 }
 
 // The gesture may have been ended before, by a key or the other button.
 Outcome ViewInput::let_go_of_handle(const Pointer& at) {
   Outcome outcome;
   const HeldHandle held = *std::exchange(held_handle_, std::nullopt);
-  if (held.has_begun && session_.gesture()) {
-    session_.follow_gesture(at.pixel, at.modifiers);
+  if (held.has_begun && session_.gesturing.transform()) {
+    session_.gesturing.follow(at.pixel, at.modifiers);
     outcome = end_gesture();
   } else if (!held.has_begun && !is_dragging() && clicks_through(held)) {
     navigation_.press(MouseButton::left, held.start, held.modifiers, Gesture::orbit, session_.preferences.size_scale());
@@ -71,13 +71,13 @@ Outcome ViewInput::let_go_of_handle(const Pointer& at) {
 }
 
 bool ViewInput::clicks_through(const HeldHandle& held) {
-  return (session_.selection.size() == 1 || held.modifiers.ctrl) &&
-         session_.pick_to_select(held.start, session_.pointed_sort());
+  return (session_.selecting.selection.size() == 1 || held.modifiers.ctrl) &&
+         session_.pointing.pick_to_select(held.start, session_.selecting.pointed_sort());
 }
 
 void ViewInput::give_up_drags() {
   navigation_.cancel();
-  if (std::exchange(held_handle_, std::nullopt)) session_.cancel_gesture();
+  if (std::exchange(held_handle_, std::nullopt)) session_.gesturing.cancel();
 }
 
 std::string ViewInput::line_of_band(Modifiers at_end) const {
@@ -112,31 +112,31 @@ Outcome ViewInput::end_click(const std::optional<Navigation::Click>& ended) {
   if (!ended || !is_over_view(ended->pixel)) return {};
   if (ended->button == MouseButton::right) return open_menu(*ended);
   // With a tool two quick clicks are two edits.
-  if (!ended->is_double || !session_.tool.empty() || session_.axis_end_at(ended->pixel)) return click(*ended);
+  if (!ended->is_double || !session_.selecting.tool.empty() || session_.pointing.axis_end_at(ended->pixel)) return click(*ended);
   set_centre(session_, ended->pixel);
   return {};
 }
 
 void ViewInput::move(const Pointer& at) {
   session_.view.pointer = at.pixel;
-  if (session_.gesture() && !navigation_.is_dragging())
-    session_.follow_gesture(at.pixel, at.modifiers);
+  if (session_.gesturing.transform() && !navigation_.is_dragging())
+    session_.gesturing.follow(at.pixel, at.modifiers);
   else if (held_handle_ && !navigation_.is_dragging())
     drag_handle(at);
   else if (navigation_.move(session_, at.pixel))
-    session_.point_away();
+    session_.pointing.point_away();
   else
     point(at);
 }
 
 void ViewInput::wheel(double steps, const Pointer& at) {
-  if (session_.widen_gesture(steps)) return;
+  if (session_.gesturing.widen(steps)) return;
   navigation_.wheel(session_, at.pixel, steps);
   point(at);
 }
 
 Outcome ViewInput::key(const std::string& chord) {
-  if (const auto outcome = session_.gesture_key(chord)) return *outcome;
+  if (const auto outcome = session_.gesturing.key(chord)) return *outcome;
   if (const auto row = find_key(chord, input_presets()[0], session_.preferences.bindings))
     return session_.run(row->command);
   return is_panel_key(chord) ? no_panel_for_key(chord) : no_such_key(chord);
@@ -147,17 +147,17 @@ Outcome ViewInput::type(std::string_view) { return no_field_to_type(); }
 void ViewInput::point(const Pointer& at) {
   if (navigation_.is_dragging()) return;
   if (is_over_view(at.pixel))
-    session_.point_at(at.pixel, at.modifiers);
+    session_.pointing.point_at(at.pixel, at.modifiers);
   else
-    session_.point_away();
+    session_.pointing.point_away();
 }
 
 Outcome ViewInput::click(const Navigation::Click& click) {
-  return session_.click(click.pixel, session_.tool, click.modifiers);
+  return session_.pointing.click(click.pixel, session_.selecting.tool, click.modifiers);
 }
 
 Outcome ViewInput::open_menu(const Navigation::Click& click) {
-  session_.select_for_menu(click.pixel);
+  session_.pointing.select_for_menu(click.pixel);
   return {};
 }
 

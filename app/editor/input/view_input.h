@@ -30,8 +30,8 @@ class ViewInput : public Input {
   // A click with the right button: by itself it only selects what a menu would be about.
   virtual Outcome open_menu(const Navigation::Click& click);
   virtual Outcome run(const std::string& line) { return session_.run(line); }
-  virtual Outcome end_gesture() { return session_.end_gesture(); }
-  virtual Outcome give_up_gesture() { return session_.give_up_gesture(); }
+  virtual Outcome end_gesture() { return session_.gesturing.end(); }
+  virtual Outcome give_up_gesture() { return session_.gesturing.give_up(); }
 
   Session& session_;
   Navigation navigation_;

@@ -16,7 +16,7 @@ namespace {
 // The halfedges whose edges are in view and long enough there, the longest ones where there are too many.
 std::vector<Halfedge> halfedges_in_view(const Session& session) {
   const Mesh& m = session.mesh();
-  const std::span<const glm::dvec3> places = session.drawn_positions();
+  const std::span<const glm::dvec3> places = session.gesturing.drawn_positions();
   const ScreenProjection screen(session.view.camera, session.view.size);
   std::vector<std::pair<double, std::uint32_t>> edges;  // shortest last
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
@@ -56,8 +56,8 @@ std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfe
 }
 
 bool DrawnLinks::is_on(const Session& session) const {
-  if (shown == LinksShown::off || session.findings().preparing() || session.gesture()) return false;
-  return shown != LinksShown::in_mode || session.mode == PickMode::halfedge;
+  if (shown == LinksShown::off || session.findings().preparing() || session.gesturing.transform()) return false;
+  return shown != LinksShown::in_mode || session.selecting.mode == PickMode::halfedge;
 }
 
 const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
@@ -67,7 +67,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
     return arrows_;
   }
   const Document& document = session.document();
-  const Selection& selection = session.selection;
+  const Selection& selection = session.selecting.selection;
   const Key key{.serial = document.serial(),
                 .revision = document.revision(),
                 .hidden = session.findings().hidden().revision(),

@@ -12,7 +12,7 @@ namespace ryosen {
 void add_measures(Session& session, std::vector<Label>& labels) {
   const Mesh& mesh = session.mesh();
   constexpr std::size_t most = 3;  // of more there is no place where it was measured
-  for (const Elements& measured : session.measures) {
+  for (const Elements& measured : session.selecting.measures) {
     bool is_there = measured.size() <= most;
     for (const Element& e : measured) is_there = is_there && is_alive(mesh, e);
     if (!is_there || measured.empty()) continue;

@@ -19,10 +19,10 @@ class NumberLabels {
   NumberLabels(Session& session, std::vector<Label>& labels)
       : session_(session),
         m_(session.mesh()),
-        places_(session.drawn_positions()),
+        places_(session.gesturing.drawn_positions()),
         labels_(labels),
         screen_(session.view.camera, session.view.size),
-        selected_(session.selection.begin(), session.selection.end()) {}
+        selected_(session.selecting.selection.begin(), session.selecting.selection.end()) {}
 
   template <class Handle>
   void add(std::uint32_t slots, char letter) {

@@ -4,7 +4,7 @@
 namespace ryosen {
 
 void add_snap(Session& session, std::vector<Label>& labels) {
-  const SnapTarget& target = *session.gesture()->snapped_to();
+  const SnapTarget& target = *session.gesturing.transform()->snapped_to();
   labels.push_back({.at = target.place,
                     .text = target.name,
                     .priority = snap_priority,

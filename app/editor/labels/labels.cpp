@@ -17,9 +17,9 @@ bool is_step_shown(const Session& session) { return session.shown.shows(ShownBy:
 constexpr LabelSource sources[] = {
     {"numbers", [](const Session& session) { return session.view.settings.numbers != Numbers::off; }, add_numbers},
     {"links", [](const Session& session) { return session.view.links.is_on(session); }, add_links},
-    {"measures", [](const Session& session) { return !session.measures.empty(); }, add_measures},
+    {"measures", [](const Session& session) { return !session.selecting.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
-    {"snap", [](const Session& session) { return session.gesture() && session.gesture()->snapped_to(); }, add_snap},
+    {"snap", [](const Session& session) { return session.gesturing.transform() && session.gesturing.transform()->snapped_to(); }, add_snap},
     {"faceless", is_faceless, add_faceless},
     {"map", [](const Session& session) { return session.view.colouring.has_value(); }, add_map_legend},
 };
@@ -84,7 +84,7 @@ bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixe
 
 // What the handles of the gizmo cover, with the room in which they are taken hold of.
 void take_handles(const Session& session, TakenCells& cells) {
-  const std::optional<Gizmo> gizmo = session.gizmo();
+  const std::optional<Gizmo> gizmo = session.pointing.gizmo();
   if (!gizmo) return;
   const double around = 8 * session.preferences.size_scale();
   const ScreenProjection screen(session.view.camera, session.view.size);
@@ -163,7 +163,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
                    [](const Label& a, const Label& b) { return a.priority > b.priority; });
   const ScreenProjection screen(session.view.camera, session.view.size);
   const std::optional<ClipPlane> clip = session.view.clip_plane();
-  const bool hides = session.view.settings.xray == Xray::off && !session.gesture();
+  const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.transform();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
   LabelPlaces places(session, scale, margin);

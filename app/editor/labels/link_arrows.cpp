@@ -19,7 +19,7 @@ Text link_text(const char* en, const char* ja, const std::string& name) {
 class LinksOf {
  public:
   LinksOf(const Session& session, ArrowMaker& make, std::vector<LinkArrow>& arrows)
-      : m_(session.mesh()), places_(session.drawn_positions()), make_(make), arrows_(arrows) {}
+      : m_(session.mesh()), places_(session.gesturing.drawn_positions()), make_(make), arrows_(arrows) {}
 
   void add(const Element& e) {
     switch (e.kind) {

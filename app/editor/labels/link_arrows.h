@@ -25,7 +25,7 @@ inline bool has_finite_length(const glm::dvec3& way) {
 class ArrowMaker {
  public:
   explicit ArrowMaker(const Session& session)
-      : m_(session.mesh()), places_(session.drawn_positions()), forward_(axes(session.view.camera).forward) {}
+      : m_(session.mesh()), places_(session.gesturing.drawn_positions()), forward_(axes(session.view.camera).forward) {}
 
   // None where the edge has no length.
   std::optional<LinkArrow> of(Halfedge h, LinkRole role, Text label = {}) {

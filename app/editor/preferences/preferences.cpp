@@ -171,15 +171,15 @@ std::optional<Text> fault_of_binding(std::string_view chord, const std::string& 
   return fault_of_command(command);
 }
 
-void bind(Session& session, const std::string& chord, BindTo to, const std::string& command) {
-  std::erase_if(session.preferences.bindings, [&](const KeyBinding& binding) { return binding.chord == chord; });
-  const auto usual = find_key(chord, input_presets()[session.preferences.input_preset]);
+void bind(Preferences& preferences, const std::string& chord, BindTo to, const std::string& command) {
+  std::erase_if(preferences.bindings, [&](const KeyBinding& binding) { return binding.chord == chord; });
+  const auto usual = find_key(chord, input_presets()[preferences.input_preset]);
   const bool is_usual = usual ? usual->command == command : command.empty();
-  if (to == BindTo::command && !is_usual) session.preferences.bindings.push_back({chord, command});
+  if (to == BindTo::command && !is_usual) preferences.bindings.push_back({chord, command});
 }
 
-std::optional<KeyRow> conflict_of(const Session& session, std::string_view chord, std::string_view command) {
-  auto row = find_key(chord, input_presets()[session.preferences.input_preset], session.preferences.bindings);
+std::optional<KeyRow> conflict_of(const Preferences& preferences, std::string_view chord, std::string_view command) {
+  auto row = find_key(chord, input_presets()[preferences.input_preset], preferences.bindings);
   return row && row->command != command ? std::move(row) : std::nullopt;
 }
 

@@ -120,7 +120,7 @@ Text UserFiles::begin(Session& session) {
   else if (!read->warning.en.empty())
     say(read->warning);
   begin_layout(session, said);
-  begin_recent(session);
+  begin_recent(session.preferences);
   take_as_given(session);
   preferences_.written = preferences_now(session);
   layout_.written = content_of(layout_head, session.layout.commands());
@@ -150,12 +150,12 @@ void UserFiles::begin_layout(Session& session, Text& said) {
   said.ja += broken.ja;
 }
 
-void UserFiles::begin_recent(Session& session) {
-  session.preferences.recent.clear();
+void UserFiles::begin_recent(Preferences& preferences) {
+  preferences.recent.clear();
   const Result<std::vector<Line>> lines = lines_of(recent_.path);
   if (!lines) return;
   for (const Line& line : *lines)
-    if (session.preferences.recent.size() < most_recent) session.preferences.recent.push_back(file_name(line.text));
+    if (preferences.recent.size() < most_recent) preferences.recent.push_back(file_name(line.text));
 }
 
 void UserFiles::take_as_given(const Session& session) {
@@ -176,16 +176,15 @@ std::string UserFiles::preferences_now(const Session& session) {
 }
 
 // Other windows may have noted files meanwhile.
-void UserFiles::note_recent(Session& session) {
+void UserFiles::note_recent(const fs::path& path, Preferences& preferences) {
   std::error_code ignored;
-  const fs::path& path = session.document().path();
   const std::string file = path.empty() ? std::string() : fs::absolute(path, ignored).string();
   if (file.empty() || file == last_file_) return;
   last_file_ = file;
-  begin_recent(session);
-  std::erase(session.preferences.recent, file);
-  session.preferences.recent.insert(session.preferences.recent.begin(), file);
-  if (session.preferences.recent.size() > most_recent) session.preferences.recent.resize(most_recent);
+  begin_recent(preferences);
+  std::erase(preferences.recent, file);
+  preferences.recent.insert(preferences.recent.begin(), file);
+  if (preferences.recent.size() > most_recent) preferences.recent.resize(most_recent);
 }
 
 Status UserFiles::write(Kept& kept, const std::string& content) {
@@ -206,7 +205,7 @@ Status UserFiles::write(Kept& kept, const std::string& content) {
 
 std::optional<Text> UserFiles::keep(Session& session) {
   if (folder_.empty() && preferences_.path.empty()) return std::nullopt;
-  note_recent(session);
+  note_recent(session.document().path(), session.preferences);
   std::vector<std::string> recent;
   for (const std::string& file : session.preferences.recent) recent.push_back(file_argument(file));
   const Status kept[]{

@@ -46,8 +46,8 @@ class UserFiles {
     bool is_broken = false;  // it is not what it should be, and stays until it is put aside
   };
   void begin_layout(Session& session, Text& said);
-  void begin_recent(Session& session);
-  void note_recent(Session& session);
+  void begin_recent(Preferences& preferences);
+  void note_recent(const std::filesystem::path& file, Preferences& preferences);
   Status write(Kept& kept, const std::string& content);
   std::string preferences_now(const Session& session);
 

@@ -74,17 +74,17 @@ Text asked_text(std::string_view line) {
 }
 
 Outcome answer(Session& session, glm::dvec2 pixel) {
-  const auto picked = can_be_asked(session.asked_line) ? session.pick(pixel, session.pointed_sort()) : std::nullopt;
-  if (!picked) return failed(ExitCode::found_problems, asked_text(session.asked_line));
-  session.asked_line += " " + session.names_of({picked->element})[0];
-  if (!is_answered(session.asked_line)) return {};
+  const auto picked = can_be_asked(session.selecting.asked_line) ? session.pointing.pick(pixel, session.selecting.pointed_sort()) : std::nullopt;
+  if (!picked) return failed(ExitCode::found_problems, asked_text(session.selecting.asked_line));
+  session.selecting.asked_line += " " + session.selecting.names_of({picked->element})[0];
+  if (!is_answered(session.selecting.asked_line)) return {};
   return carry_out_asked(session);
 }
 
 Outcome carry_out_asked(Session& session) {
-  const std::string line = std::exchange(session.asked_line, {});
+  const std::string line = std::exchange(session.selecting.asked_line, {});
   Outcome outcome = session.run(line);
-  if (!outcome.done()) session.asked_line = line.substr(0, line.find(' '));
+  if (!outcome.done()) session.selecting.asked_line = line.substr(0, line.find(' '));
   return outcome;
 }
 

@@ -33,7 +33,7 @@ Elements all_seen(const Session& session, Element::Kind kind) {
 bool is_all_selected(const Session& session, Element::Kind kind) {
   const Mesh& mesh = session.mesh();
   const ElementCounts live = mesh.live();
-  const std::size_t selected = session.selection.count(kind);
+  const std::size_t selected = session.selecting.selection.count(kind);
   if (selected == 0) return false;
   const bool is_vertex = kind == Element::Kind::vertex, is_face = kind == Element::Kind::face;
   if (!session.findings().hidden().empty() || (is_vertex && mesh.has_copies())) return selected >= all_seen(session, kind).size();
@@ -48,7 +48,7 @@ std::optional<Element::Kind> kind_in_place(const Session& session, const OpInfo&
                                            std::span<const std::string_view> arguments) {
   constexpr Element::Kind kinds[] = {Element::Kind::face, Element::Kind::edge, Element::Kind::halfedge,
                                      Element::Kind::vertex};
-  const Selection& selected = session.selection;
+  const Selection& selected = session.selecting.selection;
   if (selected.empty() || op.on_selection == OnSelection::none) return std::nullopt;
   std::optional<Element::Kind> taken;
   bool is_all = false;
@@ -68,7 +68,7 @@ std::optional<Element::Kind> kind_in_place(const Session& session, const OpInfo&
 
 Elements worked_on(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
   const auto kind = kind_in_place(session, op, arguments);
-  return kind ? all_seen(session, *kind) : static_cast<const Elements&>(session.selection);
+  return kind ? all_seen(session, *kind) : static_cast<const Elements&>(session.selecting.selection);
 }
 
 std::vector<std::string> names_taken(const Session& session, const OpInfo& op, const Elements& elements,
@@ -76,15 +76,15 @@ std::vector<std::string> names_taken(const Session& session, const OpInfo& op, c
   Elements taken;
   for (const Element& e : elements)
     if (takes(op, e.kind, arguments)) taken.push_back(e);
-  return session.names_of(taken.empty() ? elements : taken);
+  return session.selecting.names_of(taken.empty() ? elements : taken);
 }
 
 bool fits_selection(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
-  if (session.selection.empty() || op.on_selection == OnSelection::none) return false;
+  if (session.selecting.selection.empty() || op.on_selection == OnSelection::none) return false;
   const auto kind = kind_in_place(session, op, arguments);
-  if (kind && session.selection.size() > few) return true;
+  if (kind && session.selecting.selection.size() > few) return true;
   const Elements in_place = kind ? all_seen(session, *kind) : Elements();
-  const Elements& selected = kind ? in_place : static_cast<const Elements&>(session.selection);
+  const Elements& selected = kind ? in_place : static_cast<const Elements&>(session.selecting.selection);
   const auto is_taken = [&](const Element& e) { return takes(op, e.kind, {}); };
   if (op.on_selection != OnSelection::all)
     return called_with(session.mesh(), op, selected, arguments).taken.size() >= least_taken(op);
@@ -94,7 +94,7 @@ bool fits_selection(const Session& session, const OpInfo& op, std::span<const st
 }
 
 Offer offer_on_selection(const Session& session, const OpInfo& op) {
-  if (session.selection.size() > few || !fits_selection(session, op)) return {};
+  if (session.selecting.selection.size() > few || !fits_selection(session, op)) return {};
   const Elements selected = worked_on(session, op, {});
   if (selected.size() > few) return {};
   const std::string id(op.id);
@@ -106,7 +106,7 @@ Offer offer_on_selection(const Session& session, const OpInfo& op) {
   const CalledWith with = called_with(session.mesh(), op, selected, {});
   if (with.is_in_place || (op.on_selection == OnSelection::into_last && selected.size() > 1)) return {};
   std::optional<Offer> first;
-  for (const std::string& name : session.names_of(with.taken)) {
+  for (const std::string& name : session.selecting.names_of(with.taken)) {
     Offer offer = offer_of(session.mesh(), id + " " + name);
     if (offer.may_be) return {};
     if (!first) first = std::move(offer);

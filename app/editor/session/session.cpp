@@ -41,7 +41,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
     trials.let_write();
   };
   auto found = std::make_unique<Findings>(*document, view, preferences);
-  found->after_search = [this] { judge_as_drawn(); };
+  found->after_search = [this] { gesturing.judge_as_drawn(); };
   trials.forget();
   if (frontend.autosave) frontend.autosave->begin(*document);
   beside_.reset();
@@ -52,11 +52,8 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   view.camera = framed_ = camera_then;
   shown.forget();
   forget_derived();
-  remedy_line_.clear();
-  selection.clear();
-  selections.clear();
+  selecting.begin_document();
   view.colouring.reset();
-  measures.clear();
   view.links.forget_trail();
   view.cut.reset();
   log_.clear();
@@ -65,11 +62,9 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 void Session::forget_derived() {
   shown.forget_aside();
   findings_->forget();
-  hover_.reset();
-  pointed_handle_ = nullptr;
-  tool_verdicts_.reset();
-  gesturing_.reset();
-  release_verdict();
+  selecting.forget_pointed();
+  pointing.leave_handles();
+  gesturing.drop();
 }
 
 void Session::follow(const Journal& journal, std::size_t transaction, Document::Change change) {
@@ -77,45 +72,30 @@ void Session::follow(const Journal& journal, std::size_t transaction, Document::
     update_derived(journal, transaction, change);
   } catch (const std::bad_alloc&) {
     forget_derived();
-    selection.clear();
+    selecting.selection.clear();
   }
 }
 
 void Session::update_derived(const Journal& journal, std::size_t transaction, Document::Change change) {
-  const Mesh& m = mesh();
   if (change == Document::Change::tried) {  // nothing is pointed at meanwhile: a preview would touch the trial
-    release_verdict();
-    hover_.reset();
+    selecting.release_verdict();
+    selecting.point_to({});
     shown.set_aside();
   }
-  if (change == Document::Change::trial_ended) forget_gesture();
-  const TouchedElements touched = touched_elements(m, journal, transaction);
+  if (change == Document::Change::trial_ended) gesturing.forget();
+  const TouchedElements touched = touched_elements(mesh(), journal, transaction);
   if (touched.everything) view.links.forget_trail();
   findings_->follow(journal, transaction, change, touched);
-  const bool is_trial = change == Document::Change::tried || change == Document::Change::trial_ended;
-  if (tool_verdicts_ && touched.everything)
-    tool_verdicts_.reset();
-  else if (tool_verdicts_ && !is_trial)
-    tool_verdicts_->follow(m, touched);
-  if (change == Document::Change::made) {
-    const HistoryEntry& entry = document_->history()[transaction];
-    std::optional<SelectionMemory::Passage> passage;
-    if (touched.everything) passage = {entry.lineage, entry.descent.get()};
-    selections.made(transaction, selection.changed(), m, passage, journal.lengths_before(transaction));
-  }
-  if (change == Document::Change::undone) selections.undone(transaction, selection.changed(), m, touched.everything);
-  if (change == Document::Change::redone) selections.redone(transaction, selection.changed(), m, touched.everything);
-  if (change == Document::Change::tried && touched.everything) {
-    selection.clear();
-    measures.clear();
-  }
-  if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
+  selecting.follow(journal, transaction, change, touched);
   if (change == Document::Change::trial_ended) shown.bring_back();
-  findings_->drop_hidden(selection.changed());
-  if (is_verdict_held_)
-    ask_held_verdict_again();
-  else if (hover_)
-    point_at(hover_->pixel, hover_->modifiers);
+  selecting.settle();
+}
+
+void Session::prepare() {
+  trials.follow(*document_);
+  if (beside_) beside_->prepare();
+  selecting.ask_slice_of_verdicts();
+  findings_->prepare();
 }
 
 bool Session::look_at_disk() {

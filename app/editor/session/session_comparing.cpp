@@ -43,7 +43,7 @@ Session* Session::beside() {
   other.preferences.display_scale = preferences.display_scale;
   other.preferences.samples = preferences.samples;
   other.view.cut = view.cut;
-  other.mode = pointed_sort();
+  other.selecting.mode = selecting.pointed_sort();
   if (view.colouring && view.colouring->map->against) other.findings().map_values();  // where this mesh has changed
   return &other;
 }

@@ -22,7 +22,7 @@ Outcome Session::run(const std::string& line) {
     forget_derived();  // some of it may be half made
     if (document_->serial() == serial) {
       document_->take_back(position);
-      drop_lost(selection.changed(), mesh(), false);
+      drop_lost(selecting.selection.changed(), mesh(), false);
     }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
   }
@@ -38,7 +38,7 @@ Outcome Session::run_line(const std::string& line) {
   const Effect effect = effect_of(*row, arguments);
   Shown::Passage passage(shown, effect, line);
   if (passage.answered) return *std::move(passage.answered);
-  if (is_logged(effect)) cancel_gesture();
+  if (is_logged(effect)) gesturing.cancel();
   [[maybe_unused]] const std::uint64_t serial = document_->serial();
   [[maybe_unused]] const std::size_t position = document_->position();
   [[maybe_unused]] const std::size_t entries = document_->history().size();

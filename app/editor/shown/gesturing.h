@@ -1,32 +1,71 @@
-// What a session keeps of the gesture that goes on: for the files of the session that begin and end gestures.
+// Moving, turning or scaling the selection by hand. While that lasts only the view changes; its end is one command.
+// Commands that edit end it without one.
 #pragma once
 
-#include "app/editor/session/session.h"
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/editor/shown/transform_gesture.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 
-struct Session::Gesturing {
-  TransformGesture transform;
-  std::vector<glm::dvec3> places;  // of all vertices, as they are drawn
-  TouchedElements touched;         // by what is moved
-  std::vector<std::uint32_t> triangles;
-  std::vector<Face> spoilt;
-  std::optional<PassedOver> own;       // made where something is to be snapped to
-  std::optional<RoundStep> step = {};  // of the ground, in the same way
-  glm::dvec2 pixel{0};                 // of the window, where the pointer was last
-  Modifiers modifiers = {};
-  struct Pull {
-    std::string line, by_nothing;         // the line that makes it, up to how far, and the words for not at all
-    std::optional<glm::dvec3> from = {};  // where it takes a place in place of a way, that which the way begins at
-    Text made_by_nothing = {};            // said where it ends without a movement
-    Text given_up = {};                   // and where it is given up
-    std::uint32_t first_made = no_index;  // of the vertices
-    std::vector<Face> made = {};          // without extent until something is moved; ascending
-    Elements selected = {};               // in the end
+class Session;
+
+class Gesturing {
+ public:
+  explicit Gesturing(Session& session) : session_(session) {}
+
+  Outcome begin(PointTransform::Kind kind);
+  // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
+  Outcome begin_pull();
+  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
+  Outcome begin_split();
+  // Duplicates the selection and moves the copy, in the same way.
+  Outcome begin_copy();
+
+  const TransformGesture* transform() const;  // null: none goes on
+  void follow(glm::dvec2 pixel, Modifiers modifiers);
+  std::optional<Outcome> key(const std::string& chord);  // none: there is no gesture
+  bool widen(double steps);
+  Outcome end();
+  Outcome give_up();  // says what it leaves
+  void cancel();
+
+  // The places of vertices as they are drawn, those of the mesh but for a gesture; the step goes up with it.
+  std::span<const glm::dvec3> drawn_positions() const;
+  std::uint64_t step() const { return step_; }
+  // Faces that it would turn over or leave without area.
+  std::span<const Face> spoilt() const;
+
+  // For the session: what it makes is no longer on trial; there is no memory to bring the view back; the highlights
+  // have been found anew.
+  void forget();
+  void drop() { ongoing_.reset(); }
+  void judge_as_drawn();
+
+ private:
+  struct Ongoing;
+  struct OngoingDeleter {
+    void operator()(Ongoing* ongoing) const;
   };
-  std::optional<Pull> pull = {};  // of one that moves what is made by a line, which is on trial
-  // Points that would be listed as coincident only by what is on trial, once they are known.
-  std::optional<std::vector<Vertex>> unlisted = {};
+
+  const Mesh& mesh() const;
+  void begin_with(PointTransform::Kind kind, Elements elements);
+  void follow_what_moves();
+  void show();
+  void note();
+  // Problems that depend on places, of the faces that a gesture changes, as they are.
+  void judge_as_is();
+  void list_coincident(bool are_listed);  // of points that lie on others by what is on trial
+
+  Session& session_;
+  std::unique_ptr<Ongoing, OngoingDeleter> ongoing_;
+  std::uint64_t step_ = 0;
 };
 
 }  // namespace ryosen

@@ -142,8 +142,8 @@ void Shown::forget() {
 
 void Shown::set_aside() {
   Aside& aside = aside_.emplace();
-  aside.selection = session_.selection;
-  aside.measures = session_.measures;
+  aside.selection = session_.selecting.selection;
+  aside.measures = session_.selecting.measures;
   Findings& findings = session_.findings();
   aside.hidden = findings.hidden().elements();
   const std::optional<Findings::Searched>& searched = findings.searched();
@@ -159,14 +159,14 @@ void Shown::set_aside() {
 void Shown::bring_back() {
   if (!aside_) return;
   Aside aside = *std::exchange(aside_, std::nullopt);
-  session_.selection = aside.selection;
-  session_.measures = aside.measures;
-  if (!aside.hidden.empty()) session_.hide(aside.hidden);
+  session_.selecting.selection = aside.selection;
+  session_.selecting.measures = aside.measures;
+  if (!aside.hidden.empty()) session_.selecting.hide(aside.hidden);
   if (aside.searched) session_.findings().put(*aside.searched, aside.findings, std::move(aside.pairs));
 }
 
 void Shown::forget_aside() {
-  if (aside_) session_.selection = std::move(aside_->selection);
+  if (aside_) session_.selecting.selection = std::move(aside_->selection);
   aside_.reset();
 }
 

@@ -36,7 +36,7 @@ Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::d
     if (distance_px <= radius_px) near.push_back({distance_px, *seen, each.point});
   }
   std::sort(near.begin(), near.end());
-  const bool is_all_seen = session.pick_depth() == Picker::Depth::through || session.findings().preparing();
+  const bool is_all_seen = session.pointing.pick_depth() == Picker::Depth::through || session.findings().preparing();
   for (const NearPoint& each : near)
     if (is_all_seen ||
         session.findings().picker().is_seen(mesh, session.view.camera, session.view.size, each.seen, mesh.position(each.point)))
@@ -52,7 +52,7 @@ std::optional<SnapTarget> snap_target(Session& session, glm::dvec2 pixel, const 
       {PickMode::vertex, snap_radius_px}, {PickMode::edge, pick_radius_px}, {PickMode::face, 0}};
   for (const auto& [what, radius_px] : sorts)
     if (const auto picked =
-            session.findings().picker().pick(session.mesh(), session.view.camera, view, pixel, what, session.pick_depth(),
+            session.findings().picker().pick(session.mesh(), session.view.camera, view, pixel, what, session.pointing.pick_depth(),
                                   radius_px * session.preferences.size_scale(), &own))
       return SnapTarget{picked->element, picked->place, name_to_select(session.mesh(), picked->element)};
   return std::nullopt;

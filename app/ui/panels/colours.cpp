@@ -210,9 +210,9 @@ void ColoursPanel::draw_range(PanelContext& context) {
 
 void ColoursPanel::draw_measures(PanelContext& context) {
   const Session& session = context.session;
-  if (session.measures.empty()) return;
+  if (session.selecting.measures.empty()) return;
   ImGui::Separator();
-  for (const Elements& measured : session.measures)
+  for (const Elements& measured : session.selecting.measures)
     labelled(context, names_of_measured(session.mesh(), measured).c_str(),
              measured_text(session.mesh(), measured).in(context.language()));
   if (ImGui::Button(context.text("Clear measures", "計測を消す"))) context.run("measure clear");
@@ -239,7 +239,7 @@ void ColoursPanel::draw(PanelContext& context) {
     draw_figures(context);
     draw_range(context);
   }
-  ImGui::BeginDisabled(session.selection.empty());
+  ImGui::BeginDisabled(session.selecting.selection.empty());
   if (ImGui::Button(context.text("Measure the selection", "選択を計測"))) context.run("measure selected");
   ImGui::EndDisabled();
   draw_measures(context);

@@ -170,9 +170,9 @@ class Inspector {
 // The element that was selected last, or else the one under the pointer.
 void draw_inspector(PanelContext& context) {
   const Session& session = context.session;
-  if (session.selection.empty() && !session.hover()) return dim_text(context, context.text(UiText::nothing_picked));
-  const Element element = session.selection.empty() ? session.hover()->picked.element : session.selection.back();
-  Inspector(context).draw(element, session.selection.size());
+  if (session.selecting.selection.empty() && !session.selecting.hover()) return dim_text(context, context.text(UiText::nothing_picked));
+  const Element element = session.selecting.selection.empty() ? session.selecting.hover()->picked.element : session.selecting.selection.back();
+  Inspector(context).draw(element, session.selecting.selection.size());
 }
 
 }  // namespace

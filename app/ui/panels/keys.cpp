@@ -122,12 +122,12 @@ void KeysPanel::take(PanelContext& context, const std::string& chord) {
   is_asking_ = chord != "Escape" && chord != asked_.chord;
   if (!is_asking_) return;
   wanted_ = chord;
-  if (!conflict_of(context.session, chord, asked_.command)) rebind(context, false);
+  if (!conflict_of(context.session.preferences, chord, asked_.command)) rebind(context, false);
 }
 
 // The other command gets the key that this had, or none.
 void KeysPanel::rebind(PanelContext& context, bool swaps) {
-  const auto other = conflict_of(context.session, wanted_, asked_.command);
+  const auto other = conflict_of(context.session.preferences, wanted_, asked_.command);
   if (!asked_.chord.empty()) context.run("bind " + asked_.chord + " none");
   if (swaps && other && !asked_.chord.empty()) context.run("bind " + asked_.chord + " " + other->command);
   context.run("bind " + wanted_ + " " + asked_.command);
@@ -142,7 +142,7 @@ void KeysPanel::draw_question(PanelContext& context) {
   if (context.state.asks_for_key)
     return coloured_text(context.colours().accent,
                          (context.text("Press the new key for: ", "新しいキーを押してください：") + what).c_str());
-  const auto other = conflict_of(context.session, wanted_, asked_.command);
+  const auto other = conflict_of(context.session.preferences, wanted_, asked_.command);
   if (!other) return;
   const std::string in_use = help_of_key(*other).in(context.language());
   coloured_text(context.colours().warning,

@@ -33,7 +33,7 @@ void draw_change(PanelContext& context, UiText word, const std::vector<Element>&
 }
 
 void draw_remedy(PanelContext& context, const Verdict& verdict) {
-  const std::vector<std::string> remedy = context.session.hover_remedy();
+  const std::vector<std::string> remedy = context.session.selecting.hover_remedy();
   dim_text(context, context.text(UiText::remedy));
   if (remedy.empty()) {
     wrapped_text(without_remedy(verdict).in(context.language()).c_str());
@@ -46,7 +46,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
       const float wide = ImGui::CalcTextSize(line.c_str()).x + 4 * ImGui::GetFontSize();
       if (label + wide < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
     }
-    const bool names_key = context.session.is_verdict_held() && &line == remedy.data();
+    const bool names_key = context.session.selecting.is_verdict_held() && &line == remedy.data();
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x -
                        (names_key ? 3.5f * ImGui::GetFontSize() : 0);
     const std::string shown = fitted(line, room);
@@ -62,8 +62,8 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
 // What is pointed at of the mesh beside the open one; false where nothing is.
 bool draw_beside(PanelContext& context) {
   const Session* const other = context.session.beside();
-  if (!other || !other->hover()) return false;
-  wrapped_text(name_and_slot(other->mesh(), other->hover()->picked.element).c_str());
+  if (!other || !other->selecting.hover()) return false;
+  wrapped_text(name_and_slot(other->mesh(), other->selecting.hover()->picked.element).c_str());
   const std::string file = other->document().path().filename().string();
   dim_text(context, (context.text("of ", "") + file + context.text(", to be compared with", "（比較用）")).c_str());
   return true;
@@ -72,11 +72,11 @@ bool draw_beside(PanelContext& context) {
 // What a click would do, or why it would not.
 void draw_verdict(PanelContext& context) {
   if (draw_beside(context)) return;
-  if (!context.session.hover()) {
-    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.session.pointed_sort())];
+  if (!context.session.selecting.hover()) {
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.session.selecting.pointed_sort())];
     return dim_text(context, context.text(sort.point_en, sort.point_ja));
   }
-  const Hover hover = *context.session.hover();
+  const Hover hover = *context.session.selecting.hover();
   const OpInfo* const op = hover.op ? &info_of(*hover.op) : nullptr;
   const std::string line =
       op ? command_of(context.session.mesh(), *hover.op) : name_and_slot(context.session.mesh(), hover.picked.element);

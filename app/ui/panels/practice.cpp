@@ -67,7 +67,7 @@ bool PracticePanel::ask(PanelContext& context) {
   asked_ = {question,
             solve(session.mesh(), question, records),
             {},
-            session.selection,
+            session.selecting.selection,
             session.document().serial(),
             session.document().revision()};
   asked_->choices = answer_choices(question, asked_->solution);
@@ -171,9 +171,9 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
 
 // What is selected since the question was asked is an answer, if it is of the kind that is asked for.
 void PracticePanel::take_click(const Session& session) {
-  if (judged_ || !asked_->solution.element || session.selection == asked_->selected || session.selection.size() != 1)
+  if (judged_ || !asked_->solution.element || session.selecting.selection == asked_->selected || session.selecting.selection.size() != 1)
     return;
-  const Element given = session.selection[0];
+  const Element given = session.selecting.selection[0];
   if (given == asked_->question.about || given.kind != asked_->solution.element->kind) return;
   const std::string name = name_of(session.mesh(), given);
   judged_ = {{name, name}, given == *asked_->solution.element};

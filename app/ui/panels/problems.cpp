@@ -101,7 +101,7 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
     return;
   }
   context.run(select_line(row, name_to_select(context.session.mesh(), element)));
-  if (!context.session.selection.empty()) context.run("frame selected");
+  if (!context.session.selecting.selection.empty()) context.run("frame selected");
 }
 
 // What a kind keeps while the pointer stays in the panel after a repair, so that no row moves under it.
@@ -143,7 +143,7 @@ void ProblemsPanel::draw_elements(PanelContext& context, const ProblemRow& row, 
   if (rows > 0)
     list_of_rows("elements", count, most_rows, [&](std::size_t i) {
       const Element element = findings_.nth(session, row, i);
-      const bool is_selected = !session.selection.empty() && session.selection[0] == element;
+      const bool is_selected = !session.selecting.selection.empty() && session.selecting.selection[0] == element;
       const std::string name = fitted(name_on_points(session.mesh(), element), ImGui::GetContentRegionAvail().x);
       if (ImGui::Selectable(name.c_str(), is_selected)) go_to(context, row, element);
       if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));

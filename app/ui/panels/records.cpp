@@ -28,8 +28,8 @@ class RecordsPanel : public Panel {
 };
 
 std::optional<Element> RecordsPanel::element(const Session& session) {
-  if (!session.selection.empty()) return session.selection.back();
-  return session.hover() ? std::optional(session.hover()->picked.element) : std::nullopt;
+  if (!session.selecting.selection.empty()) return session.selecting.selection.back();
+  return session.selecting.hover() ? std::optional(session.selecting.hover()->picked.element) : std::nullopt;
 }
 
 void RecordsPanel::choose_form(PanelContext& context) {

@@ -39,14 +39,14 @@ class StepsPanel : public Panel {
 const std::vector<steps::Choices>& StepsPanel::choices(const Session& session) {
   const Document& document = session.document();
   if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
-      selection_ == session.selection.stamp())
+      selection_ == session.selecting.selection.stamp())
     return choices_;
   serial_ = document.serial();
   revision_ = document.revision();
-  selection_ = session.selection.stamp();
+  selection_ = session.selecting.selection.stamp();
   choices_.clear();
   for (const steps::StepsRow& row : steps::all_steps())
-    choices_.push_back(row.choices(session.mesh(), session.selection));
+    choices_.push_back(row.choices(session.mesh(), session.selecting.selection));
   return choices_;
 }
 

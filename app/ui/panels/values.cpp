@@ -93,7 +93,7 @@ void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
   selected_.clear();
   context.session.shown.end();  // what another one shows has no selection, and is another mesh
   if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
-    selected_ = context.session.selected_names();
+    selected_ = context.session.selecting.selected_names();
   texts_.clear();
   for (const ParameterRow& parameter : row.parameters)
     texts_.push_back(parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)

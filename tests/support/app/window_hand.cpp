@@ -61,7 +61,7 @@ WindowHand::OnEdge WindowHand::on_edge(double share, int which) {
     const glm::dvec3 from = m.position(a), to = m.position(b);
     if (glm::distance(pixel_of(from), pixel_of(to)) < 60) continue;
     const glm::dvec2 pixel = pixel_of(from + share * (to - from));
-    const auto picked = session().pick(pixel, PickMode::edge);
+    const auto picked = session().pointing.pick(pixel, PickMode::edge);
     if (picked && picked->element == Element(Edge(i)) && which-- == 0) return {pixel, Edge(i), from, to};
   }
   ADD_FAILURE() << "no such edge is seen";
@@ -74,7 +74,7 @@ WindowHand::OnFace WindowHand::on_a_face(int which) {
     glm::dvec3 middle(0);
     for (const Vertex v : vertices_around(m, Face(i))) middle += m.position(v) / double(corner_count(m, Face(i)));
     const glm::dvec2 pixel = pixel_of(middle);
-    const auto picked = session().pick(pixel, PickMode::face);
+    const auto picked = session().pointing.pick(pixel, PickMode::face);
     if (picked && picked->element == Element(Face(i)) && which-- == 0) return {pixel, Face(i)};
   }
   ADD_FAILURE() << "no such face is seen";
@@ -85,7 +85,7 @@ WindowHand::OnVertex WindowHand::on_a_vertex(int which) {
   const Mesh& m = session().mesh();
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
     const glm::dvec2 pixel = pixel_of(m.position(Vertex(i)));
-    const auto picked = session().pick(pixel, PickMode::vertex);
+    const auto picked = session().pointing.pick(pixel, PickMode::vertex);
     if (picked && picked->element == Element(Vertex(i)) && which-- == 0) return {pixel, Vertex(i)};
   }
   ADD_FAILURE() << "no such vertex is seen";

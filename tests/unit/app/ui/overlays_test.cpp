@@ -21,12 +21,12 @@ Drawn ghost_of(const std::string& tool) {
   EXPECT_TRUE(document);
   Session session(std::move(document).value());
   session.frame_all();
-  const auto picked = session.pick({478, 488}, PickMode::edge);
+  const auto picked = session.pointing.pick({478, 488}, PickMode::edge);
   const auto [a, b] = ends(session.mesh(), picked->element.edge());
   const glm::dvec3 middle = (session.mesh().position(a) + session.mesh().position(b)) / 2.0;
-  session.tool = tool;
-  session.point_at(project(session.view.camera, session.view.size, middle)->pixel);
-  EXPECT_TRUE(session.hover() && session.hover()->preview.verdict.legal()) << tool;
+  session.selecting.tool = tool;
+  session.pointing.point_at(project(session.view.camera, session.view.size, middle)->pixel);
+  EXPECT_TRUE(session.selecting.hover() && session.selecting.hover()->preview.verdict.legal()) << tool;
   const Overlay overlay = hover_overlay(session, Theme::dark);
   Drawn drawn;
   const float thick = style(Role::legal, Theme::dark).width_px;
@@ -107,8 +107,8 @@ TEST(overlays, many_faces_that_a_gesture_turns_over_are_drawn_thin) {
     session.frame_all();
     for (const char* const line : {"gesture scale x", "key -", "key 1"}) EXPECT_TRUE(session.run(line).done()) << line;
     const Overlay overlay = hover_overlay(session, Theme::dark);
-    EXPECT_GT(session.spoilt_by_gesture().size(), 0u);
-    return std::pair(session.spoilt_by_gesture().size(), overlay);
+    EXPECT_GT(session.gesturing.spoilt().size(), 0u);
+    return std::pair(session.gesturing.spoilt().size(), overlay);
   };
   const auto [few, thick] = turned_over("8");
   const auto [many, thin] = turned_over("40");

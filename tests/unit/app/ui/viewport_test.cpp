@@ -124,7 +124,7 @@ void change_a_little(Session& session, std::mt19937& random) {
     return;
   }
   if (!session.run("gesture move").done()) return;
-  session.follow_gesture({100.0 + random() % 120, 80.0 + random() % 80}, {});
+  session.gesturing.follow({100.0 + random() % 120, 80.0 + random() % 80}, {});
   session.run(kind == 8 ? "key Enter" : "key Escape");
 }
 
@@ -238,7 +238,7 @@ TEST_F(ViewportTest, verdicts_on_all_edges_follow_the_tool_edits_and_what_is_hid
     last = picture(*session);
     EXPECT_TRUE(followed.pixels == last.pixels) << line;
   }
-  EXPECT_EQ(session->tool_verdicts(), nullptr);
+  EXPECT_EQ(session->selecting.tool_verdicts(), nullptr);
   EXPECT_TRUE(last.pixels == picture(*session, "tool none").pixels) << "the tool alone shows nothing";
 }
 
@@ -249,7 +249,7 @@ TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_
   const Image bare = picture(session);
   ASSERT_TRUE(session.run("gizmo move").done());
   EXPECT_TRUE(picture(session).pixels != bare.pixels) << "handles are drawn";
-  const auto middle = project(session.view.camera, session.view.size, session.gizmo()->middle);
+  const auto middle = project(session.view.camera, session.view.size, session.pointing.gizmo()->middle);
   const auto at = [&](double x, double y) {
     return std::to_string(middle->pixel.x + x) + "," + std::to_string(middle->pixel.y + y);
   };

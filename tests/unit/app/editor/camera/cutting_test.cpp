@@ -26,7 +26,7 @@ class CuttingTest : public testing::Test {
   glm::dvec3 place_of(Vertex v) const { return session_.mesh().position(v); }
   // The mean height along an axis of the corners of the face at the middle of the view.
   double along(int axis) {
-    const auto picked = session_.pick(middle(), PickMode::face);
+    const auto picked = session_.pointing.pick(middle(), PickMode::face);
     if (!picked) return std::nan("");
     double sum = 0, corners = 0;
     for (const Vertex v : vertices_around(session_.mesh(), picked->face)) sum += place_of(v)[axis], ++corners;
@@ -53,15 +53,15 @@ TEST_F(CuttingTest, vertices_and_boxes_are_taken_on_this_side_alone) {
   run("mode vertex");
   run("xray on");
   run("box 0,0 1279,719");
-  const std::size_t all = session_.selection.size();
+  const std::size_t all = session_.selecting.selection.size();
   run("clip z");
   run("box 0,0 1279,719");
-  EXPECT_EQ(2 * session_.selection.size(), all);
+  EXPECT_EQ(2 * session_.selecting.selection.size(), all);
   const ClipPlane plane = *session_.view.clip_plane();
-  for (const Element& e : session_.selection) EXPECT_FALSE(plane.cuts(place_of(e.vertex())));
+  for (const Element& e : session_.selecting.selection) EXPECT_FALSE(plane.cuts(place_of(e.vertex())));
   run("mode face");
   run("box 0,0 1279,719");
-  EXPECT_EQ(session_.selection.size(), 1u) << "whole faces";
+  EXPECT_EQ(session_.selecting.selection.size(), 1u) << "whole faces";
 }
 
 // The edges along Z are cut in the middle: the near half cannot be picked, the far one can.
@@ -76,7 +76,7 @@ TEST_F(CuttingTest, of_an_edge_the_part_is_picked_that_is_left) {
     for (const double share : {0.1, 0.3, 0.7, 0.9}) {
       const glm::dvec3 place = glm::mix(place_of(a), place_of(b), share);
       const auto picked =
-          session_.pick(project(session_.view.camera, session_.view.size, place)->pixel, PickMode::edge);
+          session_.pointing.pick(project(session_.view.camera, session_.view.size, place)->pixel, PickMode::edge);
       if (plane.cuts(place)) {
         picked_cut += picked && picked->element == Element(Edge(i));
       } else {

@@ -48,14 +48,14 @@ TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
     constexpr int asked = 60;
     for (int i = 0; i < asked; ++i) {
       const Face f(static_cast<std::uint32_t>(random() % m.face_slots()));
-      session->selection = {f};
-      fly_to(*session, session->selection);
+      session->selecting.selection = {f};
+      fly_to(*session, session->selecting.selection);
       for (Vertex v : vertices_around(m, f))
         for (Vertex w : neighbours(m, v)) EXPECT_TRUE(is_in_view(*session, m.position(w))) << name << " f" << f.index;
       glm::dvec3 middle{0};
       for (Vertex v : vertices_around(m, f)) middle += m.position(v) / double(corner_count(m, f));
       const auto front =
-          session->pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
+          session->pointing.pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
       shown += front && front->face == f;
     }
     EXPECT_GE(shown, asked - 1) << name;
@@ -64,10 +64,10 @@ TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
 
 TEST(fly, keeps_the_direction_where_that_shows_it) {
   const auto session = session_of("torus.off");
-  const auto front = session->pick({640, 560}, PickMode::face);
+  const auto front = session->pointing.pick({640, 560}, PickMode::face);
   ASSERT_TRUE(front);
   const glm::dvec3 before = axes(session->view.camera).forward;
-  session->selection = {front->face};
+  session->selecting.selection = {front->face};
   ASSERT_TRUE(session->run("frame selected").done());
   EXPECT_LT(glm::length(axes(session->view.camera).forward - before), 1e-9);
 }
@@ -81,7 +81,7 @@ TEST(fly, a_walk_stays_beside_what_a_tab_has_opened) {
   const Mesh& m = session->mesh();
   for (int i = 0; i < 60; ++i) {
     ASSERT_TRUE(session->run(i % 3 == 2 ? "walk twin" : "walk next").done());
-    const Halfedge h = session->selection[0].halfedge();
+    const Halfedge h = session->selecting.selection[0].halfedge();
     const auto at =
         project(session->view.camera, session->view.size, (m.position(m.from(h)) + m.position(m.to(h))) / 2.0);
     ASSERT_TRUE(at);
@@ -94,16 +94,16 @@ TEST(fly, a_walk_stays_beside_what_a_tab_has_opened) {
 TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
   const auto session = session_of("torus.off");
   const Mesh& m = session->mesh();
-  session->selection = {Halfedge(0)};
+  session->selecting.selection = {Halfedge(0)};
   int turned = 0;
   for (int i = 0; i < 60; ++i) {  // around the torus: across each quad
     const Camera before = session->view.camera;
     for (const char* line : {"walk next", "walk next", "walk twin"}) ASSERT_TRUE(session->run(line).done());
     turned += !(before == session->view.camera);
-    const Halfedge h = session->selection[0].halfedge();
+    const Halfedge h = session->selecting.selection[0].halfedge();
     const glm::dvec3 middle = (m.position(m.from(h)) + m.position(m.to(h))) / 2.0;
     ASSERT_TRUE(is_in_view(*session, middle));
-    const auto front = session->pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
+    const auto front = session->pointing.pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
     if (!front) continue;  // on the silhouette
     EXPECT_TRUE(front->face == m.face(h) || front->face == m.face(twin(h))) << i;
   }
@@ -162,8 +162,8 @@ TEST(fly, costs_no_square_of_the_valence) {
   auto document = Document::open(folder.write("fan.off", text));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
-  for (std::uint32_t f = 0; f < 20000; ++f) session.selection.changed().emplace_back(Face(f));
-  fly_to(session, session.selection);  // else 40 GB
+  for (std::uint32_t f = 0; f < 20000; ++f) session.selecting.selection.changed().emplace_back(Face(f));
+  fly_to(session, session.selecting.selection);  // else 40 GB
 }
 
 TEST(fly, selects_what_a_problem_is_about) {
@@ -171,26 +171,26 @@ TEST(fly, selects_what_a_problem_is_about) {
   const IndexSet& boundary = bunny->findings().highlights().of(ProblemKind::boundary_loop);
   const Element edge = Edge(boundary.nth(0));
   ASSERT_TRUE(bunny->run("select boundary_loop " + name_to_select(bunny->mesh(), edge)).done());
-  EXPECT_GT(bunny->selection.size(), 2u);
-  EXPECT_EQ(bunny->selection[0], edge);
-  for (const Element& e : bunny->selection) EXPECT_TRUE(boundary.contains(e.index));
+  EXPECT_GT(bunny->selecting.selection.size(), 2u);
+  EXPECT_EQ(bunny->selecting.selection[0], edge);
+  for (const Element& e : bunny->selecting.selection) EXPECT_TRUE(boundary.contains(e.index));
 
   const auto tie = session_of("bow_tie.obj");
   const IndexSet& points = tie->findings().highlights().of(ProblemKind::nonmanifold_vertex);
   ASSERT_EQ(points.size(), 1u);
   const Element knot = Vertex(points.nth(0));
   ASSERT_TRUE(tie->run("select nonmanifold_vertex " + name_to_select(tie->mesh(), knot)).done());
-  EXPECT_EQ(tie->selection.size(), 1 + tie->mesh().live().faces) << "the vertex and both fans";
+  EXPECT_EQ(tie->selecting.selection.size(), 1 + tie->mesh().live().faces) << "the vertex and both fans";
 
   const auto fin = session_of("fin.obj");
   const Element many = Edge(fin->findings().highlights().of(ProblemKind::nonmanifold_edge).nth(0));
   ASSERT_TRUE(fin->run("select nonmanifold_edge " + name_to_select(fin->mesh(), many)).done());
-  EXPECT_EQ(fin->selection.size(), 4u) << "the edge and three faces";
+  EXPECT_EQ(fin->selecting.selection.size(), 4u) << "the edge and three faces";
 
   const auto twice = session_of("duplicate_face.obj");
   const Element face = Face(twice->findings().highlights().of(ProblemKind::duplicate_face).nth(0));
   ASSERT_TRUE(twice->run("select duplicate_face " + name_of(twice->mesh(), face)).done());
-  EXPECT_EQ(twice->selection.size(), 2u);
+  EXPECT_EQ(twice->selecting.selection.size(), 2u);
   EXPECT_EQ(twice->run("select duplicate_face none").exit_code, ExitCode::usage);
 }
 

@@ -61,7 +61,7 @@ constexpr glm::dvec2 on_torus{640, 560};
 
 TEST(navigation, the_wheel_goes_towards_the_surface_and_never_through_it) {
   const auto session = torus();
-  const auto picked = session->pick(on_torus, PickMode::face);
+  const auto picked = session->pointing.pick(on_torus, PickMode::face);
   ASSERT_TRUE(picked);
   double depth = depth_of(session->view.camera, picked->place);
   for (int notch = 0; notch < 100; ++notch) {
@@ -79,7 +79,7 @@ TEST(navigation, the_wheel_over_the_background_goes_as_far_as_the_nearest_surfac
   const auto session = torus();
   session->view.origin = {100, 50};
   const glm::dvec2 pixel = glm::dvec2(3, 3) + session->view.origin;
-  ASSERT_FALSE(session->pick(pixel, PickMode::face));
+  ASSERT_FALSE(session->pointing.pick(pixel, PickMode::face));
   const Ray ray = ray_through(session->view.camera, session->view.size, pixel - session->view.origin);
   const glm::dvec3 forward = axes(session->view.camera).forward;
   const glm::dvec3 before = session->view.camera.eye;
@@ -97,7 +97,7 @@ TEST(navigation, the_wheel_over_the_background_goes_as_far_as_the_nearest_surfac
 TEST(navigation, drags_hold_on_to_the_point_that_was_pressed) {
   for (const MouseButton button : {MouseButton::left, MouseButton::right}) {
     const auto session = torus();
-    const glm::dvec3 held = session->pick(on_torus, PickMode::face)->place;
+    const glm::dvec3 held = session->pointing.pick(on_torus, PickMode::face)->place;
     const glm::dvec3 target = session->view.camera.target;
     Navigation navigation;
     navigation.press(button, on_torus, {}, gesture_of(input_presets()[0], button, {}));
@@ -117,7 +117,7 @@ TEST(navigation, a_drag_beside_the_mesh_turns_about_what_is_seen_wherever_the_ta
   camera.target = camera.eye + 0.01 * (camera.target - camera.eye);
   const glm::dvec3 centre = box_of(session->mesh().positions()).middle(), eye = camera.eye;
   const glm::dvec2 before = project(camera, session->view.size, centre)->pixel;
-  ASSERT_FALSE(session->pick(beside, PickMode::face));
+  ASSERT_FALSE(session->pointing.pick(beside, PickMode::face));
   Navigation navigation;
   navigation.press(MouseButton::left, beside, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
   for (int i = 1; i <= 8; ++i) navigation.move(*session, beside + glm::dvec2(20, 0) * double(i));
@@ -169,7 +169,7 @@ TEST(navigation, two_quick_clicks_are_a_double_click) {
 TEST(navigation, the_centre_is_what_was_clicked) {
   const auto session = torus();
   ASSERT_FALSE(set_centre(*session, middle)) << "the hole of the torus";
-  const auto picked = session->pick(on_torus, PickMode::face);
+  const auto picked = session->pointing.pick(on_torus, PickMode::face);
   ASSERT_TRUE(picked);
   ASSERT_TRUE(set_centre(*session, on_torus));
   EXPECT_LT(glm::length(session->view.camera.target - picked->place), 1e-12);

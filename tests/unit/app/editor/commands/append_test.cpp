@@ -21,8 +21,8 @@ TEST(append, adds_a_file_as_one_entry_selected_and_undone_exactly) {
     ASSERT_TRUE(session->run("append " + test::asset(added)).done()) << added;
     EXPECT_EQ(session->mesh().live().faces, faces + (*alone)->mesh().live().faces);
     EXPECT_EQ(session->document().history().size(), 1u);
-    ASSERT_FALSE(session->selection.empty());
-    for (const Element& e : session->selection)
+    ASSERT_FALSE(session->selecting.selection.empty());
+    for (const Element& e : session->selecting.selection)
       EXPECT_TRUE(e.kind != Element::Kind::face || e.index >= faces);
     ASSERT_TRUE(session->run("undo").done());
     EXPECT_EQ(session->mesh().hash(), before) << added;
@@ -73,13 +73,13 @@ TEST(duplicate, of_the_selection_selects_the_copy_and_is_logged_by_names) {
   EXPECT_EQ(session->run("duplicate selected").exit_code, ExitCode::refused);
   ASSERT_TRUE(session->run("select f0 f1").done());
   ASSERT_TRUE(session->run("key Shift+D").done());
-  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f6", "f7"}));
+  EXPECT_EQ(session->selecting.selected_names(), (std::vector<std::string>{"f6", "f7"}));
   ASSERT_TRUE(session->run("key Enter").done());
-  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f6", "f7"}));
+  EXPECT_EQ(session->selecting.selected_names(), (std::vector<std::string>{"f6", "f7"}));
   ASSERT_FALSE(session->log().empty());
   EXPECT_EQ(session->log().back(), "duplicate elements=f0,f1 by=0,0,0");
   ASSERT_TRUE(session->run("undo").done());
-  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f0", "f1"}));
+  EXPECT_EQ(session->selecting.selected_names(), (std::vector<std::string>{"f0", "f1"}));
 }
 
 }  // namespace

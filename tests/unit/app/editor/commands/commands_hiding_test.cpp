@@ -32,9 +32,9 @@ TEST(hiding, is_no_edit_and_leaves_the_selection) {
   const auto live = session->mesh().live();
   run(*session, {"select f3 f7 v0", "hide f3 f4"});
   EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{3, 4}));
-  EXPECT_EQ(session->selection, (std::vector<Element>{Face(7), Vertex(0)}));
+  EXPECT_EQ(session->selecting.selection, (std::vector<Element>{Face(7), Vertex(0)}));
   run(*session, {"mode face", "select all"});
-  EXPECT_EQ(session->selection.size(), session->mesh().live().faces - 2);
+  EXPECT_EQ(session->selecting.selection.size(), session->mesh().live().faces - 2);
   EXPECT_TRUE(session->log().empty());
   EXPECT_TRUE(session->document().history().empty());
   EXPECT_EQ(session->mesh().live().faces, live.faces);
@@ -46,10 +46,10 @@ TEST(hiding, goes_by_its_keys) {
   const auto session = laid_out("torus.off");
   run(*session, {"select f1..f5", "key H"});
   EXPECT_EQ(session->findings().hidden().faces().size(), 5u);
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
   run(*session, {"key Ctrl+H", "select f1..f5", "key Shift+H"});
   EXPECT_EQ(session->findings().hidden().faces().size(), session->mesh().live().faces - 5);
-  EXPECT_EQ(session->selection.size(), 5u) << "what is left stays selected";
+  EXPECT_EQ(session->selecting.selection.size(), 5u) << "what is left stays selected";
   run(*session, {"key Ctrl+H"});
   EXPECT_TRUE(session->findings().hidden().empty());
 }
@@ -96,20 +96,20 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
   const auto session = laid_out("torus.off");
   const glm::dvec2 pixel = middle_of(*session, Face(0));
   std::vector<std::uint32_t> met;
-  for (auto picked = session->pick(pixel, PickMode::face); picked; picked = session->pick(pixel, PickMode::face)) {
+  for (auto picked = session->pointing.pick(pixel, PickMode::face); picked; picked = session->pointing.pick(pixel, PickMode::face)) {
     met.push_back(picked->element.index);
     ASSERT_LE(met.size(), 4u);
     run(*session, {("hide f" + std::to_string(met.back())).c_str()});
   }
   EXPECT_GE(met.size(), 2u);
   run(*session, {"unhide"});
-  EXPECT_EQ(session->pick(pixel, PickMode::face)->element, Element(Face(met[0])));
+  EXPECT_EQ(session->pointing.pick(pixel, PickMode::face)->element, Element(Face(met[0])));
 
   EXPECT_EQ(session->run("box 1,1 2,2").sentence.en,
             "nothing lies wholly in there and is seen; 0 elements are selected");
   EXPECT_EQ(session->run("box 1,1 2,2 through").sentence.en, "nothing lies wholly in there; 0 elements are selected");
   run(*session, {"mode face", "hide f0..f9", "box 0,0 640,480 through"});
-  EXPECT_EQ(session->selection.size(), session->mesh().live().faces - 10);
+  EXPECT_EQ(session->selecting.selection.size(), session->mesh().live().faces - 10);
   run(*session, {"isolate f0..f9"});
   for (const PickMode mode : {PickMode::vertex, PickMode::edge, PickMode::face}) {
     Session anew(Document::open(test::asset("torus.off")).value());
@@ -118,7 +118,7 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
     anew.run("isolate f0..f9");  // before there is a tree to pick from
     for (int x = 5; x < 640; x += 11)
       for (int y = 3; y < 480; y += 13) {
-        const auto a = session->pick({x, y}, mode), b = anew.pick({x, y}, mode);
+        const auto a = session->pointing.pick({x, y}, mode), b = anew.pointing.pick({x, y}, mode);
         ASSERT_EQ(a.has_value(), b.has_value());
         if (a) {
           ASSERT_EQ(a->element, b->element);
@@ -138,7 +138,7 @@ TEST(hiding, follows_edits_undo_and_redo) {
   for (std::uint32_t i = 0; i < session->mesh().face_slots(); ++i)
     EXPECT_EQ(session->findings().hidden().hides(session->mesh(), Face(i)), i == 0 || i == 2 || i == 3) << i;
   run(*session, {"select f5", "move_vertex v1 0,0,9", "select none", "hide f5", "undo"});
-  EXPECT_TRUE(session->selection.empty()) << "what was selected then is hidden now";
+  EXPECT_TRUE(session->selecting.selection.empty()) << "what was selected then is hidden now";
 }
 
 TEST(hiding, ends_where_everything_is_numbered_anew_or_replaced) {

@@ -82,7 +82,7 @@ TEST(commands_measuring, a_measure_is_told_with_the_same_digits_everywhere) {
   add_measures(*session, labels);
   ASSERT_EQ(labels.size(), 1u);
   EXPECT_EQ(labels[0].text, with_short_numbers(said));
-  EXPECT_EQ(measured_text(session->mesh(), session->measures[0]).en, with_short_numbers(said));
+  EXPECT_EQ(measured_text(session->mesh(), session->selecting.measures[0]).en, with_short_numbers(said));
 }
 
 TEST(commands_measuring, wrong_maps_and_ranges_are_refused_with_the_right_ones) {
@@ -103,7 +103,7 @@ TEST(commands_measuring, select_by_takes_what_lies_in_a_range_with_both_ends) {
   ASSERT_TRUE(session->run("poke f0").done());
   EXPECT_EQ(session->run("select by area 0.25 0.25").sentence.en, "4 elements are selected");
   EXPECT_EQ(session->run("select by valence 4 4").sentence.en, "5 elements are selected");
-  EXPECT_EQ(session->selection[0].kind, Element::Kind::vertex);
+  EXPECT_EQ(session->selecting.selection[0].kind, Element::Kind::vertex);
   for (const char* line : {"select by area 1", "select by volume 0 1", "select by area 2 1"})
     EXPECT_FALSE(session->run(line).done()) << line;
 }
@@ -115,13 +115,13 @@ TEST(commands_measuring, measures_follow_the_mesh_and_say_when_they_are_gone) {
   ASSERT_TRUE(session->run("select 0-1 1-2").done());
   EXPECT_EQ(session->run("measure selected").sentence.en, "distance 0, angle 90°");
   ASSERT_TRUE(session->run("move_vertex v0 -1,0,0").done());
-  EXPECT_EQ(measured_text(session->mesh(), session->measures[0]).en, "distance 2");
+  EXPECT_EQ(measured_text(session->mesh(), session->selecting.measures[0]).en, "distance 2");
   ASSERT_TRUE(session->run("delete f0").done());
-  EXPECT_EQ(measured_text(session->mesh(), session->measures[1]).en, "an element of it is gone");
+  EXPECT_EQ(measured_text(session->mesh(), session->selecting.measures[1]).en, "an element of it is gone");
   ASSERT_TRUE(session->run("undo").done());
-  EXPECT_EQ(measured_text(session->mesh(), session->measures[1]).en, "distance 0");
+  EXPECT_EQ(measured_text(session->mesh(), session->selecting.measures[1]).en, "distance 0");
   ASSERT_TRUE(session->run("measure clear").done());
-  EXPECT_TRUE(session->measures.empty());
+  EXPECT_TRUE(session->selecting.measures.empty());
   EXPECT_EQ(session->run("measure v0").exit_code, ExitCode::refused);
   EXPECT_FALSE(session->run("measure").done());
   EXPECT_FALSE(session->run("measure v0 v99").done());

@@ -132,25 +132,25 @@ TEST(on_selection, each_is_the_same_as_one_command_after_the_other) {
       for (const Vertex v : ends)
         if (done > 0 && apart->mesh().is_alive(v) && has_two_edges(apart->mesh(), v))
           taken_along += apart->run("unite_edge " + own_name(apart->mesh(), v)).done();
-      at_once->selection = elements;
+      at_once->selecting.selection = elements;
       const Outcome outcome = at_once->run(std::string(op.id) + " selected");
       ASSERT_EQ(at_once->mesh().hash(), apart->mesh().hash()) << outcome.sentence.en;
       ASSERT_EQ(at_once->document().history().size(), done > 0 ? 1u : 0u);
       if (done == 0) continue;
       ++entries;
       refusals += refused.size();
-      for (const Element& e : at_once->selection) EXPECT_TRUE(is_alive(at_once->mesh(), e));
+      for (const Element& e : at_once->selecting.selection) EXPECT_TRUE(is_alive(at_once->mesh(), e));
       for (const Reason& reason : outcome.reasons)
         for (const Element& e : reason.witnesses) EXPECT_TRUE(is_alive(at_once->mesh(), e)) << "its name is printed";
       if (!refused.empty())
         for (const Element& e : elements)
           if (takes(op, e.kind, {}) && is_alive(at_once->mesh(), e)) {
-            const auto& left = at_once->selection;
+            const auto& left = at_once->selecting.selection;
             EXPECT_EQ(std::find(left.begin(), left.end(), e) != left.end(), refused.contains(e));
           }
       ASSERT_TRUE(at_once->run("undo").done());
       EXPECT_EQ(at_once->mesh().hash(), before);
-      EXPECT_EQ(at_once->selection, elements) << "undo brings the selection back";
+      EXPECT_EQ(at_once->selecting.selection, elements) << "undo brings the selection back";
     }
   EXPECT_GT(entries, 200u);
   EXPECT_GT(refusals, 200u);
@@ -164,9 +164,9 @@ TEST(on_selection, the_log_does_the_same_again) {
       const RandomMesh random = random_mesh(seed);
       const auto session = session_opened(random), again = session_opened(random);
       Dice dice(seed + 100);
-      session->selection = some_elements(session->mesh(), dice);
+      session->selecting.selection = some_elements(session->mesh(), dice);
       if (op.on_selection != OnSelection::each)
-        session->selection.changed().resize(std::min<std::size_t>(session->selection.size(), 3));
+        session->selecting.selection.changed().resize(std::min<std::size_t>(session->selecting.selection.size(), 3));
       session->run(std::string(op.id) + " selected");
       for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << line;
       ASSERT_EQ(session->mesh().hash(), again->mesh().hash()) << op.id << ", seed " << seed;
@@ -179,7 +179,7 @@ TEST(on_selection, welds_into_the_last_and_fills_each_hole_once) {
   const auto cubes = session_opened("cube.obj");
   cubes->run("delete f0");
   cubes->run("select boundary_loop");
-  ASSERT_EQ(cubes->selection.size(), 4u);
+  ASSERT_EQ(cubes->selecting.selection.size(), 4u);
   const Outcome filled = cubes->run("fill selected");
   ASSERT_TRUE(filled.done()) << filled.sentence.en;
   EXPECT_EQ(cubes->mesh().live().faces, 6u) << "one face, though four edges are selected";
@@ -221,7 +221,7 @@ TEST(on_selection, dissolves_edges_with_the_ends_that_they_leave_with_two_edges)
   const Vertex between(session->mesh().vertex_slots() - 1);
   session->run("select 10-11");
   session->run("select loop");
-  ASSERT_EQ(session->selection.size(), 4u);
+  ASSERT_EQ(session->selecting.selection.size(), 4u);
   session->run("select add 0-1 6-" + std::to_string(between.index));
   const auto before = session->mesh().live();
   const std::uint64_t hash = session->mesh().hash();
@@ -252,7 +252,7 @@ TEST(on_selection, dissolves_selected_faces_into_one_as_one_entry) {
   EXPECT_TRUE(outcome.reasons.empty()) << outcome.sentence.en;
   EXPECT_EQ(session->mesh().live(), (ElementCounts{12, 12, 1}));
   EXPECT_EQ(session->document().history().size(), 2u);
-  EXPECT_EQ(session->selection, Elements{Face(0)});
+  EXPECT_EQ(session->selecting.selection, Elements{Face(0)});
   const std::vector<std::string> log = session->log();
   const auto again = session_opened("cube.obj");
   for (const std::string& line : log) ASSERT_TRUE(again->run(line).done()) << line;
@@ -281,7 +281,7 @@ TEST(on_selection, welds_the_vertices_of_selected_faces_into_the_last) {
 TEST(on_selection, says_what_was_refused_and_what_is_missing) {
   const auto session = session_opened("cube.obj");
   for (const OpInfo& op : all_ops()) {
-    session->selection.clear();
+    session->selecting.selection.clear();
     const Outcome outcome = session->run(std::string(op.id) + " selected");
     if (op.on_selection == OnSelection::none) {
       EXPECT_EQ(outcome.exit_code, ExitCode::usage) << op.id;
@@ -330,7 +330,7 @@ TEST(on_each, what_is_strict_is_logged_so_that_it_is_done_again_without) {
   session->strict = true;
   session->run("triangulate f0");
   session->run("select all");
-  const std::string before = session->select_line();
+  const std::string before = session->selecting.select_line();
   if (!session->run("collapse selected").done()) GTEST_FAIL();
   const auto again = session_opened("cube.obj");
   for (const std::string& line : session->log()) ASSERT_TRUE(again->run(line).done()) << line;
@@ -345,7 +345,7 @@ TEST(selection_memory, what_was_kept_on_a_branch_that_is_gone_is_not_of_the_next
   session->run("undo");
   session->run("poke f3");  // makes another v8
   ASSERT_TRUE(session->run("select kept mine").done());
-  EXPECT_EQ(session->selection, Elements{Face(1)});
+  EXPECT_EQ(session->selecting.selection, Elements{Face(1)});
 }
 
 TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {
@@ -356,13 +356,13 @@ TEST(selection_memory, each_entry_brings_back_what_was_selected_around_it) {
   session->run("poke f3");
   session->run("select v1 v2");
   session->run("undo");
-  EXPECT_EQ(session->selection, (Elements{Face(2)}));
+  EXPECT_EQ(session->selecting.selection, (Elements{Face(2)}));
   session->run("undo");
-  EXPECT_EQ(session->selection, (Elements{Face(0), Face(1)}));
+  EXPECT_EQ(session->selecting.selection, (Elements{Face(0), Face(1)}));
   session->run("redo");
-  EXPECT_EQ(session->selection, (Elements{Face(2)})) << "as it was when the next one began";
+  EXPECT_EQ(session->selecting.selection, (Elements{Face(2)})) << "as it was when the next one began";
   session->run("redo");
-  EXPECT_EQ(session->selection, (Elements{Vertex(1), Vertex(2)}));
+  EXPECT_EQ(session->selecting.selection, (Elements{Vertex(1), Vertex(2)}));
 }
 
 TEST(selection_memory, keeps_selections_by_name_through_edits) {
@@ -372,14 +372,14 @@ TEST(selection_memory, keeps_selections_by_name_through_edits) {
   ASSERT_TRUE(session->run("keep some").done());
   session->run("delete f0");
   ASSERT_TRUE(session->run("select kept some").done());
-  EXPECT_EQ(session->selection, (Elements{Face(1), Vertex(3)}));
+  EXPECT_EQ(session->selecting.selection, (Elements{Face(1), Vertex(3)}));
   session->run("undo");
   ASSERT_TRUE(session->run("select kept some").done());
-  EXPECT_EQ(session->selection.size(), 3u);
+  EXPECT_EQ(session->selecting.selection.size(), 3u);
   session->run("reverse f0");  // renumbers
   session->run("undo");
   ASSERT_TRUE(session->run("select kept some").done());
-  EXPECT_EQ(session->selection.size(), 3u);
+  EXPECT_EQ(session->selecting.selection.size(), 3u);
   EXPECT_NE(session->run("select kept sone").sentence.en.find("some"), std::string::npos);
   ASSERT_TRUE(session->run("forget some").done());
   EXPECT_EQ(session->run("select kept some").exit_code, ExitCode::refused);
@@ -389,11 +389,11 @@ TEST(selection_memory, many_are_selected_in_few_words) {
   const auto session = session_opened("torus.off");
   session->run("mode face");
   session->run("select all");
-  const Elements all = session->selection;
-  EXPECT_EQ(session->select_line(), "select f0..f" + std::to_string(all.size() - 1));
+  const Elements all = session->selecting.selection;
+  EXPECT_EQ(session->selecting.select_line(), "select f0..f" + std::to_string(all.size() - 1));
   session->run("select none");
   ASSERT_TRUE(session->run("select f0..f" + std::to_string(all.size() - 1)).done());
-  EXPECT_EQ(session->selection, all);
+  EXPECT_EQ(session->selecting.selection, all);
   for (const char* wrong : {"select f3..f1", "select f1..e3", "select f1..", "select ..f2", "select f1..f99999999999"})
     EXPECT_EQ(session->run(wrong).exit_code, ExitCode::usage) << wrong;
 }

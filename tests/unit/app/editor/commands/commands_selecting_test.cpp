@@ -43,9 +43,9 @@ TEST(selecting, is_about_the_elements_of_the_mode) {
                                     {"halfedge", 2 * live.edges}}) {
     ASSERT_TRUE(session->run(std::string("mode ") + mode).done());
     ASSERT_TRUE(session->run("select all").done());
-    EXPECT_EQ(session->selection.size(), count) << mode;
+    EXPECT_EQ(session->selecting.selection.size(), count) << mode;
     ASSERT_TRUE(session->run("select invert").done());
-    EXPECT_TRUE(session->selection.empty()) << mode;
+    EXPECT_TRUE(session->selecting.selection.empty()) << mode;
   }
 }
 
@@ -56,12 +56,12 @@ TEST(selecting, the_others_are_those_of_what_is_selected_in_any_mode) {
   ASSERT_TRUE(session.run("mode edge").done());
   ASSERT_TRUE(session.run("select f0 f1 v3").done());
   ASSERT_TRUE(session.run("select invert").done());
-  EXPECT_EQ(session.selection.count(Element::Kind::face), 4u);
-  EXPECT_EQ(session.selection.count(Element::Kind::vertex), 7u);
-  EXPECT_EQ(session.selection.count(Element::Kind::edge), 0u);
+  EXPECT_EQ(session.selecting.selection.count(Element::Kind::face), 4u);
+  EXPECT_EQ(session.selecting.selection.count(Element::Kind::vertex), 7u);
+  EXPECT_EQ(session.selecting.selection.count(Element::Kind::edge), 0u);
   ASSERT_TRUE(session.run("select none").done());
   ASSERT_TRUE(session.run("select invert").done());
-  EXPECT_EQ(session.selection.count(Element::Kind::edge), 12u) << "of nothing all that the mode picks";
+  EXPECT_EQ(session.selecting.selection.count(Element::Kind::edge), 12u) << "of nothing all that the mode picks";
 }
 
 TEST(selecting, finds_all_problems_of_a_kind) {
@@ -69,12 +69,12 @@ TEST(selecting, finds_all_problems_of_a_kind) {
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("select boundary_loop").done());
-  EXPECT_EQ(session.selection.size(), session.findings().highlights().count(ProblemKind::boundary_loop));
+  EXPECT_EQ(session.selecting.selection.size(), session.findings().highlights().count(ProblemKind::boundary_loop));
   const Outcome unsearched = session.run("select self_intersection");
   EXPECT_TRUE(unsearched.done());
   EXPECT_NE(unsearched.sentence.en.find("since the last edit, as self_intersections does"), std::string::npos)
       << unsearched.sentence.en;
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
   EXPECT_EQ(session.run("select quarantined_face").exit_code, ExitCode::usage) << "they are not in the mesh";
 }
 
@@ -91,11 +91,11 @@ TEST(selecting, every_problem_has_a_line_of_its_own) {
     const std::string line = select_line(row);
     for (const KeyRow& key : key_table()) EXPECT_NE(key.command, line);
     ASSERT_TRUE(session.run(line).done()) << line;
-    EXPECT_EQ(session.selection.size(), session.findings().highlights().count(row.kind)) << line;
+    EXPECT_EQ(session.selecting.selection.size(), session.findings().highlights().count(row.kind)) << line;
     shared += find_selector(row.id) ? 1 : 0;
     if (row.kind != ProblemKind::ring) continue;
-    ASSERT_EQ(session.selection.size(), 1u);
-    const std::string face = session.selected_names()[0];
+    ASSERT_EQ(session.selecting.selection.size(), 1u);
+    const std::string face = session.selecting.selected_names()[0];
     EXPECT_EQ(face[0], 'f') << "and no edge";
     ASSERT_TRUE(session.run(select_line(row, face)).done());
   }
@@ -125,7 +125,7 @@ TEST(selecting, keeps_a_selection_under_any_name_in_quotes) {
   for (const char* line : {"keep one", "keep \"second set\""}) ASSERT_TRUE(session->run(line).done()) << line;
   session->run("select none");
   ASSERT_TRUE(session->run("select kept \"second set\"").done());
-  EXPECT_EQ(session->selected_names(), (std::vector<std::string>{"f1", "f2"}));
+  EXPECT_EQ(session->selecting.selected_names(), (std::vector<std::string>{"f1", "f2"}));
   ASSERT_TRUE(session->run("select kept one").done());
   const Outcome refused = session->run("keep second set");
   EXPECT_EQ(refused.exit_code, ExitCode::usage);
@@ -149,9 +149,9 @@ TEST(selecting, toggles_and_adds_many_at_once) {
   const auto session = a_torus();
   session->run("select f3 f1");
   ASSERT_TRUE(session->run("select add f1 f7 v2").done());
-  EXPECT_EQ(session->selection, (std::vector<Element>{Face(3), Face(1), Face(7), Vertex(2)}));
+  EXPECT_EQ(session->selecting.selection, (std::vector<Element>{Face(3), Face(1), Face(7), Vertex(2)}));
   ASSERT_TRUE(session->run("select toggle f1 f9 v2").done());
-  EXPECT_EQ(session->selection, (std::vector<Element>{Face(3), Face(7), Face(9)}));
+  EXPECT_EQ(session->selecting.selection, (std::vector<Element>{Face(3), Face(7), Face(9)}));
 }
 
 TEST(select, as_another_kind_turns_the_mode_too) {
@@ -160,13 +160,13 @@ TEST(select, as_another_kind_turns_the_mode_too) {
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("select f0").done());
   ASSERT_TRUE(session.run("key Ctrl+1").done());
-  EXPECT_EQ(session.selection.size(), 4u);
-  EXPECT_EQ(session.mode, PickMode::vertex);
+  EXPECT_EQ(session.selecting.selection.size(), 4u);
+  EXPECT_EQ(session.selecting.mode, PickMode::vertex);
   ASSERT_TRUE(session.run("key Ctrl+3").done());
-  EXPECT_EQ(session.selected_names(), std::vector<std::string>{"f0"});
-  EXPECT_EQ(session.mode, PickMode::face);
+  EXPECT_EQ(session.selecting.selected_names(), std::vector<std::string>{"f0"});
+  EXPECT_EQ(session.selecting.mode, PickMode::face);
   ASSERT_TRUE(session.run("key 2").done());
-  EXPECT_EQ(session.selected_names(), std::vector<std::string>{"f0"}) << "without Ctrl the selection stays";
+  EXPECT_EQ(session.selecting.selected_names(), std::vector<std::string>{"f0"}) << "without Ctrl the selection stays";
   ASSERT_TRUE(session.run("select none").done());
   EXPECT_EQ(session.run("select as_edges").exit_code, ExitCode::refused);
 }

@@ -88,12 +88,12 @@ TEST(ui_commands, cancel_steps_out_of_one_thing_at_a_time) {
   Session session(std::move(document).value());
   for (const char* line : {"select v0", "tool collapse", "panel keys", "cancel"}) ASSERT_TRUE(session.run(line).done());
   EXPECT_EQ(session.layout.open_panel, "");
-  EXPECT_EQ(session.tool, "collapse");
+  EXPECT_EQ(session.selecting.tool, "collapse");
   ASSERT_TRUE(session.run("cancel").done());
-  EXPECT_EQ(session.tool, "");
-  EXPECT_EQ(session.selection.size(), 1u);
+  EXPECT_EQ(session.selecting.tool, "");
+  EXPECT_EQ(session.selecting.selection.size(), 1u);
   ASSERT_TRUE(session.run("cancel").done());
-  EXPECT_TRUE(session.selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
 }
 
 TEST(ui_commands, every_key_sends_a_command_that_is_understood) {
@@ -116,19 +116,19 @@ TEST(ui_commands, arrows_walk_halfedges) {
   const Mesh& mesh = session.mesh();
   const Halfedge start(0);
   const auto walked = [&](const char* line) {
-    session.selection = {start};
+    session.selecting.selection = {start};
     EXPECT_TRUE(session.run(line).done()) << line;
-    return session.selection;
+    return session.selecting.selection;
   };
   EXPECT_EQ(walked("key Right"), std::vector<Element>{mesh.next(start)});
   EXPECT_EQ(walked("key Left"), std::vector<Element>{mesh.prev(start)});
   EXPECT_EQ(walked("key Up"), std::vector<Element>{twin(start)});
-  session.selection = {start};
+  session.selecting.selection = {start};
   int steps = 0;
   do {
     ASSERT_TRUE(session.run("key Down").done());
-    EXPECT_EQ(mesh.from(session.selection[0].halfedge()), mesh.from(start));
-  } while (++steps < 20 && session.selection[0] != Element(start));
+    EXPECT_EQ(mesh.from(session.selecting.selection[0].halfedge()), mesh.from(start));
+  } while (++steps < 20 && session.selecting.selection[0] != Element(start));
   EXPECT_EQ(steps, 6) << "around a vertex of degree 6";
 }
 
@@ -136,14 +136,14 @@ TEST(ui_commands, pixels_count_from_the_windows_corner_and_end_with_the_view) {
   auto document = Document::open(test::asset("torus.off"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
-  const auto inside = session.pick({640, 560}, PickMode::face);
+  const auto inside = session.pointing.pick({640, 560}, PickMode::face);
   ASSERT_TRUE(inside);
   session.view.origin = {200, 30};
-  const auto moved = session.pick({840, 590}, PickMode::face);
+  const auto moved = session.pointing.pick({840, 590}, PickMode::face);
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->element, inside->element);
-  EXPECT_FALSE(session.pick({199, 300}, PickMode::face));
-  EXPECT_FALSE(session.pick({1480, 300}, PickMode::face));
+  EXPECT_FALSE(session.pointing.pick({199, 300}, PickMode::face));
+  EXPECT_FALSE(session.pointing.pick({1480, 300}, PickMode::face));
 }
 
 }  // namespace

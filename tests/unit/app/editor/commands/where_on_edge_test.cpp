@@ -17,7 +17,7 @@ class WhereOnEdge : public testing::Test {
     ASSERT_TRUE(document);
     session_.set_document(std::move(document).value());
     session_.frame_all();
-    const auto picked = session_.pick({478, 488}, PickMode::edge);
+    const auto picked = session_.pointing.pick({478, 488}, PickMode::edge);
     ASSERT_TRUE(picked);
     half_ = picked->halfedge;
     from_ = name_of(session_.mesh(), session_.mesh().from(half_)).substr(1);
@@ -25,12 +25,12 @@ class WhereOnEdge : public testing::Test {
   }
   // The line that a click would send, with the pointer over this share of the edge.
   std::string line(double along, const std::string& tool, Modifiers modifiers = {}) {
-    session_.tool = tool;
+    session_.selecting.tool = tool;
     const Mesh& m = session_.mesh();
     const glm::dvec3 place = m.position(m.from(half_)) * (1 - along) + m.position(m.to(half_)) * along;
-    session_.point_at(project(session_.view.camera, session_.view.size, place)->pixel, modifiers);
-    if (!session_.hover() || !session_.hover()->op) return "nothing";
-    return command_of(m, *session_.hover()->op);
+    session_.pointing.point_at(project(session_.view.camera, session_.view.size, place)->pixel, modifiers);
+    if (!session_.selecting.hover() || !session_.selecting.hover()->op) return "nothing";
+    return command_of(m, *session_.selecting.hover()->op);
   }
 
   // A split so far along the edge, from whichever end it is said.
@@ -69,8 +69,8 @@ TEST_F(WhereOnEdge, a_collapse_goes_to_the_middle_or_to_the_end_whose_third_it_i
 
 TEST_F(WhereOnEdge, a_click_does_what_was_shown) {
   const std::string shown = line(0.31, "split", {.shift = true});
-  const Hover hover = *session_.hover();
-  ASSERT_TRUE(session_.click(hover.pixel, "split", {.shift = true}).done());
+  const Hover hover = *session_.selecting.hover();
+  ASSERT_TRUE(session_.pointing.click(hover.pixel, "split", {.shift = true}).done());
   EXPECT_EQ(session_.log().back(), shown);
 }
 

@@ -24,7 +24,7 @@ class CornerAxesTest : public testing::Test {
   }
   // In the picture.
   glm::dvec2 pixel_of(std::string_view name) const {
-    const auto axes = session_.axes_in_corner();
+    const auto axes = session_.pointing.axes_in_corner();
     for (const PlacedAxisEnd& placed : axes->ends)
       if (placed.end->name == name) return placed.pixel + session_.view.origin;
     ADD_FAILURE() << name;
@@ -39,7 +39,7 @@ class CornerAxesTest : public testing::Test {
 };
 
 TEST_F(CornerAxesTest, lie_as_the_axes_of_the_mesh_do_in_the_view) {
-  const CornerAxes corner = *session_.axes_in_corner();
+  const CornerAxes corner = *session_.pointing.axes_in_corner();
   const glm::dvec3 middle = session_.view.camera.target;
   const double unit = 1e-3 * glm::length(session_.view.camera.target - session_.view.camera.eye);
   for (const PlacedAxisEnd& placed : corner.ends) {
@@ -76,26 +76,26 @@ TEST_F(CornerAxesTest, take_the_click_and_the_pointer_from_tools_and_mesh) {
   run("tool collapse");
   const std::uint64_t revision = session_.document().revision();
   const glm::dvec2 at = pixel_of("+Z");
-  session_.point_at(at);
-  ASSERT_TRUE(session_.pointed_axis_end());
-  EXPECT_EQ(session_.pointed_axis_end()->name, "+Z");
-  EXPECT_FALSE(session_.hover());
+  session_.pointing.point_at(at);
+  ASSERT_TRUE(session_.pointing.pointed_axis_end());
+  EXPECT_EQ(session_.pointing.pointed_axis_end()->name, "+Z");
+  EXPECT_FALSE(session_.selecting.hover());
   click("+Z");
   EXPECT_EQ(session_.document().revision(), revision);
   run("axes off");
-  session_.point_at(at);
-  EXPECT_FALSE(session_.pointed_axis_end());
+  session_.pointing.point_at(at);
+  EXPECT_FALSE(session_.pointing.pointed_axis_end());
 }
 
 TEST_F(CornerAxesTest, are_sized_by_the_display_and_absent_where_there_is_no_room) {
-  const CornerAxes usual = *session_.axes_in_corner();
+  const CornerAxes usual = *session_.pointing.axes_in_corner();
   session_.preferences.display_scale = 2;
-  const CornerAxes large = *session_.axes_in_corner();
+  const CornerAxes large = *session_.pointing.axes_in_corner();
   EXPECT_DOUBLE_EQ(large.ends[0].radius_px, 2 * usual.ends[0].radius_px);
   EXPECT_NEAR(glm::length(large.ends[0].pixel - large.middle), 2 * glm::length(usual.ends[0].pixel - usual.middle),
               1e-9);
   session_.view.size = {400, 300};
-  EXPECT_FALSE(session_.axes_in_corner());
+  EXPECT_FALSE(session_.pointing.axes_in_corner());
 }
 
 }  // namespace

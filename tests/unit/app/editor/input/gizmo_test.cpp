@@ -30,7 +30,7 @@ class GizmoTest : public testing::Test {
   }
   // The middle of what a handle draws, in the picture.
   glm::dvec2 pixel_of(HandleWay way) const {
-    const auto gizmo = session_->gizmo();
+    const auto gizmo = session_->pointing.gizmo();
     for (const GizmoHandle& handle : gizmo->handles) {
       if (handle.row->way != way) continue;
       const glm::dvec3 place = way == HandleWay::free ? gizmo->middle
@@ -42,7 +42,7 @@ class GizmoTest : public testing::Test {
     return {};
   }
   static std::string text(glm::dvec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
-  glm::dvec3 middle() const { return session_->gizmo()->middle; }
+  glm::dvec3 middle() const { return session_->pointing.gizmo()->middle; }
   void drag(HandleWay way, glm::dvec2 by, const std::string& modifiers = "") {
     const glm::dvec2 from = pixel_of(way);
     run({"press left " + text(from), "move " + text(from + 0.5 * by) + modifiers, "move " + text(from + by) + modifiers,
@@ -86,17 +86,17 @@ TEST_F(GizmoTest, a_plate_moves_in_its_plane) {
 
 TEST_F(GizmoTest, escape_takes_back_and_a_click_does_nothing) {
   const std::uint64_t hash = session_->mesh().hash();
-  const Elements selected = session_->selection;
+  const Elements selected = session_->selecting.selection;
   const Camera camera = session_->view.camera;
   const glm::dvec2 from = pixel_of(HandleWay::y);
   run({"press left " + text(from), "move " + text(from + glm::dvec2(50, 20))});
-  ASSERT_TRUE(session_->gesture());
+  ASSERT_TRUE(session_->gesturing.transform());
   run({"key Escape", "move " + text(from + glm::dvec2(90, 20)), "release left " + text(from + glm::dvec2(90, 20))});
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   drag(HandleWay::y, {1, 1});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
-  EXPECT_EQ(session_->selection, selected);
+  EXPECT_EQ(session_->selecting.selection, selected);
   EXPECT_EQ(session_->view.camera, camera);
 }
 
@@ -108,39 +108,39 @@ TEST_F(GizmoTest, a_click_goes_through_to_what_lies_under_a_handle_where_no_more
   run({"mode face", "select f20"});
   std::optional<Element> below;
   glm::dvec2 at{0};
-  const auto gizmo = session_->gizmo();
+  const auto gizmo = session_->pointing.gizmo();
   for (const GizmoHandle& handle : gizmo->handles) {
     if (handle.strokes.empty() || handle.row->way == HandleWay::free) continue;
     const auto seen = project(session_->view.camera, session_->view.size, handle.strokes[0].b);
     at = seen->pixel + session_->view.origin;
-    const auto picked = session_->pick(at, PickMode::face);
+    const auto picked = session_->pointing.pick(at, PickMode::face);
     if (picked && picked->element != Element(Face(20))) below = picked->element;
     if (below) break;
   }
   ASSERT_TRUE(below) << "no handle lies before another face";
-  ASSERT_TRUE(session_->handle_at(at, {}));
+  ASSERT_TRUE(session_->pointing.handle_at(at, {}));
   click(at);
-  EXPECT_EQ(session_->selection, Elements{*below});
+  EXPECT_EQ(session_->selecting.selection, Elements{*below});
 
   run({"select f20 f21"});
-  const Elements both = session_->selection;
+  const Elements both = session_->selecting.selection;
   const glm::dvec2 over = pixel_of(HandleWay::y);
   click(over);
-  EXPECT_EQ(session_->selection, both) << "a selection of several is not lost by a touch";
+  EXPECT_EQ(session_->selecting.selection, both) << "a selection of several is not lost by a touch";
   EXPECT_TRUE(session_->document().history().empty());
 }
 
 TEST_F(GizmoTest, a_double_click_makes_the_centre_though_the_first_brings_handles_there) {
   run({"mode face", "select f20"});
-  const auto seen = session_->pick(pixel_of(HandleWay::free), PickMode::face);
+  const auto seen = session_->pointing.pick(pixel_of(HandleWay::free), PickMode::face);
   ASSERT_TRUE(seen);
-  session_->selection = Elements{seen->element};
+  session_->selecting.selection = Elements{seen->element};
   const glm::dvec2 at = pixel_of(HandleWay::free) + glm::dvec2(10, 0);  // on the ring of the handle across the view
-  const auto picked = session_->pick(at, PickMode::face);
+  const auto picked = session_->pointing.pick(at, PickMode::face);
   ASSERT_TRUE(picked);
   run({"select none", "press left " + text(at), "release left " + text(at)});
-  EXPECT_EQ(session_->selection, Elements{picked->element});
-  ASSERT_TRUE(session_->handle_at(at, {}));
+  EXPECT_EQ(session_->selecting.selection, Elements{picked->element});
+  ASSERT_TRUE(session_->pointing.handle_at(at, {}));
   run({"press left " + text(at), "release left " + text(at)});
   EXPECT_NEAR(glm::distance(session_->view.camera.target, picked->place), 0, 1e-6);
 }
@@ -157,13 +157,13 @@ TEST_F(GizmoTest, ctrl_snaps_to_the_grid) {
 
 TEST_F(GizmoTest, the_pointer_finds_a_handle_before_an_element_and_elsewhere_the_drag_orbits) {
   run({"move " + text(pixel_of(HandleWay::x))});
-  ASSERT_TRUE(session_->pointed_handle());
-  EXPECT_EQ(session_->pointed_handle()->way, HandleWay::x);
-  EXPECT_FALSE(session_->hover());
+  ASSERT_TRUE(session_->pointing.pointed_handle());
+  EXPECT_EQ(session_->pointing.pointed_handle()->way, HandleWay::x);
+  EXPECT_FALSE(session_->selecting.hover());
   run({"move " + text(pixel_of(HandleWay::x)) + " Shift"});
-  EXPECT_FALSE(session_->pointed_handle()) << "Shift adds to the selection there";
+  EXPECT_FALSE(session_->pointing.pointed_handle()) << "Shift adds to the selection there";
   run({"move " + text(pixel_of(HandleWay::x)), "open \"" + test::asset("cube.obj") + "\""});
-  EXPECT_FALSE(session_->pointed_handle()) << "another mesh has none at first";
+  EXPECT_FALSE(session_->pointing.pointed_handle()) << "another mesh has none at first";
   const Camera camera = session_->view.camera;
   run({"press left 20,20", "move 80,60", "release left 80,60"});
   EXPECT_NE(session_->view.camera, camera);
@@ -171,18 +171,18 @@ TEST_F(GizmoTest, the_pointer_finds_a_handle_before_an_element_and_elsewhere_the
 }
 
 TEST_F(GizmoTest, is_there_only_with_select_in_hand_and_something_selected) {
-  EXPECT_TRUE(session_->gizmo());
+  EXPECT_TRUE(session_->pointing.gizmo());
   run({"tool collapse"});
-  EXPECT_FALSE(session_->gizmo());
+  EXPECT_FALSE(session_->pointing.gizmo());
   run({"tool none", "select none"});
-  EXPECT_FALSE(session_->gizmo());
+  EXPECT_FALSE(session_->pointing.gizmo());
   run({"select v0", "gizmo off"});
-  EXPECT_FALSE(session_->gizmo());
+  EXPECT_FALSE(session_->pointing.gizmo());
 }
 
 TEST_F(GizmoTest, keeps_its_size_in_pixels_and_leaves_out_what_points_at_the_eye) {
   const auto length_px = [&](HandleWay way) {
-    const auto gizmo = session_->gizmo();
+    const auto gizmo = session_->pointing.gizmo();
     for (const GizmoHandle& handle : gizmo->handles)
       if (handle.row->way == way)
         return glm::length(project(session_->view.camera, session_->view.size, handle.strokes[0].b)->pixel -
@@ -211,7 +211,7 @@ TEST_F(GizmoTest, other_handles_turn_and_scale) {
 TEST_F(GizmoTest, shift_and_an_axis_keep_a_movement_in_the_plane_across) {
   const glm::dvec3 before = middle();
   run({"move 640,360", "key G", "key Shift+Y", "move 720,300"});
-  EXPECT_TRUE(session_->gesture()->is_in_plane());
+  EXPECT_TRUE(session_->gesturing.transform()->is_in_plane());
   run({"key Enter"});
   EXPECT_NEAR(middle().y - before.y, 0, 1e-12);
   EXPECT_GT(glm::distance(middle(), before), 1e-3);
@@ -220,18 +220,18 @@ TEST_F(GizmoTest, shift_and_an_axis_keep_a_movement_in_the_plane_across) {
 TEST_F(GizmoTest, alt_and_a_click_select_the_loop_or_ring_of_the_nearest_edge) {
   run({"gizmo off", "new", "torus", "frame all", "mode face", "select none"});
   int y = 50;
-  while (y < 700 && !session_->pick({640, y}, PickMode::face)) y += 10;
+  while (y < 700 && !session_->pointing.pick({640, y}, PickMode::face)) y += 10;
   const std::string where = "640," + std::to_string(y);
   run({"press left " + where + " Alt", "release left " + where + " Alt"});
-  const Elements loop = session_->selection;
+  const Elements loop = session_->selecting.selection;
   ASSERT_GT(loop.size(), 2u);
   EXPECT_EQ(loop[0].kind, Element::Kind::edge);
   run({"press left " + where + " Ctrl+Alt", "release left " + where + " Ctrl+Alt"});
-  const Elements ring = session_->selection;
+  const Elements ring = session_->selecting.selection;
   ASSERT_GT(ring.size(), 2u);
   EXPECT_NE(ring, loop);
   run({"press left " + where + " Shift+Alt", "release left " + where + " Shift+Alt"});
-  EXPECT_EQ(session_->selection.size(), ring.size() + loop.size() - 1) << "they share the edge";
+  EXPECT_EQ(session_->selecting.selection.size(), ring.size() + loop.size() - 1) << "they share the edge";
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ class AskingTest : public testing::Test {
   }
   Outcome click_on(std::uint32_t vertex) {
     const auto at = project(session_->view.camera, session_->view.size, session_->mesh().position(Vertex(vertex)));
-    return session_->click(session_->view.origin + at->pixel, "");
+    return session_->pointing.click(session_->view.origin + at->pixel, "");
   }
   // A vertex of a face that is seen, and the one across.
   std::pair<std::uint32_t, std::uint32_t> corners_across() {
-    const auto picked = session_->pick({640, 360}, PickMode::face);
+    const auto picked = session_->pointing.pick({640, 360}, PickMode::face);
     EXPECT_TRUE(picked);
     std::vector<std::uint32_t> corners;
     Halfedge h = session_->mesh().halfedge(picked->element.face());
@@ -51,13 +51,13 @@ TEST(asking, goes_by_the_syntax_of_the_operator) {
 TEST_F(AskingTest, each_click_adds_an_element_and_the_last_one_carries_it_out) {
   const auto [a, b] = corners_across();
   ASSERT_TRUE(session_->run("ask separate_loop").done());
-  EXPECT_EQ(session_->pointed_sort(), PickMode::vertex) << "whatever the mode";
+  EXPECT_EQ(session_->selecting.pointed_sort(), PickMode::vertex) << "whatever the mode";
   ASSERT_TRUE(click_on(a).done());
-  EXPECT_EQ(session_->asked_line, "separate_loop v" + std::to_string(a));
-  EXPECT_TRUE(session_->selection.empty());
+  EXPECT_EQ(session_->selecting.asked_line, "separate_loop v" + std::to_string(a));
+  EXPECT_TRUE(session_->selecting.selection.empty());
   const Outcome outcome = click_on(b);
   ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_TRUE(session_->asked_line.empty());
+  EXPECT_TRUE(session_->selecting.asked_line.empty());
   EXPECT_EQ(session_->mesh().live().faces, 7u);
   ASSERT_EQ(session_->log().size(), 1u);
   EXPECT_TRUE(session_->log()[0].starts_with("separate_loop ")) << session_->log()[0];
@@ -73,10 +73,10 @@ TEST_F(AskingTest, a_command_about_elements_takes_some_of_any_kind) {
   EXPECT_FALSE(session_->run("ask").done()) << "nothing yet";
   ASSERT_TRUE(click_on(a).done());
   ASSERT_TRUE(click_on(b).done());
-  EXPECT_TRUE(session_->measures.empty());
+  EXPECT_TRUE(session_->selecting.measures.empty());
   ASSERT_TRUE(session_->run("ask").done()) << "as Enter says";
-  ASSERT_EQ(session_->measures.size(), 1u);
-  EXPECT_EQ(session_->measures[0].size(), 2u);
+  ASSERT_EQ(session_->selecting.measures.size(), 1u);
+  EXPECT_EQ(session_->selecting.measures[0].size(), 2u);
 }
 
 TEST_F(AskingTest, begins_anew_after_a_refusal_and_ends_by_escape_or_a_tool) {
@@ -84,12 +84,12 @@ TEST_F(AskingTest, begins_anew_after_a_refusal_and_ends_by_escape_or_a_tool) {
   session_->run("ask separate_loop");
   click_on(a);
   EXPECT_FALSE(click_on(a).done()) << "no face is divided at one corner";
-  EXPECT_EQ(session_->asked_line, "separate_loop");
+  EXPECT_EQ(session_->selecting.asked_line, "separate_loop");
   session_->run("cancel");
-  EXPECT_TRUE(session_->asked_line.empty());
+  EXPECT_TRUE(session_->selecting.asked_line.empty());
   session_->run("ask separate_loop");
   session_->run("tool poke");
-  EXPECT_TRUE(session_->asked_line.empty());
+  EXPECT_TRUE(session_->selecting.asked_line.empty());
   EXPECT_EQ(session_->run("ask undo").exit_code, ExitCode::usage);
   EXPECT_EQ(session_->run("ask").exit_code, ExitCode::refused) << "nothing asks";
 }
@@ -100,7 +100,7 @@ TEST_F(AskingTest, a_list_of_any_length_waits_for_enter) {
   session_->run("ask reverse f0");
   ASSERT_TRUE(session_->run("key Enter").done());
   EXPECT_EQ(session_->document().history().size(), 1u);
-  EXPECT_TRUE(session_->asked_line.empty());
+  EXPECT_TRUE(session_->selecting.asked_line.empty());
 }
 
 }  // namespace

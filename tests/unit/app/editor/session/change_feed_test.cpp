@@ -61,7 +61,7 @@ TEST(change_feed, steps_of_a_gesture_tick_as_they_come) {
   ASSERT_TRUE(session->run("select v0").done());
   ASSERT_TRUE(session->run("gesture move").done());
   const ChangeFeed::Cursor before = session->findings().changes().since({}).now;
-  session->follow_gesture({300, 300}, {});
+  session->gesturing.follow({300, 300}, {});
   const ChangeFeed::Changes changes = session->findings().changes().since(before);
   EXPECT_FALSE(changes.everything);
   EXPECT_EQ(std::count(changes.vertices.begin(), changes.vertices.end(), 0u), 1);

@@ -71,26 +71,26 @@ TEST(comparing, points_at_either_mesh_and_works_on_the_open_one_alone) {
   session.frame_all();
   // The torus has a hole in the middle; beside it there is a face.
   glm::dvec2 over_other = middle(*session.beside());
-  while (!session.part_at(over_other).pick(over_other, PickMode::face) && over_other.x < 890) over_other.x += 5;
+  while (!session.part_at(over_other).pointing.pick(over_other, PickMode::face) && over_other.x < 890) over_other.x += 5;
   ASSERT_LT(over_other.x, 890);
-  session.point_at(over_other);
-  EXPECT_FALSE(session.hover());
-  ASSERT_TRUE(session.beside()->hover());
-  EXPECT_EQ(session.beside()->hover()->picked.element.kind, Element::Kind::face) << "in the mode of the open mesh";
-  const Outcome clicked = session.click(over_other, session.tool);
+  session.pointing.point_at(over_other);
+  EXPECT_FALSE(session.selecting.hover());
+  ASSERT_TRUE(session.beside()->selecting.hover());
+  EXPECT_EQ(session.beside()->selecting.hover()->picked.element.kind, Element::Kind::face) << "in the mode of the open mesh";
+  const Outcome clicked = session.pointing.click(over_other, session.selecting.tool);
   EXPECT_EQ(clicked.exit_code, ExitCode::refused);
   EXPECT_NE(clicked.sentence.en.find("torus.off"), std::string::npos);
-  EXPECT_TRUE(session.selection.empty());
-  EXPECT_TRUE(session.beside()->selection.empty());
+  EXPECT_TRUE(session.selecting.selection.empty());
+  EXPECT_TRUE(session.beside()->selecting.selection.empty());
   session.run("tool collapse");
-  session.point_at(over_other);
-  EXPECT_FALSE(session.beside()->hover() && session.beside()->hover()->op) << "nothing of it is edited";
+  session.pointing.point_at(over_other);
+  EXPECT_FALSE(session.beside()->selecting.hover() && session.beside()->selecting.hover()->op) << "nothing of it is edited";
   session.run("tool none");
-  session.point_at(middle(session));
-  EXPECT_TRUE(session.hover());
-  EXPECT_FALSE(session.beside()->hover()) << "the pointer has left it";
-  session.point_away();
-  EXPECT_FALSE(session.hover());
+  session.pointing.point_at(middle(session));
+  EXPECT_TRUE(session.selecting.hover());
+  EXPECT_FALSE(session.beside()->selecting.hover()) << "the pointer has left it";
+  session.pointing.point_away();
+  EXPECT_FALSE(session.selecting.hover());
 }
 
 TEST(comparing, both_halves_speak_one_language) {

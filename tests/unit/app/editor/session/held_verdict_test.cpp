@@ -25,15 +25,15 @@ class HeldVerdict : public testing::Test {
     for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
       const auto [a, b] = ends(m, Edge(i));
       const auto at = project(session_.view.camera, session_.view.size, (m.position(a) + m.position(b)) / 2.0);
-      const auto picked = session_.pick(at->pixel, PickMode::edge);
+      const auto picked = session_.pointing.pick(at->pixel, PickMode::edge);
       if (picked && picked->element == Element(Edge(i))) return at->pixel;
     }
     ADD_FAILURE() << "no edge is seen";
     return {};
   }
   void refuse() {
-    ASSERT_EQ(session_.click(on_edge(), session_.tool).kind, Outcome::Kind::refused);
-    ASSERT_TRUE(session_.is_verdict_held());
+    ASSERT_EQ(session_.pointing.click(on_edge(), session_.selecting.tool).kind, Outcome::Kind::refused);
+    ASSERT_TRUE(session_.selecting.is_verdict_held());
   }
 
   Session session_{std::make_unique<Document>()};
@@ -41,35 +41,35 @@ class HeldVerdict : public testing::Test {
 
 TEST_F(HeldVerdict, stays_while_the_pointer_and_the_camera_move) {
   refuse();
-  const Element held = session_.hover()->picked.element;
-  session_.point_at(elsewhere);
-  session_.point_away();
+  const Element held = session_.selecting.hover()->picked.element;
+  session_.pointing.point_at(elsewhere);
+  session_.pointing.point_away();
   ASSERT_TRUE(session_.run("drag 300,300 380,330").done());
-  ASSERT_TRUE(session_.hover());
-  EXPECT_EQ(session_.hover()->picked.element, held);
-  EXPECT_FALSE(session_.hover()->preview.verdict.legal());
+  ASSERT_TRUE(session_.selecting.hover());
+  EXPECT_EQ(session_.selecting.hover()->picked.element, held);
+  EXPECT_FALSE(session_.selecting.hover()->preview.verdict.legal());
 }
 
 TEST_F(HeldVerdict, goes_with_the_next_click_the_tool_and_cancel) {
   refuse();
-  session_.click(elsewhere, session_.tool);
-  EXPECT_FALSE(session_.is_verdict_held());
+  session_.pointing.click(elsewhere, session_.selecting.tool);
+  EXPECT_FALSE(session_.selecting.is_verdict_held());
   refuse();
   ASSERT_TRUE(session_.run("mode face").done());
-  EXPECT_FALSE(session_.is_verdict_held());
+  EXPECT_FALSE(session_.selecting.is_verdict_held());
   refuse();
   ASSERT_TRUE(session_.run("cancel").done());
-  EXPECT_FALSE(session_.is_verdict_held());
-  EXPECT_FALSE(session_.hover());
-  EXPECT_EQ(session_.tool, "collapse") << "one step at a time";
+  EXPECT_FALSE(session_.selecting.is_verdict_held());
+  EXPECT_FALSE(session_.selecting.hover());
+  EXPECT_EQ(session_.selecting.tool, "collapse") << "one step at a time";
   ASSERT_TRUE(session_.run("cancel").done());
-  EXPECT_EQ(session_.tool, "");
+  EXPECT_EQ(session_.selecting.tool, "");
 }
 
 TEST_F(HeldVerdict, enter_carries_out_the_first_remedy_and_asks_again) {
   EXPECT_EQ(session_.run("key Enter").exit_code, ExitCode::refused) << "nothing is held";
   refuse();
-  const std::vector<std::string> remedy = session_.hover_remedy();
+  const std::vector<std::string> remedy = session_.selecting.hover_remedy();
   ASSERT_FALSE(remedy.empty());
   EXPECT_EQ(session_.run("remedy 99").exit_code, ExitCode::refused);
   for (const char* line : {"remedy 0", "remedy x", "remedy 1 2"})
@@ -77,18 +77,18 @@ TEST_F(HeldVerdict, enter_carries_out_the_first_remedy_and_asks_again) {
   ASSERT_TRUE(session_.run("key Enter").done());
   ASSERT_EQ(session_.log().size(), 1u);
   EXPECT_EQ(session_.log()[0].substr(0, 5), remedy[0].substr(0, 5));
-  EXPECT_EQ(session_.is_verdict_held(), remedy.size() > 1);
+  EXPECT_EQ(session_.selecting.is_verdict_held(), remedy.size() > 1);
   ASSERT_TRUE(session_.run("undo").done());
 }
 
 // It is asked of its operator, not of what lies at the pixel now.
 TEST_F(HeldVerdict, is_of_the_same_element_though_the_camera_has_gone_round) {
   refuse();
-  const Element held = session_.hover()->picked.element;
+  const Element held = session_.selecting.hover()->picked.element;
   session_.view.camera.eye = 2.0 * session_.view.camera.target - session_.view.camera.eye;
   ASSERT_TRUE(session_.run("remedy").done());
-  if (session_.is_verdict_held()) {
-    EXPECT_EQ(session_.hover()->picked.element, held);
+  if (session_.selecting.is_verdict_held()) {
+    EXPECT_EQ(session_.selecting.hover()->picked.element, held);
   }
   ASSERT_TRUE(session_.run("undo").done());
 }
@@ -97,12 +97,12 @@ TEST_F(HeldVerdict, goes_with_its_element) {
   ASSERT_TRUE(session_.run("split 0-1").done());
   ASSERT_TRUE(session_.run("tool make_ring").done());
   const glm::dvec2 pixel = on_edge();
-  if (session_.click(pixel, session_.tool).kind != Outcome::Kind::refused) return;
+  if (session_.pointing.click(pixel, session_.selecting.tool).kind != Outcome::Kind::refused) return;
   session_.view.camera.eye =
-      session_.hover()->picked.place + 0.5 * (session_.view.camera.target - session_.view.camera.eye);
+      session_.selecting.hover()->picked.place + 0.5 * (session_.view.camera.target - session_.view.camera.eye);
   ASSERT_TRUE(session_.run("undo").done());
-  if (session_.hover()) {
-    EXPECT_TRUE(session_.mesh().exists(session_.hover()->picked.element.edge()));
+  if (session_.selecting.hover()) {
+    EXPECT_TRUE(session_.mesh().exists(session_.selecting.hover()->picked.element.edge()));
   }
 }
 
@@ -113,9 +113,9 @@ TEST_F(HeldVerdict, ends_where_the_mesh_no_longer_refuses) {
   ASSERT_TRUE(session_.run("delete f1").done());
   ASSERT_TRUE(session_.run("delete f2").done());
   ASSERT_TRUE(session_.run("delete f3").done());
-  EXPECT_FALSE(session_.is_verdict_held());
+  EXPECT_FALSE(session_.selecting.is_verdict_held());
   ASSERT_TRUE(session_.run("new").done());
-  EXPECT_FALSE(session_.hover());
+  EXPECT_FALSE(session_.selecting.hover());
 }
 
 }  // namespace

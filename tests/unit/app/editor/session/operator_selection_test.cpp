@@ -65,7 +65,7 @@ TEST_F(OperatorSelection, agrees_with_what_running_it_comes_to) {
       for (const OpInfo& op : all_ops()) {
         if (op.on_selection == OnSelection::none) continue;
         const bool does_fit = fits_selection(session_, op), may_be = offer_on_selection(session_, op).may_be;
-        const CalledWith with = called_with(session_.mesh(), op, session_.selection, {});
+        const CalledWith with = called_with(session_.mesh(), op, session_.selecting.selection, {});
         const Outcome outcome = session_.run(std::string(op.id) + " selected");
         const bool is_known = op.on_selection == OnSelection::all || op.on_selection == OnSelection::each;
         if (is_known && !with.is_in_place)
@@ -103,7 +103,7 @@ TEST_F(OperatorSelection, of_everything_is_everything_that_the_operator_takes) {
         ASSERT_TRUE(session_.run(std::string("mode ") + mode).done());
         ASSERT_TRUE(session_.run("select all").done());
         const bool takes_it = takes(op, kind, {});
-        const bool is_in_place = called_with(session_.mesh(), op, session_.selection, {}).is_in_place;
+        const bool is_in_place = called_with(session_.mesh(), op, session_.selecting.selection, {}).is_in_place;
         const Outcome outcome = session_.run(line);
         EXPECT_EQ(outcome.sentence.en.find("nothing is selected that it works on"), std::string::npos)
             << outcome.sentence.en;

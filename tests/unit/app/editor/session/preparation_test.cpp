@@ -54,13 +54,13 @@ TEST(preparation, finds_in_the_background_what_would_be_found_at_once) {
   EXPECT_FALSE(session->findings().preparing());
   session->prepare();
   ASSERT_TRUE(session->findings().preparing());
-  EXPECT_FALSE(session->pick({640, 360}, PickMode::face));
+  EXPECT_FALSE(session->pointing.pick({640, 360}, PickMode::face));
   wait_for(*session);
   EXPECT_TRUE(session->findings().changes().since({}).searched);
   expect_as_if_asked_at_once(*session);
   const auto other = large_session();
   for (int x = 100; x < 1200; x += 50) {
-    const auto picked = session->pick({x, 360}, PickMode::edge), expected = other->pick({x, 360}, PickMode::edge);
+    const auto picked = session->pointing.pick({x, 360}, PickMode::edge), expected = other->pointing.pick({x, 360}, PickMode::edge);
     ASSERT_EQ(picked.has_value(), expected.has_value());
     EXPECT_TRUE(!picked || picked->element == expected->element);
   }
@@ -73,10 +73,10 @@ TEST(preparation, regions_are_refused_until_it_is_done_rather_than_empty) {
   ASSERT_TRUE(session->findings().preparing());
   for (const char* line : {"box 0,0 1280,720", "lasso 0,0 1280,0 600,700"})
     EXPECT_EQ(session->run(line).exit_code, ExitCode::refused) << line;
-  EXPECT_EQ(session->selection, Elements{Face(7)});
+  EXPECT_EQ(session->selecting.selection, Elements{Face(7)});
   wait_for(*session);
   EXPECT_TRUE(session->run("box 0,0 1280,720").done());
-  EXPECT_GT(session->selection.size(), 1u);
+  EXPECT_GT(session->selecting.selection.size(), 1u);
 }
 
 TEST(preparation, ends_for_an_edit_and_begins_anew_behind_it) {

@@ -23,7 +23,7 @@ std::unique_ptr<Session> memory_session(const std::string& name) {
 // What is kept under a name, as what is selected.
 Elements what_is_kept(Session& session, const std::string& name) {
   EXPECT_TRUE(session.run("select kept " + name).done()) << name;
-  return session.selection;
+  return session.selecting.selection;
 }
 
 std::vector<glm::dvec3> corner_places(const Mesh& mesh, const Element& e) {
@@ -50,13 +50,13 @@ TEST_P(what_is_divided, is_kept_and_selected_with_all_its_parts) {
   const auto session = memory_session("cube.obj");
   const Mesh& mesh = session->mesh();
   const Edge side = edge(mesh.halfedge(Face(0)));
-  session->selection = {Face(0)};
+  session->selecting.selection = {Face(0)};
   ASSERT_TRUE(session->run("keep patch").done());
-  session->selection = {side};
+  session->selecting.selection = {side};
   ASSERT_TRUE(session->run("keep side").done());
-  session->selection = {Face(0)};
+  session->selecting.selection = {Face(0)};
   ASSERT_TRUE(session->run(std::string("subdivide steps=2 scheme=") + GetParam().scheme).done());
-  EXPECT_EQ(session->selection.size(), GetParam().faces) << "what is selected goes on in the same way";
+  EXPECT_EQ(session->selecting.selection.size(), GetParam().faces) << "what is selected goes on in the same way";
   const Elements faces = what_is_kept(*session, "patch");
   EXPECT_EQ(faces.size(), GetParam().faces);
   ASSERT_TRUE(session->run("undo").done());
@@ -79,7 +79,7 @@ TEST(selection_memory, parts_lie_where_that_was_of_which_they_come) {
     const std::vector<glm::dvec3> before = corner_places(session->mesh(), e);
     glm::dvec3 low = before[0], high = before[0];
     for (const glm::dvec3& p : before) low = glm::min(low, p), high = glm::max(high, p);
-    session->selection = {e};
+    session->selecting.selection = {e};
     session->run("keep it");
     ASSERT_TRUE(session->run("subdivide steps=2 scheme=midpoint").done());
     const Elements parts = what_is_kept(*session, "it");
@@ -119,7 +119,7 @@ TEST(selection_memory, what_nobody_can_follow_goes_with_a_word_and_comes_back_wi
   ASSERT_TRUE(outcome.done());
   EXPECT_NE(outcome.sentence.en.find("'a point', 'patch'"), std::string::npos) << outcome.sentence.en;
   EXPECT_NE(outcome.sentence.ja.find("「patch」"), std::string::npos) << outcome.sentence.ja;
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
   EXPECT_EQ(session->run("select kept patch").exit_code, ExitCode::refused);
   ASSERT_TRUE(session->run("undo").done());
   EXPECT_EQ(what_is_kept(*session, "patch"), (Elements{Face(0), Face(1)}));
@@ -156,7 +156,7 @@ TEST(selection_memory, behind_every_algorithm_that_replaces_all_the_set_of_all_f
     const Document& document = session->document();
     if (document.position() == 0 || !document.journal().replaces_everything(0)) continue;
     if (row.lineage == Lineage::lost)
-      EXPECT_FALSE(session->selections.kept.contains("everything")) << line;
+      EXPECT_FALSE(session->selecting.memory.kept.contains("everything")) << line;
     else
       EXPECT_EQ(what_is_kept(*session, "everything").size(), session->mesh().live().faces) << line;
   }

@@ -45,7 +45,7 @@ TEST(session, a_click_sends_the_command_of_the_edge_under_it) {
   const auto clicked = sheet_session(), typed = sheet_session();
   // Along the edge from vertex 24 at (3,3) to 25 at (4,3), in its middle third: 24 is nearer and goes.
   const glm::dvec2 pixel = pixel_of(*clicked, {3.4, 3, 0});
-  EXPECT_TRUE(clicked->click(pixel, "collapse").done());
+  EXPECT_TRUE(clicked->pointing.click(pixel, "collapse").done());
   EXPECT_TRUE(typed->run("collapse 24-25 mid").done());
   EXPECT_EQ(clicked->mesh().hash(), typed->mesh().hash());
   EXPECT_EQ(clicked->log(), std::vector<std::string>{"collapse 24-25 mid"});
@@ -55,21 +55,21 @@ TEST(session, hovering_shows_the_verdict_and_leaves_the_mesh_alone) {
   const auto session = sheet_session();
   const MeshColumns before = session->mesh().columns();
   EXPECT_TRUE(session->run("tool collapse").done());
-  session->point_at(pixel_of(*session, {3.5, 3, 0}));
-  ASSERT_TRUE(session->hover() && session->hover()->op);
-  EXPECT_TRUE(session->hover()->preview.verdict.legal());
-  EXPECT_FALSE(session->hover()->preview.faces.empty());
+  session->pointing.point_at(pixel_of(*session, {3.5, 3, 0}));
+  ASSERT_TRUE(session->selecting.hover() && session->selecting.hover()->op);
+  EXPECT_TRUE(session->selecting.hover()->preview.verdict.legal());
+  EXPECT_FALSE(session->selecting.hover()->preview.faces.empty());
   EXPECT_EQ(session->mesh().columns(), before);
   EXPECT_TRUE(session->run("tool swap").done());
-  session->point_at(pixel_of(*session, {3.5, 0, 0}));
-  ASSERT_TRUE(session->hover() && session->hover()->op);
-  EXPECT_TRUE(session->hover()->preview.verdict.has(Rule::boundary));
+  session->pointing.point_at(pixel_of(*session, {3.5, 0, 0}));
+  ASSERT_TRUE(session->selecting.hover() && session->selecting.hover()->op);
+  EXPECT_TRUE(session->selecting.hover()->preview.verdict.has(Rule::boundary));
 }
 
 TEST(session, a_refused_click_changes_nothing_and_says_why) {
   const auto session = sheet_session();
   const std::uint64_t before = session->mesh().hash();
-  const Outcome outcome = session->click(pixel_of(*session, {3.5, 0, 0}), "swap");
+  const Outcome outcome = session->pointing.click(pixel_of(*session, {3.5, 0, 0}), "swap");
   EXPECT_EQ(outcome.kind, Outcome::Kind::refused);
   EXPECT_EQ(outcome.exit_code, ExitCode::refused);
   EXPECT_NE(outcome.sentence.en.find("one side"), std::string::npos);
@@ -299,7 +299,7 @@ TEST(session, exit_codes_of_commands) {
   EXPECT_EQ(code("camera {\"eye\":[0,0,5],\"target\":[0,0,0],\"up\":[0,1,0]}"), ExitCode::done);
   EXPECT_EQ(code("camera {\"eye\":[0,0,0],\"target\":[0,0,0]}"), ExitCode::usage);
   EXPECT_EQ(code("select v0 f3 8-9"), ExitCode::done);
-  EXPECT_EQ(session->selection.size(), 3u);
+  EXPECT_EQ(session->selecting.selection.size(), 3u);
   EXPECT_EQ(code("show nonsense"), ExitCode::usage);
   EXPECT_EQ(code("shot x.png"), ExitCode::no_backend);
 }
@@ -368,7 +368,7 @@ TEST(session, orienting_keeps_only_selected_points_and_faces) {
   Session session(std::make_unique<Document>(std::move(file)));
   EXPECT_TRUE(session.run("select 0-1 f1").done());
   EXPECT_TRUE(session.run("orient").done());
-  EXPECT_EQ(session.selection, std::vector<Element>{Face(1)});
+  EXPECT_EQ(session.selecting.selection, std::vector<Element>{Face(1)});
 }
 
 TEST(session, every_key_sends_a_command_that_exists) {
@@ -457,7 +457,7 @@ std::unique_ptr<Session> bow_tie_session() {
 
 TEST(session, an_operator_on_selected_copies_tells_them_apart) {
   const auto session = bow_tie_session();
-  session->selection = {Vertex(2), Vertex(5)};
+  session->selecting.selection = {Vertex(2), Vertex(5)};
   const Outcome welded = session->run("weld selected");
   ASSERT_TRUE(welded.done()) << welded.sentence.en;
   EXPECT_EQ(session->log(), (std::vector<std::string>{"select v2@f0 v2@f1", "weld selected"}));

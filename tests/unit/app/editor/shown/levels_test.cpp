@@ -194,8 +194,8 @@ TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
   for (const EdgeRuleRow& rule : edge_rules) {
     const std::size_t count = account->counts[static_cast<std::size_t>(rule.rule)];
     ASSERT_TRUE(say("account " + std::string(rule.id)).done());
-    EXPECT_EQ(session_.selection.size(), count) << rule.id;
-    for (const Element& e : session_.selection) EXPECT_EQ(e.kind, Element::Kind::edge);
+    EXPECT_EQ(session_.selecting.selection.size(), count) << rule.id;
+    for (const Element& e : session_.selecting.selection) EXPECT_EQ(e.kind, Element::Kind::edge);
   }
   const std::string free = std::to_string(account->counts[static_cast<std::size_t>(EdgeRule::free)]);
   EXPECT_NE(say("account").sentence.en.find("free " + free), std::string::npos);
@@ -227,9 +227,9 @@ TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   ASSERT_TRUE(session_.findings().account());
   const std::vector<std::uint8_t> rules = session_.findings().account()->rules;
   ASSERT_TRUE(say("account free").done());
-  EXPECT_EQ(session_.selection.size(), session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
+  EXPECT_EQ(session_.selecting.selection.size(), session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
   session_.view.gizmo_kind = GizmoKind::move;
-  EXPECT_FALSE(session_.gizmo()) << "nothing of a level is moved";
+  EXPECT_FALSE(session_.pointing.gizmo()) << "nothing of a level is moved";
   ASSERT_TRUE(say("levels at 300").done());
   EXPECT_FALSE(session_.findings().account()) << "that is another mesh";
   ASSERT_TRUE(say("levels at 200").done());

@@ -126,7 +126,7 @@ TEST(shown, what_a_command_adds_is_added_to_the_document) {
     const Outcome a = alone->run(said), b = previewed->run(said);
     EXPECT_EQ(a.done(), b.done()) << line << ": " << a.sentence.en << " / " << b.sentence.en;
     EXPECT_EQ(alone->mesh().hash(), previewed->mesh().hash()) << line;
-    EXPECT_EQ(alone->selected_names(), previewed->selected_names()) << line;
+    EXPECT_EQ(alone->selecting.selected_names(), previewed->selecting.selected_names()) << line;
   }
 }
 

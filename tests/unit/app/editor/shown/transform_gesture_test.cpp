@@ -46,12 +46,12 @@ class GestureTest : public testing::Test {
 TEST_F(GestureTest, changes_only_the_view_until_it_ends_as_one_entry) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"key G", "move 700,300"});
-  ASSERT_TRUE(session_->gesture());
+  ASSERT_TRUE(session_->gesturing.transform());
   EXPECT_EQ(session_->mesh().hash(), hash);
-  EXPECT_NE(session_->drawn_positions()[0], session_->mesh().position(Vertex(0)));
-  const std::vector<glm::dvec3> shown(session_->drawn_positions().begin(), session_->drawn_positions().end());
+  EXPECT_NE(session_->gesturing.drawn_positions()[0], session_->mesh().position(Vertex(0)));
+  const std::vector<glm::dvec3> shown(session_->gesturing.drawn_positions().begin(), session_->gesturing.drawn_positions().end());
   run({"press left 700,300", "release left 700,300"});
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_EQ(session_->document().history().size(), 1u);
   ASSERT_EQ(session_->log().size(), 1u);
   EXPECT_TRUE(session_->log()[0].starts_with("translate by=")) << session_->log()[0];
@@ -64,19 +64,19 @@ TEST_F(GestureTest, escape_costs_nothing_and_so_does_the_right_button) {
   const std::uint64_t hash = session_->mesh().hash();
   for (const char* end : {"key Escape", "press right 700,300"}) {
     run({"key G", "move 700,300", end});
-    EXPECT_FALSE(session_->gesture());
+    EXPECT_FALSE(session_->gesturing.transform());
     EXPECT_TRUE(session_->log().empty());
     EXPECT_EQ(session_->mesh().hash(), hash);
-    EXPECT_EQ(session_->drawn_positions().data(), session_->mesh().positions().data());
+    EXPECT_EQ(session_->gesturing.drawn_positions().data(), session_->mesh().positions().data());
     session_->run("release right 700,300");
   }
-  EXPECT_FALSE(session_->selection.empty());
+  EXPECT_FALSE(session_->selecting.selection.empty());
 }
 
 TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
   const std::vector<glm::dvec3> before = places();
   run({"key G", "key Z", "key -", "key 1", "key .", "key 2", "key 5", "key Enter"});
-  for (const Element& e : session_->selection)
+  for (const Element& e : session_->selecting.selection)
     EXPECT_EQ(session_->mesh().position(e.vertex()), before[e.index] + glm::dvec3(0, 0, -1.25));
   run({"undo", "key R", "key Y", "key 1", "key 8", "key 0", "key Enter"});
   EXPECT_TRUE(session_->log().back().starts_with("rotate angle=180 axis=0,1,0 about=")) << session_->log().back();
@@ -95,7 +95,7 @@ TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
   EXPECT_EQ(session_->mesh().live().faces, 10u);
   EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has been pulled yet";
   run({"move 700,350"});
-  ASSERT_TRUE(session_->gesture());
+  ASSERT_TRUE(session_->gesturing.transform());
   EXPECT_EQ(flat_faces(*session_), 0u);
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().live().faces, 6u);
@@ -125,7 +125,7 @@ TEST_F(GestureTest, lists_faces_that_it_flattens_until_it_is_given_up) {
 
 TEST_F(GestureTest, a_movement_of_what_an_operator_makes_is_called_by_its_name) {
   session_->set_document(std::move(Document::open(test::asset("cube.obj"))).value());
-  const auto told = [&] { return session_->gesture()->told(); };
+  const auto told = [&] { return session_->gesturing.transform()->told(); };
   run({"select f0", "move 600,300", "key E", "key 1"});
   EXPECT_EQ(told().en, "Extrude faces N 1 [1]");
   EXPECT_EQ(told().ja, "面の押し出し N 1 [1]");
@@ -138,12 +138,12 @@ TEST_F(GestureTest, a_movement_of_what_an_operator_makes_is_called_by_its_name) 
 }
 
 TEST_F(GestureTest, the_pointer_stays_at_what_it_took_hold_of) {
-  const glm::dvec3 held = session_->run("key G").done() ? session_->gesture()->middle() : glm::dvec3();
+  const glm::dvec3 held = session_->run("key G").done() ? session_->gesturing.transform()->middle() : glm::dvec3();
   run({"move 740,280"});
   const auto before = project(session_->view.camera, session_->view.size, held);
   run({"press left 740,280", "release left 740,280"});
   std::vector<Vertex> points;
-  for (const Element& e : session_->selection) points.push_back(e.vertex());
+  for (const Element& e : session_->selecting.selection) points.push_back(e.vertex());
   const auto after = project(session_->view.camera, session_->view.size, middle_of(session_->mesh(), points));
   EXPECT_NEAR(after->pixel.x - before->pixel.x, 100, 1e-6);
   EXPECT_NEAR(after->pixel.y - before->pixel.y, -80, 1e-6);
@@ -156,12 +156,12 @@ class SnapTest : public GestureTest {
   }
   static std::string at(glm::dvec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
   bool is_selected(Vertex v) const {
-    return std::find(session_->selection.begin(), session_->selection.end(), Element(v)) != session_->selection.end();
+    return std::find(session_->selecting.selection.begin(), session_->selecting.selection.end(), Element(v)) != session_->selecting.selection.end();
   }
   // One that is in sight, and selected or not.
   Vertex seen_vertex(bool selected) {
     for (std::uint32_t i = 0; i < session_->mesh().vertex_slots(); ++i) {
-      const auto picked = session_->pick(pixel_of(Vertex(i)), PickMode::vertex);
+      const auto picked = session_->pointing.pick(pixel_of(Vertex(i)), PickMode::vertex);
       if (is_selected(Vertex(i)) == selected && picked && picked->element == Element(Vertex(i))) return Vertex(i);
     }
     ADD_FAILURE() << "none is in sight";
@@ -177,7 +177,7 @@ class SnapTest : public GestureTest {
     session_->set_document(std::move(Document::open(path)).value());
     run({"view front", "projection orthographic", "mode face", "select f0"});
   }
-  std::string told() const { return session_->gesture()->told().en; }
+  std::string told() const { return session_->gesturing.transform()->told().en; }
   // The line that the gesture ends with does the same to the mesh as it was.
   void expect_replays_from(const std::string& undo) {
     const std::uint64_t hash = session_->mesh().hash();
@@ -195,7 +195,7 @@ TEST_F(SnapTest, the_point_that_is_held_lands_on_a_vertex_near_the_pointer_exact
   const glm::dvec2 near = pixel_of(other) + glm::dvec2(7, -6);  // farther than what a click picks
   run({"key G"});
   run_line("move " + at(near) + " Ctrl");
-  EXPECT_EQ(session_->drawn_positions()[held.index], session_->mesh().position(other));
+  EXPECT_EQ(session_->gesturing.drawn_positions()[held.index], session_->mesh().position(other));
   const std::string named = slot_name(Element(held)) + " on " + slot_name(Element(other));
   EXPECT_TRUE(told().ends_with(", " + named)) << told();
   const auto labels = placed_labels(
@@ -218,7 +218,7 @@ TEST_F(SnapTest, the_middle_lands_where_no_point_is_held) {
   run_line("move " + at(pixel_of(other)) + " Ctrl");
   run_line("press left " + at(pixel_of(other)) + " Ctrl");
   std::vector<Vertex> points;
-  for (const Element& e : session_->selection) points.push_back(e.vertex());
+  for (const Element& e : session_->selecting.selection) points.push_back(e.vertex());
   EXPECT_NEAR(glm::distance(middle_of(session_->mesh(), points), session_->mesh().position(other)), 0, 1e-9);
 }
 
@@ -232,24 +232,24 @@ TEST_F(SnapTest, lands_on_an_edge_and_on_a_face_and_else_goes_in_steps_of_the_gr
   run_line("move " + at(from));
   run({"key G"});
   run_line("move " + at({0.5 * (a.x + b.x), a.y + 3}) + " Ctrl");
-  EXPECT_EQ(session_->drawn_positions()[1].y, -1);
-  EXPECT_EQ(session_->drawn_positions()[1].z, 0);
+  EXPECT_EQ(session_->gesturing.drawn_positions()[1].y, -1);
+  EXPECT_EQ(session_->gesturing.drawn_positions()[1].z, 0);
   EXPECT_TRUE(told().ends_with(", v1 on edge 4-5")) << told();
   run_line("move " + at(0.5 * (a + b)) + " Ctrl");
-  EXPECT_NEAR(session_->drawn_positions()[1].z, 0, 1e-12);
+  EXPECT_NEAR(session_->gesturing.drawn_positions()[1].z, 0, 1e-12);
   EXPECT_TRUE(told().ends_with(", v1 on f1")) << told();
   run({"key X"});
   EXPECT_TRUE(told().ends_with(", v1 level with f1")) << told();
-  EXPECT_EQ(session_->drawn_positions()[1].z, 1);
+  EXPECT_EQ(session_->gesturing.drawn_positions()[1].z, 1);
   run({"key X"});
 
   // Seven cells of the ground at 0.5 are 6 units wide.
   const double unit_px = pixel_of(Vertex(5)).x - a.x;
   run_line("move " + at(from + glm::dvec2(0.62, 0.55) * unit_px / 3.0) + " Ctrl");
-  EXPECT_EQ(session_->drawn_positions()[1], glm::dvec3(-1.5, -0.5, 1));
+  EXPECT_EQ(session_->gesturing.drawn_positions()[1], glm::dvec3(-1.5, -0.5, 1));
   EXPECT_TRUE(told().ends_with(", in steps of 0.5")) << told();
   run_line("move " + at(from + glm::dvec2(0.62, 0.55) * unit_px / 3.0) + " Ctrl+Shift");
-  EXPECT_EQ(session_->drawn_positions()[1], glm::dvec3(-2, 0, 1) + glm::dvec3(0.6, -0.55, 0));
+  EXPECT_EQ(session_->gesturing.drawn_positions()[1], glm::dvec3(-2, 0, 1) + glm::dvec3(0.6, -0.55, 0));
   EXPECT_TRUE(told().ends_with(", in steps of 0.05")) << told();
   run({"key Enter"});
   EXPECT_TRUE(session_->log().back().starts_with("translate by=0.6,-0.55,0 ")) << session_->log().back();
@@ -265,7 +265,7 @@ TEST_F(SnapTest, steps_are_tenths_where_a_cell_would_be_wider_than_the_hand_goes
   run({"key G"});
   run_line("move " + at(from + glm::dvec2(80, 0)) + " Ctrl");
   EXPECT_TRUE(told().ends_with(", in steps of 0.05")) << told();
-  EXPECT_GT(session_->drawn_positions()[1].x, -2);
+  EXPECT_GT(session_->gesturing.drawn_positions()[1].x, -2);
 }
 
 // What is moved is no longer where the mesh has it.
@@ -277,37 +277,37 @@ TEST_F(SnapTest, what_is_moved_is_not_in_the_way_of_what_lay_behind_it) {
   const glm::dvec2 behind = pixel_of(Vertex(6));
   run({"key G"});
   run_line("move " + at(behind) + " Ctrl");
-  EXPECT_EQ(session_->drawn_positions()[2], session_->mesh().position(Vertex(6))) << told();
+  EXPECT_EQ(session_->gesturing.drawn_positions()[2], session_->mesh().position(Vertex(6))) << told();
 }
 
 TEST_F(GestureTest, falloff_takes_more_along_and_the_wheel_widens_it) {
   run({"key G", "key O"});
-  const std::size_t few = session_->gesture()->moved().size();
+  const std::size_t few = session_->gesturing.transform()->moved().size();
   for (int i = 0; i < 20; ++i) session_->run("wheel 1 640,360");
-  EXPECT_GT(session_->gesture()->moved().size(), few);
+  EXPECT_GT(session_->gesturing.transform()->moved().size(), few);
   run({"key X", "key 1", "key Enter"});
   EXPECT_NE(session_->log().back().find("falloff="), std::string::npos);
 }
 
 TEST_F(GestureTest, marks_faces_that_turn_over) {
   run({"key Shift+S", "key -", "key 3"});
-  EXPECT_FALSE(session_->spoilt_by_gesture().empty());
+  EXPECT_FALSE(session_->gesturing.spoilt().empty());
   run({"key Escape"});
-  EXPECT_TRUE(session_->spoilt_by_gesture().empty());
+  EXPECT_TRUE(session_->gesturing.spoilt().empty());
 }
 
 TEST_F(GestureTest, needs_a_selection_and_gives_way_to_an_edit) {
   run({"select none"});
   EXPECT_EQ(session_->run("gesture move").exit_code, ExitCode::refused);
   run({"select v3", "gesture move", "move 700,300", "poke f0"});
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_EQ(session_->log(), std::vector<std::string>{"poke f0"});
 }
 
 TEST_F(GestureTest, a_key_of_an_axis_shows_at_once_what_the_pointer_says_along_it) {
   run({"key G", "move 700,300", "key X"});
-  const Vertex v = session_->selection[0].vertex();
-  const glm::dvec3 moved = session_->drawn_positions()[v.index] - session_->mesh().position(v);
+  const Vertex v = session_->selecting.selection[0].vertex();
+  const glm::dvec3 moved = session_->gesturing.drawn_positions()[v.index] - session_->mesh().position(v);
   EXPECT_NE(moved.x, 0);
   EXPECT_EQ(moved.y, 0);
   EXPECT_EQ(moved.z, 0);
@@ -316,8 +316,8 @@ TEST_F(GestureTest, a_key_of_an_axis_shows_at_once_what_the_pointer_says_along_i
 TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_nothing) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"mode face", "select f0 f1", "key E"});
-  ASSERT_TRUE(session_->gesture());
-  EXPECT_FALSE(session_->gesture()->movement() && *session_->gesture()->movement() != glm::dvec3(0))
+  ASSERT_TRUE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.transform()->movement() && *session_->gesturing.transform()->movement() != glm::dvec3(0))
       << "by nothing yet";
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
@@ -326,7 +326,7 @@ TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_noth
   EXPECT_EQ(session_->document().history().size(), 1u);
   EXPECT_TRUE(session_->document().history()[0].command.starts_with("extrude f0 f1 "))
       << session_->document().history()[0].command;
-  EXPECT_EQ(session_->selection, (Elements{Face(0), Face(1)}));
+  EXPECT_EQ(session_->selecting.selection, (Elements{Face(0), Face(1)}));
   const std::uint64_t moved = session_->mesh().hash();
   const auto again = open();
   for (const std::string& line : session_->log()) ASSERT_TRUE(again->run(line).done()) << line;
@@ -339,19 +339,19 @@ TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) 
   const std::uint64_t hash = session_->mesh().hash();
   const std::string edge = name_of(session_->mesh(), Edge(0)), select = "select " + edge;
   run({"mode edge", select.c_str(), "key E"});
-  ASSERT_TRUE(session_->gesture());
-  ASSERT_EQ(session_->selection.size(), 1u);
-  EXPECT_NE(name_of(session_->mesh(), session_->selection[0]), edge) << "what moves";
+  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_EQ(session_->selecting.selection.size(), 1u);
+  EXPECT_NE(name_of(session_->mesh(), session_->selecting.selection[0]), edge) << "what moves";
   EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has moved yet";
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
-  EXPECT_EQ(session_->selection, Elements{Edge(0)});
+  EXPECT_EQ(session_->selecting.selection, Elements{Edge(0)});
   run({"key E", "key Z", "key 2", "key Enter"});
   ASSERT_EQ(session_->document().history().size(), 1u);
   EXPECT_EQ(session_->document().history()[0].command, "extrude_edges " + edge + " 0,0,2");
-  ASSERT_EQ(session_->selection.size(), 1u);
-  const Element top = session_->selection[0];
+  ASSERT_EQ(session_->selecting.selection.size(), 1u);
+  const Element top = session_->selecting.selection[0];
   ASSERT_EQ(top.kind, Element::Kind::edge);
   EXPECT_NE(name_of(session_->mesh(), top), edge) << "the new edge";
   run({"key E", "key Z", "key 1", "key Enter"});
@@ -368,15 +368,15 @@ TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) 
 TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"mode edge", "select 0-1", "key Shift+E"});
-  ASSERT_TRUE(session_->gesture());
+  ASSERT_TRUE(session_->gesturing.transform());
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
   run({"select 0-1", "move 500,300", "key Shift+E", "move 560,350"});
-  const Vertex made = session_->gesture()->moved()[0].point;
-  const glm::dvec3 shown = session_->drawn_positions()[made.index];
+  const Vertex made = session_->gesturing.transform()->moved()[0].point;
+  const glm::dvec3 shown = session_->gesturing.drawn_positions()[made.index];
   run({"press left 560,350", "release left 560,350"});
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   ASSERT_EQ(session_->document().history().size(), 1u);
   EXPECT_TRUE(session_->document().history()[0].command.starts_with("split 0-1 "));
   EXPECT_NEAR(glm::length(session_->mesh().position(made) - shown), 0, 1e-12) << "what was shown is what is there";
@@ -393,7 +393,7 @@ TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
 TEST_F(GestureTest, splitting_begins_under_the_tool) {
   const Mesh& mesh = session_->mesh();
   run({"tool split"});
-  const auto seen = session_->pick({478, 488}, PickMode::edge);
+  const auto seen = session_->pointing.pick({478, 488}, PickMode::edge);
   ASSERT_TRUE(seen);
   run({"move 478,488", "key Shift+E", "key Enter"});
   ASSERT_EQ(session_->document().history().size(), 1u);
@@ -438,13 +438,13 @@ TEST_F(MadeByHandTest, one_hand_is_one_entry_and_one_undo) {
       run({made.select, made.begin});
       EXPECT_EQ(coincident(), lay_on_others) << "nothing is listed that is only on trial";
       run(moved);
-      EXPECT_FALSE(session_->gesture());
+      EXPECT_FALSE(session_->gesturing.transform());
       ASSERT_EQ(session_->document().history().size(), 2u);
       ASSERT_EQ(session_->log().size(), 2u);
       EXPECT_TRUE(session_->log()[1].starts_with(made.line)) << session_->log()[1];
       EXPECT_EQ(session_->document().history()[1].command, session_->log()[1]);
       EXPECT_EQ(coincident(), lay_on_others);
-      EXPECT_FALSE(session_->selection.empty());
+      EXPECT_FALSE(session_->selecting.selection.empty());
       const std::uint64_t after = session_->mesh().hash();
       EXPECT_NE(after, before);
       const auto again = open();
@@ -473,18 +473,18 @@ TEST_F(MadeByHandTest, given_up_it_leaves_nothing) {
       session_ = open();
       run({"poke f10", made.select, "move 640,360"});
       const std::uint64_t before = session_->mesh().hash();
-      const Elements selected = session_->selection;
+      const Elements selected = session_->selecting.selection;
       run({made.begin, "move 700,300"});
-      ASSERT_TRUE(session_->gesture());
+      ASSERT_TRUE(session_->gesturing.transform());
       EXPECT_NE(session_->mesh().hash(), before);
       std::string said;
       for (const std::string& line : end) said += session_->run(line).sentence.en;
-      EXPECT_FALSE(session_->gesture());
+      EXPECT_FALSE(session_->gesturing.transform());
       EXPECT_EQ(session_->mesh().hash(), before);
       EXPECT_EQ(session_->document().position(), 1u);
       EXPECT_EQ(coincident(), 0u);
       if (end[0] == "undo" || end[0] == "poke f20") continue;
-      EXPECT_EQ(session_->selection, selected);
+      EXPECT_EQ(session_->selecting.selection, selected);
       EXPECT_EQ(session_->document().history().size(), 1u);
       EXPECT_EQ(session_->log().size(), 1u);
       const bool is_of_copy = std::string_view(made.line).starts_with("duplicate");
@@ -501,7 +501,7 @@ TEST_F(MadeByHandTest, a_copy_that_is_not_moved_stays_where_that_is_confirmed_an
       << confirmed.sentence.en;
   EXPECT_NE(confirmed.sentence.ja.find("複製は元と"), std::string::npos) << confirmed.sentence.ja;
   EXPECT_EQ(session_->log(), std::vector<std::string>{"duplicate elements=f0,f1 by=0,0,0"});
-  EXPECT_EQ(session_->selection, (Elements{Face(96), Face(97)}));
+  EXPECT_EQ(session_->selecting.selection, (Elements{Face(96), Face(97)}));
   EXPECT_EQ(coincident(), 8u) << "four points and their copies";
   run({"undo"});
   EXPECT_EQ(coincident(), 0u);
@@ -516,7 +516,7 @@ TEST_F(MadeByHandTest, extruding_by_nothing_is_done_and_said_and_scaling_then_in
       run({select, "move 640,360"});
       const std::uint64_t before = session_->mesh().hash();
       const bool is_of_edges = std::string_view(select) == "select 0-1";
-      const Elements faces = session_->selection;
+      const Elements faces = session_->selecting.selection;
       run({"key E"});
       for (const char* c = number; *c; ++c) run({("key " + std::string(1, *c)).c_str()});
       const Outcome outcome = session_->run("key Enter");
@@ -528,7 +528,7 @@ TEST_F(MadeByHandTest, extruding_by_nothing_is_done_and_said_and_scaling_then_in
       EXPECT_GT(session_->mesh().live().faces, 96u);
       EXPECT_GT(coincident(), 0u);
       if (!is_of_edges) {
-        EXPECT_EQ(session_->selection, faces);
+        EXPECT_EQ(session_->selecting.selection, faces);
         run({"key Shift+S", "key .", "key 5", "key Enter"});
         EXPECT_EQ(coincident(), 0u) << "the faces lie within a rim";
         EXPECT_EQ(flat_faces(*session_), 0u);
@@ -548,8 +548,8 @@ TEST_F(MadeByHandTest, takes_no_falloff_and_says_so) {
     run({made.select, made.begin});
     const Outcome outcome = session_->run("key O");
     EXPECT_NE(outcome.sentence.en.find("moves alone"), std::string::npos) << made.begin;
-    EXPECT_FALSE(session_->gesture()->has_falloff());
-    EXPECT_FALSE(session_->widen_gesture(1));
+    EXPECT_FALSE(session_->gesturing.transform()->has_falloff());
+    EXPECT_FALSE(session_->gesturing.widen(1));
     run({"key Escape"});
   }
 }
@@ -557,7 +557,7 @@ TEST_F(MadeByHandTest, takes_no_falloff_and_says_so) {
 TEST_F(MadeByHandTest, a_copy_needs_a_selection) {
   run({"select none"});
   EXPECT_EQ(session_->run("gesture duplicate").exit_code, ExitCode::refused);
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_TRUE(session_->log().empty());
 }
 
@@ -567,16 +567,16 @@ TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_wha
   ASSERT_TRUE(session_->document().save(saved));
   const std::uint64_t hash = session_->mesh().hash();
   run({"select f0 f1 v3 0-1"});
-  const Elements selected = session_->selection;
+  const Elements selected = session_->selecting.selection;
   for (const char* end : {"key Escape", "press right 700,300"}) {
     run({"key E"});
     EXPECT_NE(session_->mesh().hash(), hash);
     EXPECT_FALSE(session_->document().is_modified());
     EXPECT_EQ(session_->log().size(), 3u);
     run({"key 3", end});
-    EXPECT_FALSE(session_->gesture());
+    EXPECT_FALSE(session_->gesturing.transform());
     EXPECT_EQ(session_->mesh().hash(), hash);
-    EXPECT_EQ(session_->selection, selected);
+    EXPECT_EQ(session_->selecting.selection, selected);
     EXPECT_FALSE(session_->document().is_modified());
   }
   run({"release right 700,300", "redo"});
@@ -588,7 +588,7 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   run({"mode face", "poke f9", "select f0 f1"});
   const std::uint64_t hash = session_->mesh().hash();
   run({"key E", "undo"});
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_EQ(session_->document().position(), 0u);
   run({"redo"});
   EXPECT_EQ(session_->mesh().hash(), hash);
@@ -599,12 +599,12 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   EXPECT_EQ(session_->mesh().hash(), hash);
   run({"select f0 f1", "key E"});
   EXPECT_FALSE(session_->run("select v100000").done()) << "and asks whether it was there at another time";
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_EQ(session_->mesh().hash(), hash);
-  EXPECT_EQ(session_->selection.size(), 2u) << "the faces that were to be pulled";
+  EXPECT_EQ(session_->selecting.selection.size(), 2u) << "the faces that were to be pulled";
   run({"key E"});
   session_->run("click 640,360 poke");
-  EXPECT_FALSE(session_->gesture());
+  EXPECT_FALSE(session_->gesturing.transform());
   EXPECT_EQ(session_->mesh().hash(), hash) << "there is nothing in the middle of a ring";
 }
 

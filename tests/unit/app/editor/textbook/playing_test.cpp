@@ -47,13 +47,13 @@ TEST(playing, what_is_written_is_the_document) {
 TEST(playing, lines_about_elements_see_the_document_and_the_player_goes_on) {
   const auto session = playing_session("cube.obj");
   do_all(*session, {"steps script square", "steps at 5", "expect V 8", "select v7", "measure v0 v7", "expect F 6"});
-  EXPECT_EQ(session->selection, Elements{Vertex(7)});
+  EXPECT_EQ(session->selecting.selection, Elements{Vertex(7)});
   ASSERT_TRUE(session->shown.player());
   EXPECT_FALSE(session->shown.shows(ShownBy::step));
   do_all(*session, {"steps forward"});
   EXPECT_EQ(session->shown.player()->position(), 6u);
   EXPECT_TRUE(session->shown.shows(ShownBy::step));
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
 }
 
 TEST(playing, a_tool_points_at_nothing_of_a_step) {
@@ -63,8 +63,8 @@ TEST(playing, a_tool_points_at_nothing_of_a_step) {
   for (const OpInfo& op : all_ops()) {
     if (!session->run("tool " + std::string(op.id)).done()) continue;  // one that no click does
     over_the_view(*session, [&](glm::dvec2 pixel) {
-      session->point_at(pixel);
-      EXPECT_FALSE(session->hover()) << op.id;
+      session->pointing.point_at(pixel);
+      EXPECT_FALSE(session->selecting.hover()) << op.id;
     });
   }
   EXPECT_EQ(session->mesh().hash(), shown);
@@ -73,8 +73,8 @@ TEST(playing, a_tool_points_at_nothing_of_a_step) {
 TEST(playing, a_tool_in_hand_that_is_refused_does_not_end_what_begins_to_be_shown) {
   const auto session = playing_session("cube.obj");
   do_all(*session, {"tool collapse"});
-  over_the_view(*session, [&](glm::dvec2 pixel) { session->point_at(pixel); });
-  session->point_at({640, 360});
+  over_the_view(*session, [&](glm::dvec2 pixel) { session->pointing.point_at(pixel); });
+  session->pointing.point_at({640, 360});
   do_all(*session, {"steps script square", "steps last"});
   EXPECT_TRUE(session->shown.is_replaced());
 }
@@ -85,15 +85,15 @@ TEST(playing, clicks_leave_the_step_and_select_nothing) {
   const std::uint64_t shown = session->mesh().hash();
   for (const char* const tool : {"", "poke", "collapse"})
     over_the_view(*session, [&](glm::dvec2 pixel) {
-      EXPECT_EQ(session->click(pixel, tool).exit_code, ExitCode::refused);
-      session->select_for_menu(pixel);
+      EXPECT_EQ(session->pointing.click(pixel, tool).exit_code, ExitCode::refused);
+      session->pointing.select_for_menu(pixel);
     });
   EXPECT_EQ(session->run("box 0,0 1279,719").exit_code, ExitCode::refused);
   do_all(*session, {"camera {}", "view front", "mode edge", "show creases on"});
   EXPECT_EQ(session->mesh().hash(), shown);
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
   do_all(*session, {"steps close"});
-  EXPECT_EQ(session->selection, Elements{Face(0)});
+  EXPECT_EQ(session->selecting.selection, Elements{Face(0)});
   EXPECT_TRUE(session->document().history().empty());
 }
 
@@ -116,7 +116,7 @@ TEST(playing, the_mesh_beneath_is_not_edited) {
     }
     do_all(*session, {std::string(shows) == "levels" ? "levels close" : "steps close"});
     EXPECT_TRUE(session->document().history().empty());
-    EXPECT_EQ(session->selection, Elements{Face(0)});
+    EXPECT_EQ(session->selecting.selection, Elements{Face(0)});
   }
   do_all(*session, {"delete selected"});
   EXPECT_EQ(session->mesh().live().faces, 5u);
@@ -166,14 +166,14 @@ TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {
   const std::vector<std::uint32_t> found = session->findings().highlights().of(ProblemKind::self_intersection).to_vector();
   do_all(*session, {"steps last"});
   ASSERT_TRUE(session->shown.is_replaced());
-  EXPECT_TRUE(session->selection.empty());
+  EXPECT_TRUE(session->selecting.selection.empty());
   EXPECT_TRUE(session->findings().hidden().empty());
   do_all(*session, {"steps first"});
   EXPECT_FALSE(session->shown.is_replaced());
-  EXPECT_EQ(session->selection, Elements{Face(0)});
+  EXPECT_EQ(session->selecting.selection, Elements{Face(0)});
   do_all(*session, {"steps last", "steps close"});
-  EXPECT_EQ(session->selection, Elements{Face(0)});
-  EXPECT_EQ(session->measures.size(), 1u);
+  EXPECT_EQ(session->selecting.selection, Elements{Face(0)});
+  EXPECT_EQ(session->selecting.measures.size(), 1u);
   EXPECT_TRUE(session->findings().hidden().hides(session->mesh(), Face(3)));
   EXPECT_EQ(session->findings().highlights().of(ProblemKind::self_intersection).to_vector(), found);
   EXPECT_TRUE(session->findings().has_searched(ProblemKind::self_intersection));
@@ -186,8 +186,8 @@ TEST(playing, findings_outlive_a_gesture_that_is_given_up) {
   file.mesh.face_offsets = {0, 3, 6};
   Session session(std::make_unique<Document>(std::move(file)));
   do_all(session, {"self_intersections", "select f0", "gesture extrude"});
-  session.cancel_gesture();
-  EXPECT_EQ(session.selection, Elements{Face(0)});
+  session.gesturing.cancel();
+  EXPECT_EQ(session.selecting.selection, Elements{Face(0)});
   EXPECT_TRUE(session.findings().has_searched(ProblemKind::self_intersection));
   EXPECT_EQ(session.findings().highlights().of(ProblemKind::self_intersection).size(), 2u);
 }
@@ -198,7 +198,7 @@ TEST(playing, a_mesh_that_is_pulled_is_not_written_and_not_asked) {
   ASSERT_NE(session->mesh().live().faces, 6u);
   EXPECT_EQ(session->document().contents().mesh.face_offsets.size(), 7u);
   do_all(*session, {"expect F 6"});
-  EXPECT_FALSE(session->gesture());
+  EXPECT_FALSE(session->gesturing.transform());
 }
 
 TEST(playing, players_differ_though_one_takes_the_place_of_the_other) {

@@ -76,16 +76,16 @@ TEST(text_places, select_what_faces_the_viewer_with_all_its_labels) {
   for (const TextPlace& place : text_places()) {
     if (place.lines.find("; select ") == std::string_view::npos) continue;
     const std::unique_ptr<Session> session = shown(place);
-    ASSERT_FALSE(session->selection.empty()) << place.lines;
+    ASSERT_FALSE(session->selecting.selection.empty()) << place.lines;
     ++selections;
     // Text 003 runs its faces clockwise, so that they are seen from behind.
     const double turn = place.text == "003" ? -1 : 1;
-    for (const Face f : faces_of(session->mesh(), session->selection.back())) {
+    for (const Face f : faces_of(session->mesh(), session->selecting.selection.back())) {
       ASSERT_TRUE(f) << place.lines;
       EXPECT_GT(turn * area_seen(*session, f), 0.02 * session->view.size.width * session->view.size.height)
           << place.lines;
     }
-    const Element element = session->selection.back();
+    const Element element = session->selecting.selection.back();
     if (element.kind == Element::Kind::halfedge && session->mesh().live().faces > 1) {
       EXPECT_TRUE(session->mesh().face(twin(element.halfedge()))) << place.lines << ": its pair is shown, too";
     }

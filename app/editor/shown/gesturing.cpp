@@ -5,7 +5,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "app/editor/shown/gesturing.h"
+#include "app/editor/shown/ongoing_gesture.h"
 #include "app/editor/shown/snapping.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
@@ -89,53 +89,54 @@ std::vector<Vertex> coincident_by_made(const Mesh& mesh, const ProblemSets& sets
 
 }  // namespace
 
-std::span<const glm::dvec3> Session::drawn_positions() const {
-  return gesturing_ ? std::span<const glm::dvec3>(gesturing_->places) : mesh().positions();
+const Mesh& Gesturing::mesh() const { return session_.mesh(); }
+
+std::span<const glm::dvec3> Gesturing::drawn_positions() const {
+  return ongoing_ ? std::span<const glm::dvec3>(ongoing_->places) : mesh().positions();
 }
 
-const TransformGesture* Session::gesture() const { return gesturing_ ? &gesturing_->transform : nullptr; }
+const TransformGesture* Gesturing::transform() const { return ongoing_ ? &ongoing_->transform : nullptr; }
 
-std::span<const Face> Session::spoilt_by_gesture() const {
-  return gesturing_ ? std::span<const Face>(gesturing_->spoilt) : std::span<const Face>();
+std::span<const Face> Gesturing::spoilt() const {
+  return ongoing_ ? std::span<const Face>(ongoing_->spoilt) : std::span<const Face>();
 }
 
-Outcome Session::begin_gesture(PointTransform::Kind kind) {
-  shown.end();
-  cancel_gesture();
-  if (selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
-  begin_gesture_with(kind, selection);
+Outcome Gesturing::begin(PointTransform::Kind kind) {
+  session_.shown.end();
+  cancel();
+  if (session_.selecting.selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  begin_with(kind, session_.selecting.selection);
   return {};
 }
 
-void Session::begin_gesture_with(PointTransform::Kind kind, Elements elements) {
+void Gesturing::begin_with(PointTransform::Kind kind, Elements elements) {
   const glm::dvec3 middle = middle_of(mesh(), points_of(mesh(), elements));
-  glm::dvec2 start = view.pointer - view.origin;
-  if (start.x < 0 || start.y < 0 || start.x >= view.size.width || start.y >= view.size.height) {
-    const auto seen = project(view.camera, view.size, middle);
-    start = (seen ? seen->pixel : 0.5 * glm::dvec2(view.size.width, view.size.height)) + glm::dvec2(60, 0);
+  glm::dvec2 start = session_.view.pointer - session_.view.origin;
+  if (start.x < 0 || start.y < 0 || start.x >= session_.view.size.width || start.y >= session_.view.size.height) {
+    const auto seen = project(session_.view.camera, session_.view.size, middle);
+    start = (seen ? seen->pixel : 0.5 * glm::dvec2(session_.view.size.width, session_.view.size.height)) + glm::dvec2(60, 0);
   }
   const std::span<const glm::dvec3> places = mesh().positions();
-  gesturing_.reset(new Gesturing{TransformGesture(kind, mesh(), std::move(elements), start),
+  ongoing_.reset(new Ongoing{TransformGesture(kind, mesh(), std::move(elements), start),
                                  {places.begin(), places.end()},
                                  {},
                                  {},
                                  {},
                                  {},
                                  {},
-                                 start + view.origin});
-  TransformGesture& transform = gesturing_->transform;
-  if (const Vertex held = held_point(*this, transform.moved(), start)) transform.hold(mesh(), held);
-  hover_.reset();
-  pointed_handle_ = nullptr;
-  pointed_axis_end_ = nullptr;
-  release_verdict();
+                                 start + session_.view.origin});
+  TransformGesture& transform = ongoing_->transform;
+  if (const Vertex held = held_point(session_, transform.moved(), start)) transform.hold(mesh(), held);
+  session_.selecting.point_to({});
+  session_.selecting.release_verdict();
+  session_.pointing.leave_handles();
   follow_what_moves();
 }
 
 // After another set of points is moved.
-void Session::follow_what_moves() {
-  Gesturing& g = *gesturing_;
-  note_gesture();
+void Gesturing::follow_what_moves() {
+  Ongoing& g = *ongoing_;
+  note();
   judge_as_is();
   const std::span<const glm::dvec3> places = mesh().positions();
   for (const Vertex v : g.touched.moved) g.places[v.index] = places[v.index];
@@ -143,28 +144,28 @@ void Session::follow_what_moves() {
   g.own.reset();
   g.triangles.clear();
   for (const Face f : g.touched.faces)
-    for (const std::uint32_t slot : findings_->picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
-  show_gesture();
+    for (const std::uint32_t slot : session_.findings().picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
+  show();
 }
 
 // The places as the gesture has them.
-void Session::show_gesture() {
-  Gesturing& g = *gesturing_;
+void Gesturing::show() {
+  Ongoing& g = *ongoing_;
   for (const MovedPoint& each : g.transform.moved()) {
     const glm::dvec3 place = g.transform.place(mesh(), each);
     for_each_copy(mesh(), each.point, [&](Vertex copy) { g.places[copy.index] = place; });
   }
   g.spoilt = spoilt_faces(mesh(), g.touched.faces, g.places);
   judge_as_drawn();
-  note_gesture();
+  note();
 }
 
 // Neither listed is what an operator made and nothing has moved yet, which has no extent, nor that it lies on what it was
 // made of, which only the mesh on trial does.
-void Session::judge_as_drawn() {
-  HighlightSets* const sets = findings_->found_highlights();
-  if (!gesturing_ || !sets) return;
-  Gesturing& g = *gesturing_;
+void Gesturing::judge_as_drawn() {
+  HighlightSets* const sets = session_.findings().found_highlights();
+  if (!ongoing_ || !sets) return;
+  Ongoing& g = *ongoing_;
   if (g.pull && !g.unlisted) {
     g.unlisted = coincident_by_made(mesh(), sets->problems(), g.pull->first_made);
     list_coincident(false);
@@ -174,117 +175,117 @@ void Session::judge_as_drawn() {
     if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
     return row.face_at(mesh(), f, g.places);
   };
-  judge_faces(*sets, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { findings_->changes().note_mark(marked); });
+  judge_faces(*sets, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { session_.findings().changes().note_mark(marked); });
 }
 
-void Session::judge_as_is() {
-  HighlightSets* const sets = findings_->found_highlights();
-  if (!gesturing_ || !sets) return;
+void Gesturing::judge_as_is() {
+  HighlightSets* const sets = session_.findings().found_highlights();
+  if (!ongoing_ || !sets) return;
   list_coincident(true);
-  gesturing_->unlisted.reset();
+  ongoing_->unlisted.reset();
   judge_faces(
-      *sets, mesh(), gesturing_->touched.faces,
+      *sets, mesh(), ongoing_->touched.faces,
       [&](const ProblemRow& row, Face f) { return row.face_at(mesh(), f, mesh().positions()); },
-      [&](ChangeFeed::Marked marked) { findings_->changes().note_mark(marked); });
+      [&](ChangeFeed::Marked marked) { session_.findings().changes().note_mark(marked); });
 }
 
-void Session::list_coincident(bool are_listed) {
-  if (!gesturing_->unlisted) return;
+void Gesturing::list_coincident(bool are_listed) {
+  if (!ongoing_->unlisted) return;
   const ProblemRow& row = row_of(ProblemKind::coincident_points);
-  for (const Vertex v : *gesturing_->unlisted)
-    if (findings_->found_highlights()->put_member(row, v.index, are_listed)) findings_->changes().note_mark({mark_of(row.kind), v.index});
+  for (const Vertex v : *ongoing_->unlisted)
+    if (session_.findings().found_highlights()->put_member(row, v.index, are_listed)) session_.findings().changes().note_mark({mark_of(row.kind), v.index});
 }
 
-void Session::note_gesture() {
-  const Gesturing& g = *gesturing_;
-  ++gesture_step_;
-  for (const Vertex v : g.touched.moved) findings_->changes().note_vertex(v.index);
-  findings_->picker().note_changed(g.triangles);
-  if (findings_->found_highlights()) findings_->note_marks(g.touched);
+void Gesturing::note() {
+  const Ongoing& g = *ongoing_;
+  ++step_;
+  for (const Vertex v : g.touched.moved) session_.findings().changes().note_vertex(v.index);
+  session_.findings().picker().note_changed(g.triangles);
+  if (session_.findings().found_highlights()) session_.findings().note_marks(g.touched);
 }
 
-void Session::follow_gesture(glm::dvec2 pixel, Modifiers modifiers) {
-  Gesturing& g = *gesturing_;
+void Gesturing::follow(glm::dvec2 pixel, Modifiers modifiers) {
+  Ongoing& g = *ongoing_;
   g.pixel = pixel;
   g.modifiers = modifiers;
-  TransformGesture::Where where{.camera = view.camera,
-                                .view = view.size,
-                                .pixel = pixel - view.origin,
+  TransformGesture::Where where{.camera = session_.view.camera,
+                                .view = session_.view.size,
+                                .pixel = pixel - session_.view.origin,
                                 .snaps = modifiers.ctrl,
                                 .is_fine = modifiers.shift,
-                                .size_scale = preferences.size_scale()};
+                                .size_scale = session_.preferences.size_scale()};
   if (modifiers.ctrl && g.transform.is_movement()) {
     if (!g.own) g.own = passed_over(g.touched);
-    where.under = snap_target(*this, where.pixel, *g.own);
+    where.under = snap_target(session_, where.pixel, *g.own);
     if (!where.under && !g.step) g.step = step_of_ground(mesh());
     where.step = g.step.value_or(where.step);
   }
   g.transform.follow(mesh(), where);
-  show_gesture();
+  show();
 }
 
-std::optional<Outcome> Session::gesture_key(const std::string& chord) {
-  if (!gesturing_) return std::nullopt;
+std::optional<Outcome> Gesturing::key(const std::string& chord) {
+  if (!ongoing_) return std::nullopt;
   if (chord == "Escape") {
-    return give_up_gesture();
+    return give_up();
   } else if (chord == "Enter") {
-    return end_gesture();
-  } else if (chord == "O" && !gesturing_->transform.takes_falloff()) {
+    return end();
+  } else if (chord == "O" && !ongoing_->transform.takes_falloff()) {
     Outcome outcome;
     outcome.sentence = {"What is made here moves alone; a falloff is for what is there.",
                         "ここで作られる要素は単独で動きます。減衰は既存の要素の移動に使えます。"};
     return outcome;
-  } else if (gesturing_->transform.key(mesh(), chord)) {
+  } else if (ongoing_->transform.key(mesh(), chord)) {
     follow_what_moves();
-    follow_gesture(gesturing_->pixel, gesturing_->modifiers);
+    follow(ongoing_->pixel, ongoing_->modifiers);
   }
   return Outcome();
 }
 
-bool Session::widen_gesture(double steps) {
-  if (!gesturing_ || !gesturing_->transform.widen(mesh(), steps)) return false;
+bool Gesturing::widen(double steps) {
+  if (!ongoing_ || !ongoing_->transform.widen(mesh(), steps)) return false;
   follow_what_moves();
   return true;
 }
 
-Outcome Session::end_gesture() {
-  if (!gesturing_) return {};
-  const Gesturing& g = *gesturing_;
+Outcome Gesturing::end() {
+  if (!ongoing_) return {};
+  const Ongoing& g = *ongoing_;
   const bool does_nothing = g.transform.does_nothing();
-  if (does_nothing && !g.pull) return give_up_gesture();
-  const std::optional<Gesturing::Pull> pull = g.pull;
+  if (does_nothing && !g.pull) return give_up();
+  const std::optional<Ongoing::Pull> pull = g.pull;
   const std::string line =
       !pull          ? g.transform.line(mesh())
       : does_nothing ? pull->line + pull->by_nothing
                      : pull->line + format_place(pull->from.value_or(glm::dvec3(0)) + *g.transform.movement());
-  cancel_gesture();
-  Outcome outcome = run(line);
+  cancel();
+  Outcome outcome = session_.run(line);
   if (!outcome.done() || !pull) return outcome;
-  if (!pull->selected.empty()) selection = pull->selected;
+  if (!pull->selected.empty()) session_.selecting.selection = pull->selected;
   if (does_nothing && !pull->made_by_nothing.en.empty()) outcome.say(pull->made_by_nothing);
   return outcome;
 }
 
-Outcome Session::give_up_gesture() {
+Outcome Gesturing::give_up() {
   Outcome outcome;
-  if (gesturing_ && gesturing_->pull) outcome.sentence = gesturing_->pull->given_up;
-  cancel_gesture();
+  if (ongoing_ && ongoing_->pull) outcome.sentence = ongoing_->pull->given_up;
+  cancel();
   return outcome;
 }
 
 // The view is as it was. One that pulls faces out is still to be taken back by the document.
-void Session::forget_gesture() {
-  if (!gesturing_) return;
+void Gesturing::forget() {
+  if (!ongoing_) return;
   judge_as_is();
-  note_gesture();
-  gesturing_.reset();
+  note();
+  ongoing_.reset();
 }
 
-void Session::cancel_gesture() {
-  if (gesturing_) shown.end();  // what it makes
-  forget_gesture();
+void Gesturing::cancel() {
+  if (ongoing_) session_.shown.end();  // what it makes
+  forget();
 }
 
-void Session::GesturingDeleter::operator()(Gesturing* gesturing) const { delete gesturing; }
+void Gesturing::OngoingDeleter::operator()(Ongoing* ongoing) const { delete ongoing; }
 
 }  // namespace ryosen

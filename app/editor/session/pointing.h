@@ -1,0 +1,78 @@
+// What a view has at a pixel, and what the pointer does there. Pixels count from the upper left corner of the picture or
+// window.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/editor/camera/view_state.h"
+#include "app/editor/input/corner_axes.h"
+#include "app/editor/input/gizmo.h"
+#include "app/editor/session/selecting.h"
+#include "ryosen/document/outcome.h"
+#include "ryosen/pick/picker.h"
+
+namespace ryosen {
+
+class Session;
+
+class Pointing {
+ public:
+  explicit Pointing(Session& session);
+
+  // Hovering. The picker is updated after every edit.
+  void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
+  void point_away();
+  // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
+  // pointer is.
+  Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
+  // What a menu at a pixel is about is selected, if it is not so already.
+  void select_for_menu(glm::dvec2 pixel);
+
+  // The element of the document under a pixel; none outside the view, and none while another mesh is on trial.
+  std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
+  // What a click there would select: as that edits nothing, it reaches farther on the surface.
+  std::optional<Picked> pick_to_select(glm::dvec2 pixel, PickMode what);
+  // What is drawn under a pixel, for who needs its place alone.
+  std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px = pick_radius_px);
+  Picker::Depth pick_depth() const;
+  // Only the picked element; the others are none.
+  OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
+
+  // The handles that move the selection, where the switch shows them: with Select in hand, at the middle of what is
+  // selected. None while it is moved.
+  std::optional<Gizmo> gizmo() const;
+  // The one at a pixel; none where Shift or Alt ask for something else. And the one that the pointer is on.
+  const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
+  const HandleRow* pointed_handle() const { return pointed_handle_; }
+  // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel, and the
+  // one that the pointer is on. A click on one looks from there.
+  std::optional<CornerAxes> axes_in_corner() const;
+  const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
+  const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }
+
+  // The pointer is on no handle and no axis: a gesture begins, or the mesh is another.
+  void leave_handles() { pointed_handle_ = nullptr, pointed_axis_end_ = nullptr; }
+
+ private:
+  const Mesh& mesh() const;
+  void look_at(glm::dvec2 pixel, Modifiers modifiers);
+  const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
+  Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
+  Outcome use_tool(glm::dvec2 pixel, const Picked& picked, const std::string& tool, Modifiers modifiers);
+
+  Session& session_;
+  ViewState& view_;
+  Selecting& selecting_;
+  const HandleRow* pointed_handle_ = nullptr;
+  const AxisEnd* pointed_axis_end_ = nullptr;
+  struct Middle {
+    std::uint64_t selection = 0;  // by its stamp
+    std::uint64_t document = 0, revision = 0;
+    glm::dvec3 place{0};
+  };
+  mutable Middle middle_;  // of the selection, as it was last asked for
+};
+
+}  // namespace ryosen

@@ -17,6 +17,8 @@ Session::Session(std::unique_ptr<Document> document) {
   set_document(std::move(document));
 }
 
+Session::~Session() { trials.forget(); }  // one that goes on reads the document
+
 bool Session::is_at_start() const {
   return !begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
 }
@@ -51,7 +53,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   files = std::move(files_then);
   view.camera = framed_ = camera_then;
   shown.forget();
-  forget_derived();
+  forget_pointed();
   selecting.begin_document();
   view.colouring.reset();
   view.links.forget_trail();
@@ -60,8 +62,12 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 }
 
 void Session::forget_derived() {
-  shown.forget_aside();
   findings_->forget();
+  forget_pointed();
+}
+
+void Session::forget_pointed() {
+  shown.forget_aside();
   selecting.forget_pointed();
   pointing.leave_handles();
   gesturing.drop();

@@ -33,6 +33,7 @@ class Autosave;
 class Session {
  public:
   explicit Session(std::unique_ptr<Document> document);
+  ~Session();
 
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
@@ -115,6 +116,7 @@ class Session {
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
+  void forget_pointed();  // and what was put aside for a trial
 
   std::unique_ptr<Session> beside_;
   std::unique_ptr<Document> document_;

@@ -66,6 +66,7 @@ Vertex ArgumentReader::copy() {
   const std::string name(peek());
   const Vertex v = vertex();
   if (failed() || !has_copies(mesh_, v) || name.find('@') != std::string::npos) return v;
+  if (name_of_copy(mesh_, v).find('@') == std::string::npos) return v;  // without a face its number is its name
   std::string list;
   for_each_copy(mesh_, v, [&](Vertex copy) { list += (list.empty() ? "" : ", ") + name_of_copy(mesh_, copy); });
   fail(NameError::ambiguous, {name + " lies on several sheets; choose one of " + list,

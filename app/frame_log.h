@@ -10,12 +10,13 @@
 namespace ryosen {
 
 class Session;
+struct Layout;
 class FrameLog {
  public:
   FrameLog();
 
   // With the panel that lies over the view meanwhile.
-  void reading(const Session& session, const std::filesystem::path& file);
+  void reading(const Layout& layout, const std::filesystem::path& file);
   void progress(double share);
   // The pixels that were drawn, the time that took, what is shown, and what was said of the last command.
   void frame(const Session& session, const Text& said, std::int64_t pixels, double took_ms);

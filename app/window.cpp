@@ -62,7 +62,7 @@ class Editor {
     if (!said.en.empty()) gui_.keep(session_, failed(ExitCode::input_malformed, said));
     if (gui_.prepare(session_)) canvas_->set_fonts(gui_.fonts());  // of the size that the user prefers
     resize();
-    session_.frame_all();
+    session_.framing.frame_all();
     viewport_->prepare_refining(session_);
     session_.frontend.autosave = &autosave_;
     autosave_.begin(session_.document());
@@ -74,7 +74,7 @@ class Editor {
     Result<std::unique_ptr<Document>> document = read_beside(file);
     if (!document) return document.failure().exit_code == ExitCode::cancelled ? success() : document.failure();
     session_.set_document(std::move(document).value());
-    session_.frame_all();
+    session_.framing.frame_all();
     return success();
   }
 
@@ -111,7 +111,7 @@ class Editor {
   // Not while a file is read: that has a dialog of its own.
   void offer_recovery() {
     // Why the folder cannot be read is said to whoever asks for the list.
-    if (list_lost_sessions(session_) && !session_.lost.empty())
+    if (list_lost_sessions(session_.lost) && !session_.lost.empty())
       session_.layout.show(panel_opened_by(PanelOpener::lost_sessions), true);
   }
 
@@ -202,12 +202,12 @@ class Editor {
 
   void resize() {
     const Size size = window_.size();
-    const bool frames_anew = size != canvas_->size() && session_.is_framed();
+    const bool frames_anew = size != canvas_->size() && session_.framing.is_framed();
     canvas_->resize(size);
     gui_.set_scale(window_.scale());
     session_.preferences.display_scale = window_.scale();
     gui_.place_view(session_, size);
-    if (frames_anew) session_.frame_all();
+    if (frames_anew) session_.framing.frame_all();
     input_.resize(size);
   }
 
@@ -232,7 +232,7 @@ class Editor {
   // Says meanwhile what is read. What was given up ends beside the frames, at the latest with the window.
   Result<std::unique_ptr<Document>> read_beside(const std::filesystem::path& file) {
     std::erase_if(given_up_, [](const auto& opening) { return opening->is_done({}); });
-    log_.reading(session_, file);
+    log_.reading(session_.layout, file);
     auto opening = std::make_unique<Opening>(file);
     is_working_ = true;
     is_cancelled_ = false;
@@ -256,13 +256,13 @@ class Editor {
   }
 
   void show_empty() {
-    session_.awaits_file = true;
+    session_.frontend.awaits_file = true;
     catch_up();
     viewport_->follow(session_);
     compose();
     canvas_->present(0);
     glfw().swap_buffers(window_.handle());
-    session_.awaits_file = false;
+    session_.frontend.awaits_file = false;
   }
 
   void end_work() {
@@ -310,7 +310,7 @@ class Editor {
     std::int64_t pixels = 0, drawn = 0;
     do {
       const Clock::time_point drawing = Clock::now();
-      viewport_->keep_pace(session_, drawing);
+      viewport_->keep_pace(session_.view, drawing);
       drawn = compose();
       pixels += drawn;
       if (drawn == 0) break;

@@ -56,7 +56,7 @@ class EditRun {
         skip_refused_(skip_refused),
         console_(console),
         session_(std::move(document)) {
-    session_.strict = strict;
+    session_.frontend.is_strict = strict;
     session_.shown.has_view = false;
     session_.files = files_.of_run;
     session_.frontend.quit = [this] { stopped_ = true; };
@@ -184,7 +184,7 @@ class EditRun {
 
   void write() {
     begin_another_step();
-    output_ = write_output(session_.document(), session_.files, *files_.output, session_.strict, console_);
+    output_ = write_output(session_.document(), session_.files, *files_.output, session_.frontend.is_strict, console_);
     if (output_.is_there) written_ = *files_.output;
     if (!output_.failure) {
       if (const auto found = file_findings_text(session_.document(), *files_.output)) console_.note(*found);

@@ -2,8 +2,10 @@
 
 #include <utility>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/input/axis_letters.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/pointing.h"
 
 namespace ryosen {
 
@@ -12,11 +14,14 @@ namespace {
 // Draws in pixels of the view, on the plane of the target of the camera.
 class CornerPainter {
  public:
-  CornerPainter(const Session& session, const CornerAxes& corner, Theme theme)
-      : session_(session),
+  CornerPainter(const ViewState& view, const Pointing& pointing, const Preferences& preferences,
+                const CornerAxes& corner, Theme theme)
+      : view_(view),
+        pointing_(pointing),
+        preferences_(preferences),
         corner_(corner),
         theme_(theme),
-        depth_(depth_of(session.view.camera, session.view.camera.target)) {}
+        depth_(depth_of(view.camera, view.camera.target)) {}
 
   Overlay drawn() {
     for (const PlacedAxisEnd& placed : corner_.ends) draw(placed);
@@ -25,7 +30,7 @@ class CornerPainter {
 
  private:
   void draw(const PlacedAxisEnd& placed) {
-    const bool is_pointed = placed.end == session_.pointing.pointed_axis_end();
+    const bool is_pointed = placed.end == pointing_.pointed_axis_end();
     const Rgba colour = palette(theme_).axes[static_cast<std::size_t>(placed.end->axis)];
     const Rgba ink = rgb(0x0C1018);
     if (placed.end->is_negative) {
@@ -45,15 +50,17 @@ class CornerPainter {
   // A line without length is as round as it is wide.
   void disc(const PlacedAxisEnd& placed, double share, Rgba colour) {
     line(placed.pixel, placed.pixel, colour,
-         static_cast<float>(2 * share * placed.radius_px / session_.preferences.size_scale()));
+         static_cast<float>(2 * share * placed.radius_px / preferences_.size_scale()));
   }
   void line(glm::dvec2 a, glm::dvec2 b, Rgba colour, float width_px) {
-    const auto at = [&](glm::dvec2 pixel) { return place_at(session_.view.camera, session_.view.size, pixel, depth_); };
+    const auto at = [&](glm::dvec2 pixel) { return place_at(view_.camera, view_.size, pixel, depth_); };
     overlay_.lines.push_back({at(a), at(b), colour, LineStyle::solid, width_px, 1});
   }
 
   static constexpr float arm_px = 2.5f, letter_px = 1.6f;
-  const Session& session_;
+  const ViewState& view_;
+  const Pointing& pointing_;
+  const Preferences& preferences_;
   const CornerAxes& corner_;
   Theme theme_;
   double depth_;
@@ -62,9 +69,9 @@ class CornerPainter {
 
 }  // namespace
 
-Overlay axes_overlay(const Session& session, Theme theme) {
-  const auto corner = session.pointing.axes_in_corner();
-  return corner ? CornerPainter(session, *corner, theme).drawn() : Overlay();
+Overlay axes_overlay(const ViewState& view, const Pointing& pointing, const Preferences& preferences, Theme theme) {
+  const auto corner = pointing.axes_in_corner();
+  return corner ? CornerPainter(view, pointing, preferences, *corner, theme).drawn() : Overlay();
 }
 
 }  // namespace ryosen

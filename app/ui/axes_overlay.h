@@ -6,9 +6,11 @@
 
 namespace ryosen {
 
-class Session;
+class Pointing;
+struct Preferences;
+struct ViewState;
 
 // Nothing where they are not shown.
-Overlay axes_overlay(const Session& session, Theme theme);
+Overlay axes_overlay(const ViewState& view, const Pointing& pointing, const Preferences& preferences, Theme theme);
 
 }  // namespace ryosen

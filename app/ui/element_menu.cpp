@@ -2,13 +2,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/findings.h"
 #include "app/editor/session/operator_selection.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/selecting.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 #include "ryosen/ops/groups.h"
 #include "ryosen/ops/lines/arguments.h"
@@ -19,8 +23,8 @@ namespace ryosen {
 namespace {
 
 void operator_item(PanelContext& context, const OpInfo& op) {
-  const std::string line = std::string(op.id) + " selected", chord = chord_of(context.session, line);
-  const Offer offer = offer_on_selection(context.session, op);
+  const std::string line = std::string(op.id) + " selected", chord = chord_of(context.preferences, line);
+  const Offer offer = offer_on_selection(context.findings(), context.selecting, op);
   if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, offer.may_be)) context.run(line);
   std::string help = context.text(op.help_en, op.help_ja);
   for (const Text& sentence : offer.why_not) help += "\n" + sentence.in(context.language());
@@ -29,15 +33,16 @@ void operator_item(PanelContext& context, const OpInfo& op) {
 
 // What takes a place as well: the line is begun with the middle of the element, for the user to change.
 void place_item(PanelContext& context, const OpInfo& op) {
-  const Elements& selection = context.session.selecting.selection;
-  if (selection.size() != 1 || op.on_selection != OnSelection::each || !offer_on_selection(context.session, op).may_be)
+  const Elements& selection = context.selecting.selection;
+  if (selection.size() != 1 || op.on_selection != OnSelection::each ||
+      !offer_on_selection(context.findings(), context.selecting, op).may_be)
     return;
-  const std::string name = context.session.selecting.selected_names()[0];
+  const std::string name = context.selecting.selected_names()[0];
   const std::string_view words[] = {name, "0,0,0"};
   if (first_misfit(op.syntax, words)) return;
   const std::string label =
       std::string(context.text(op.name_en, op.name_ja)) + context.text(" at X,Y,Z...", "（座標を指定）...");
-  const glm::dvec3 middle = middle_of(context.session.mesh(), selection[0]);
+  const glm::dvec3 middle = middle_of(context.mesh(), selection[0]);
   if (ImGui::MenuItem(label.c_str()))
     context.begin_command(std::string(op.id) + " " + name + " " + format_place(middle));
   tip(context.text(op.help_en, op.help_ja));
@@ -46,8 +51,9 @@ void place_item(PanelContext& context, const OpInfo& op) {
 // What unites several may do so in their middle too.
 void middle_item(PanelContext& context, const OpInfo& op) {
   constexpr std::string_view middle[] = {"mid"};
-  if (op.on_selection != OnSelection::into_last || !fits_selection(context.session, op, middle)) return;
-  const std::string line = std::string(op.id) + " selected mid", chord = chord_of(context.session, line);
+  if (op.on_selection != OnSelection::into_last || !fits_selection(context.findings(), context.selecting, op, middle))
+    return;
+  const std::string line = std::string(op.id) + " selected mid", chord = chord_of(context.preferences, line);
   const std::string label =
       std::string(context.text(op.name_en, op.name_ja)) + context.text(" in the middle", "（中央）");
   if (ImGui::MenuItem(label.c_str(), chord.c_str())) context.run(line);
@@ -56,7 +62,7 @@ void middle_item(PanelContext& context, const OpInfo& op) {
 
 void operator_items(PanelContext& context, const OpGroupRow& group) {
   for (const OpInfo& op : all_ops()) {
-    if (op.group != group.group || !fits_selection(context.session, op)) continue;
+    if (op.group != group.group || !fits_selection(context.findings(), context.selecting, op)) continue;
     operator_item(context, op);
     place_item(context, op);
     middle_item(context, op);
@@ -64,7 +70,9 @@ void operator_items(PanelContext& context, const OpGroupRow& group) {
 }
 
 void group_menu(PanelContext& context, const OpGroupRow& group) {
-  const auto fits = [&](const OpInfo& op) { return op.group == group.group && fits_selection(context.session, op); };
+  const auto fits = [&](const OpInfo& op) {
+    return op.group == group.group && fits_selection(context.findings(), context.selecting, op);
+  };
   if (std::none_of(all_ops().begin(), all_ops().end(), fits)) return;
   const bool is_open = begin_submenu(context.text(group.en, group.ja));
   tip(context.text(group.help_en, group.help_ja));
@@ -78,9 +86,9 @@ void selector_menu(PanelContext& context) {
   if (!begin_submenu(context.text("Select", "選択"))) return;
   for (const Selector& row : selectors()) {
     if (row.value != Selector::Value::none && row.usual.empty()) continue;
-    if (!row.needs && !row.needs_any && !context.session.selecting.selection.empty()) continue;
-    if (!missing_for(row, context.session.selecting.selection).en.empty()) continue;
-    const std::string line = select_line(row), chord = chord_of(context.session, line);
+    if (!row.needs && !row.needs_any && !context.selecting.selection.empty()) continue;
+    if (!missing_for(row, context.selecting.selection).en.empty()) continue;
+    const std::string line = select_line(row), chord = chord_of(context.preferences, line);
     if (ImGui::MenuItem(context.text(row.name_en, row.name_ja), chord.c_str())) context.run(line);
   }
   ImGui::EndMenu();
@@ -88,15 +96,15 @@ void selector_menu(PanelContext& context) {
 
 void gesture_items(PanelContext& context) {
   const auto item = [&](const char* en, const char* ja, const char* line) {
-    if (ImGui::MenuItem(context.text(en, ja), chord_of(context.session, line).c_str())) context.run(line);
+    if (ImGui::MenuItem(context.text(en, ja), chord_of(context.preferences, line).c_str())) context.run(line);
   };
   item("Move", "移動", "gesture move");
   item("Turn", "回転", "gesture turn");
   item("Scale", "拡大縮小", "gesture scale");
   const auto is_no_vertex = [](const Element& e) { return e.kind != Element::Kind::vertex; };
-  if (std::any_of(context.session.selecting.selection.begin(), context.session.selecting.selection.end(), is_no_vertex))
+  if (std::any_of(context.selecting.selection.begin(), context.selecting.selection.end(), is_no_vertex))
     item("Extrude and move", "押し出して移動", "gesture extrude");
-  const Elements& selection = context.session.selecting.selection;
+  const Elements& selection = context.selecting.selection;
   if (selection.size() == 1 &&
       (selection[0].kind == Element::Kind::edge || selection[0].kind == Element::Kind::halfedge))
     item("Split and move", "分けて移動", "gesture split");
@@ -104,9 +112,9 @@ void gesture_items(PanelContext& context) {
 }
 
 std::string title(PanelContext& context) {
-  const std::vector<Element>& selection = context.session.selecting.selection;
+  const std::vector<Element>& selection = context.selecting.selection;
   if (selection.empty()) return context.text("Nothing is selected", "選択なし");
-  if (selection.size() == 1) return context.session.selecting.selected_names()[0];
+  if (selection.size() == 1) return context.selecting.selected_names()[0];
   return grouped(static_cast<std::int64_t>(selection.size())) + context.text(" selected", " 個を選択中");
 }
 
@@ -117,40 +125,40 @@ void open_at_pointer(PanelContext& context) {
   const float wide = 22 * ImGui::GetFontSize(), border = ImGui::GetStyle().DisplaySafeAreaPadding.y, gap = 2;
   const bool goes_right = at.x + gap + wide <= all.x, goes_left = !goes_right && at.x - gap >= wide;
   if (goes_right || goes_left) {
-    context.state.menu_room_px = all.y - 2 * border;
+    context.state.menus.room_px = all.y - 2 * border;
     ImGui::SetNextWindowPos({goes_right ? at.x + gap : at.x - gap, at.y}, ImGuiCond_Appearing,
                             {goes_right ? 0.f : 1.f, at.y / all.y});
     return;
   }
   const bool goes_up = at.y > 0.5f * all.y;
-  context.state.menu_room_px = std::max((goes_up ? at.y : all.y - at.y) - border, 1.f);
+  context.state.menus.room_px = std::max((goes_up ? at.y : all.y - at.y) - border, 1.f);
   ImGui::SetNextWindowPos(at, ImGuiCond_Appearing, {at.x / all.x, goes_up ? 1.f : 0.f});
 }
 
 }  // namespace
 
 void draw_element_menu(PanelContext& context) {
-  if (std::exchange(context.state.opens_menu, false)) open_at_pointer(context);
+  if (std::exchange(context.state.menus.opens, false)) open_at_pointer(context);
   // Where that is too little it is scrolled.
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, context.state.menu_room_px});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {ImGui::GetIO().DisplaySize.x, context.state.menus.room_px});
   if (!ImGui::BeginPopup("##element")) return;
   // In one line: wrapped, it would be as high as it is long in the frame that finds out how large the menu is.
   ImGui::TextColored(context.colours().dim, "%s", title(context).c_str());
   ImGui::Separator();
-  if (!context.session.selecting.selection.empty()) gesture_items(context);
+  if (!context.selecting.selection.empty()) gesture_items(context);
   for (const OpGroupRow& group : op_groups)
     if (!group.is_apart) operator_items(context, group);
   for (const OpGroupRow& group : op_groups)
     if (group.is_apart) group_menu(context, group);
   ImGui::Separator();
   selector_menu(context);
-  const std::string frame = context.session.selecting.selection.empty() ? "frame all" : "frame selected";
-  const UiText name = context.session.selecting.selection.empty() ? UiText::frame_all : UiText::frame_selected;
-  if (ImGui::MenuItem(context.text(name), chord_of(context.session, frame).c_str())) context.run(frame);
+  const std::string frame = context.selecting.selection.empty() ? "frame all" : "frame selected";
+  const UiText name = context.selecting.selection.empty() ? UiText::frame_all : UiText::frame_selected;
+  if (ImGui::MenuItem(context.text(name), chord_of(context.preferences, frame).c_str())) context.run(frame);
   const auto hiding = [&](UiText name_of, const char* line) {
-    if (ImGui::MenuItem(context.text(name_of), chord_of(context.session, line).c_str())) context.run(line);
+    if (ImGui::MenuItem(context.text(name_of), chord_of(context.preferences, line).c_str())) context.run(line);
   };
-  if (!context.session.selecting.selection.empty()) {
+  if (!context.selecting.selection.empty()) {
     hiding(UiText::hide_selected, "hide selected");
     hiding(UiText::isolate_selected, "isolate selected");
   }
@@ -158,18 +166,17 @@ void draw_element_menu(PanelContext& context) {
 }
 
 void draw_band(PanelContext& context) {
-  if (!context.session.view.band) return;
-  const Band& band = *context.session.view.band;
+  if (!context.view.band) return;
+  const Band& band = *context.view.band;
   std::vector<ImVec2> corners;
   for (const glm::dvec2& p : band.path) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
   if (band.gesture == Gesture::box)
     corners = {
         corners.front(), {corners.back().x, corners.front().y}, corners.back(), {corners.front().x, corners.back().y}};
-  const Session& session = context.session;
-  const ImVec2 low{static_cast<float>(session.view.origin.x), static_cast<float>(session.view.origin.y)};
+  const ImVec2 low{static_cast<float>(context.view.origin.x), static_cast<float>(context.view.origin.y)};
   ImDrawList* const draw = ImGui::GetBackgroundDrawList();
   draw->PushClipRect(
-      low, {low.x + static_cast<float>(session.view.size.width), low.y + static_cast<float>(session.view.size.height)});
+      low, {low.x + static_cast<float>(context.view.size.width), low.y + static_cast<float>(context.view.size.height)});
   const ImVec4 colour = to_imgui(style(Role::selected, context.theme).colour);
   if (band.gesture == Gesture::box)
     draw->AddRectFilled(corners[0], corners[2], ImGui::GetColorU32({colour.x, colour.y, colour.z, 0.12f}));

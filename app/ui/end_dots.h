@@ -5,15 +5,16 @@
 #include <map>
 #include <span>
 
-#include "app/editor/session/session.h"
+#include "app/editor/shown/gesturing.h"
 #include "render/overlay.h"
 #include "render/palette.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
 class EndDots {
  public:
-  explicit EndDots(const Session& session) : m_(session.mesh()), places_(session.gesturing.drawn_positions()) {}
+  explicit EndDots(const Mesh& mesh, const Gesturing& gesturing) : m_(mesh), places_(gesturing.drawn_positions()) {}
 
   void add(Edge e);
   void draw(Theme theme, Overlay& overlay) const;

@@ -1,5 +1,7 @@
 #include "app/ui/gizmo_overlay.h"
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/pointing.h"
+#include "app/editor/shown/gesturing.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -53,12 +55,11 @@ class HandlePainter {
 // Lines that show what a gesture is bound to, through its middle.
 class Guides {
  public:
-  Guides(const Session& session, const TransformGesture& gesture, Theme theme, Overlay& overlay)
-      : session_(session), gesture_(gesture), theme_(theme), overlay_(overlay) {
-    const Camera& camera = session.view.camera;
+  Guides(const ViewState& view, const TransformGesture& gesture, Theme theme, Overlay& overlay)
+      : view_(view), gesture_(gesture), theme_(theme), overlay_(overlay) {
+    const Camera& camera = view.camera;
     const double depth = depth_of(camera, gesture.middle());
-    reach_ =
-        2 * units_per_pixel(camera, session.view.size, depth) * (session.view.size.width + session.view.size.height);
+    reach_ = 2 * units_per_pixel(camera, view.size, depth) * (view.size.width + view.size.height);
   }
 
   void draw() {
@@ -95,7 +96,7 @@ class Guides {
   // As far as it reaches in the plane of the view.
   void draw_falloff() {
     constexpr int sides = 64;
-    const CameraAxes camera = axes(session_.view.camera);
+    const CameraAxes camera = axes(view_.camera);
     const auto corner = [&](int i) {
       const double angle = 2 * std::numbers::pi * (i % sides) / sides;
       return gesture_.middle() + gesture_.falloff() * (std::cos(angle) * camera.right + std::sin(angle) * camera.up);
@@ -105,7 +106,7 @@ class Guides {
           {corner(i), corner(i + 1), style(Role::witness, theme_).colour, LineStyle::solid, 1.75f, 1});
   }
 
-  const Session& session_;
+  const ViewState& view_;
   const TransformGesture& gesture_;
   Theme theme_;
   Overlay& overlay_;
@@ -114,16 +115,16 @@ class Guides {
 
 }  // namespace
 
-Overlay gizmo_overlay(const Session& session, Theme theme) {
+Overlay gizmo_overlay(const ViewState& view, const Pointing& pointing, const Gesturing& gesturing, Theme theme) {
   Overlay overlay;
-  if (const TransformGesture* const gesture = session.gesturing.transform()) {
-    Guides(session, *gesture, theme, overlay).draw();
+  if (const TransformGesture* const gesture = gesturing.transform()) {
+    Guides(view, *gesture, theme, overlay).draw();
     return overlay;
   }
-  const auto gizmo = session.pointing.gizmo();
+  const auto gizmo = pointing.gizmo();
   if (!gizmo) return overlay;
   HandlePainter painter(overlay, theme);
-  for (const GizmoHandle& handle : gizmo->handles) painter.draw(handle, handle.row == session.pointing.pointed_handle());
+  for (const GizmoHandle& handle : gizmo->handles) painter.draw(handle, handle.row == pointing.pointed_handle());
   return overlay;
 }
 

@@ -18,17 +18,17 @@ namespace ryosen {
 namespace {
 
 // What is framed goes beside it.
-void cover_view(Session& session, const OwnPanel& own) {
+void cover_view(ViewState& view, const OwnPanel& own) {
   if (!own.panel->leaves_view()) return;
-  const double end = session.view.origin.x + session.view.size.width;
-  session.view.covered_px.y = std::max(session.view.covered_px.y, end - own.begins_px);
+  const double end = view.origin.x + view.size.width;
+  view.covered_px.y = std::max(view.covered_px.y, end - own.begins_px);
 }
 
 void draw_over(PanelContext& context, OwnPanel& own) {
   const bool is_over = begin_over(context, own.row, own.panel->size(), own.panel->leaves_view());
   if (is_over) {
     own.begins_px = ImGui::GetWindowPos().x;
-    cover_view(context.session, own);
+    cover_view(context.view, own);
     own.panel->draw(context);
     end_over();
   }
@@ -86,25 +86,24 @@ void Gui::place_view(Session& session, Size window) const {
 // One that nobody has moved is framed anew where its size has changed.
 void Gui::follow_view(Session& session, Size window) const {
   const Size before = session.view.size;
-  const bool is_framed = session.is_framed();
+  const bool is_framed = session.framing.is_framed();
   place_view(session, window);
-  if (is_framed && session.view.size != before) session.frame_all();
+  if (is_framed && session.view.size != before) session.framing.frame_all();
 }
 
 // What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
 // again when it is closed. Else nothing moves under who opens a tab.
-void Gui::follow_covered(Session& session, Size window) {
-  const glm::dvec2 before =
-      std::exchange(session.view.covered_px, columns_.covered_px(view_area(window, session.layout)));
+void Gui::follow_covered(ViewState& view, Framing& framing, Shown& shown, Layout& layout, Size window) {
+  const glm::dvec2 before = std::exchange(view.covered_px, columns_.covered_px(view_area(window, layout)));
   for (const OwnPanel& own : panels_)
-    if (own.was_over) cover_view(session, own);
-  const glm::dvec2 covered = session.view.covered_px;
-  if (!session.is_framed()) return;
-  if (std::exchange(framed_, session.view.camera) != session.view.camera) is_framed_beside_ = before != glm::dvec2(0);
+    if (own.was_over) cover_view(view, own);
+  const glm::dvec2 covered = view.covered_px;
+  if (!framing.is_framed()) return;
+  if (std::exchange(framed_, view.camera) != view.camera) is_framed_beside_ = before != glm::dvec2(0);
   const bool is_free_again = covered == glm::dvec2(0) && is_framed_beside_;
-  if (covered == before || !(session.shown.player() || is_free_again)) return;
-  session.frame_all();
-  framed_ = session.view.camera;
+  if (covered == before || !(shown.player() || is_free_again)) return;
+  framing.frame_all();
+  framed_ = view.camera;
   is_framed_beside_ = covered != glm::dvec2(0);
 }
 
@@ -112,7 +111,21 @@ PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
   if (session.preferences.language == Language::japanese) fonts.bold = fonts.normal;
-  return {session, state_, fonts, session.view.settings.theme, size_.scale, size_.of_columns()};
+  return {session,
+          session.view,
+          session.framing,
+          session.selecting,
+          session.pointing,
+          session.gesturing,
+          session.shown,
+          session.preferences,
+          session.layout,
+          session.trials,
+          state_,
+          fonts,
+          session.view.settings.theme,
+          size_.scale,
+          size_.of_columns()};
 }
 
 bool Gui::prepare(const Session& session) {
@@ -152,7 +165,7 @@ void Gui::begin_frame(Size window, double seconds) {
   }
   // Arrows walk through menus and what lies over the view; Enter presses there as Space does.
   const bool walks = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-  state_.menus_have_keys = walks;
+  state_.menus.had_keys = walks;
   io.ConfigFlags = walks ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                          : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
   const bool enters = io.KeysDown[ImGuiKey_Enter] && io.KeysDownDuration[ImGuiKey_Enter] < 0;
@@ -179,11 +192,11 @@ void Gui::frame(Session& session, Size window, double seconds) {
   state_.waits_for_work = false;
   state_.is_laying_out = true;
   laid_out_panel_ = session.layout.open_panel;
-  if (std::exchange(state_.closes_menus, false)) ImGui::ClosePopupsExceptModals();
+  if (std::exchange(state_.menus.closes, false)) ImGui::ClosePopupsExceptModals();
   PanelContext panel_context = context(session);
   draw_menu(panel_context);
   columns_.draw(panel_context, areas_of(session.layout, window, size_), panels_);
-  follow_covered(session, window);
+  follow_covered(session.view, session.framing, session.shown, session.layout, window);
   draw_status(panel_context);
   draw_notes(panel_context);
   start_.draw(panel_context);
@@ -293,27 +306,25 @@ void Gui::modifiers(bool shift, bool ctrl) {
   ImGui::GetIO().KeyCtrl = ctrl;
 }
 
-bool Gui::owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const {
+bool Gui::owns_pointer(const Layout& layout, Size window, glm::dvec2 pixel) const {
   ImGui::SetCurrentContext(imgui_);
   const auto is_in = [&](const PixelRect& rect) {
     return pixel.x >= rect.x0 && pixel.x < rect.x1 && pixel.y >= rect.y0 && pixel.y < rect.y1;
   };
-  return !is_in(view_area(window, session.layout)) || columns_.covers(pixel) ||
-         std::any_of(state_.notes.begin(), state_.notes.end(), is_in) || !session.layout.open_panel.empty() ||
+  return !is_in(view_area(window, layout)) || columns_.covers(pixel) ||
+         std::any_of(state_.notes.begin(), state_.notes.end(), is_in) || !layout.open_panel.empty() ||
          ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
-bool Gui::has_menu(const Session& session) const {
+bool Gui::has_menu(const Layout& layout) const {
   ImGui::SetCurrentContext(imgui_);
-  return session.layout.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  return layout.open_panel.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
-bool Gui::wants_chord(const Session& session) const {
-  return state_.asks_for_key && !session.layout.open_panel.empty();
-}
+bool Gui::wants_chord(const Layout& layout) const { return state_.asks_for_key && !layout.open_panel.empty(); }
 
-bool Gui::take_chord(const Session& session, const std::string& chord) {
-  if (!wants_chord(session) || chord.empty()) return false;
+bool Gui::take_chord(const Layout& layout, const std::string& chord) {
+  if (!wants_chord(layout) || chord.empty()) return false;
   state_.unsettle();
   state_.asks_for_key = false;
   state_.asked_key = chord;
@@ -322,12 +333,11 @@ bool Gui::take_chord(const Session& session, const std::string& chord) {
 
 void Gui::close_menus() {
   state_.unsettle();
-  state_.closes_menus = true;
+  state_.menus.closes = true;
 }
 
-bool Gui::awaits_frame(const Session& session) const {
-  return !unseen_keys_.empty() || session.layout.asked_menu || session.layout.open_panel != laid_out_panel_ ||
-         wants_frames();
+bool Gui::awaits_frame(const Layout& layout) const {
+  return !unseen_keys_.empty() || layout.asked_menu || layout.open_panel != laid_out_panel_ || wants_frames();
 }
 
 bool Gui::owns_keys() const {
@@ -353,7 +363,7 @@ Outcome Gui::run(Session& session, const std::string& line) { return context(ses
 Outcome Gui::click(Session& session, const Navigation::Click& click) { return context(session).click(click); }
 void Gui::open_element_menu() {
   state_.unsettle();
-  state_.opens_menu = true;
+  state_.menus.opens = true;
 }
 
 void Gui::set_clipboard(void* system, const char* (*get)(void*), void (*set)(void*, const char*)) {

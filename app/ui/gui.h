@@ -21,6 +21,14 @@ struct ImFontAtlas;
 
 namespace ryosen {
 
+class Shown;
+
+struct ViewState;
+
+class Framing;
+
+struct Layout;
+
 // What the pointer looks like over what it is on.
 enum class PointerShape { arrow, text, hand, sideways };
 
@@ -63,16 +71,16 @@ class Gui {
   void key(int imgui_key, bool is_down);
   void modifiers(bool shift, bool ctrl);
   // Whether the panels own a pixel, or keyboard input.
-  bool owns_pointer(const Session& session, Size window, glm::dvec2 pixel) const;
+  bool owns_pointer(const Layout& layout, Size window, glm::dvec2 pixel) const;
   bool owns_keys() const;
   // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
-  bool has_menu(const Session& session) const;
+  bool has_menu(const Layout& layout) const;
   void close_menus();
   // A key was pressed that no frame has seen, or what it opened or closed is not laid out yet: who has the keyboard may change.
-  bool awaits_frame(const Session& session) const;
+  bool awaits_frame(const Layout& layout) const;
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
-  bool wants_chord(const Session& session) const;
-  bool take_chord(const Session& session, const std::string& chord);
+  bool wants_chord(const Layout& layout) const;
+  bool take_chord(const Layout& layout, const std::string& chord);
   // The start page takes the arrow keys and Enter.
   bool has_start(const Session& session) const { return StartPage::is_shown(session); }
   // As of the last frame.
@@ -88,7 +96,7 @@ class Gui {
   // Where fields copy to and paste from; before the first frame.
   void set_clipboard(void* system, const char* (*get)(void* system), void (*set)(void* system, const char* text));
   // The status line's text on the last command.
-  const Text& said() const { return state_.last_outcome; }
+  const Text& said() const { return state_.last.sentence; }
   // True between begin and end of a frame, when no other can be laid out.
   bool is_laying_out() const { return state_.is_laying_out; }
   bool wants_quit() const { return state_.wants_quit; }
@@ -103,7 +111,7 @@ class Gui {
   PanelContext context(Session& session);
   void begin_frame(Size window, double seconds);
   void follow_view(Session& session, Size window) const;
-  void follow_covered(Session& session, Size window);
+  void follow_covered(ViewState& view, Framing& framing, Shown& shown, Layout& layout, Size window);
   void play_on(Session& session);
   void end_frame();
   ImGuiContext* imgui_;

@@ -61,7 +61,7 @@ void Headless::place_view(Session& session) {
     session.frontend.input = window_->input;
     lay_out(session);
   }
-  session.frame_all();
+  session.framing.frame_all();
 }
 
 void Headless::lay_out(Session& session) {

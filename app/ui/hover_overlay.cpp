@@ -3,9 +3,12 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/gesturing.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -15,9 +18,11 @@ namespace {
 // comes thick, and new vertices and those that move as points.
 class Ghost {
  public:
-  Ghost(const Session& session, Theme theme, Overlay& overlay)
-      : session_(session),
-        m_(session.mesh()),
+  Ghost(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, Theme theme, Overlay& overlay)
+      : mesh_(mesh),
+        view_(view),
+        gesturing_(gesturing),
+        m_(mesh),
         overlay_(overlay),
         stays_(style(Role::ghost, theme)),
         comes_(style(Role::legal, theme)),
@@ -28,11 +33,11 @@ class Ghost {
     const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
     if (is_edge) pointed_ = pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge());
     for (const GhostFace& face : preview.faces) draw(face);
-    Painter old(session_, overlay_, goes_, 1);
+    Painter old(mesh_, gesturing_, overlay_, goes_, 1);
     for (const Element& e : preview.deleted)
       if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
     if (pointed_ && !pointed_stays_) old.draw(pointed_);
-    Painter fresh(session_, overlay_, comes_, 1);
+    Painter fresh(mesh_, gesturing_, overlay_, comes_, 1);
     const auto is_before = [](const glm::dvec3& a, const glm::dvec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
     };
@@ -50,8 +55,8 @@ class Ghost {
     for (const GhostFace& face : preview.faces) {
       const std::vector<glm::dvec3>& places = face.polygon.places();
       for (std::uint32_t i = 0; i < places.size() && longest_px < large_px; ++i) {
-        const auto a = project(session_.view.camera, session_.view.size, places[i]);
-        const auto b = project(session_.view.camera, session_.view.size, places[face.polygon.next(i)]);
+        const auto a = project(view_.camera, view_.size, places[i]);
+        const auto b = project(view_.camera, view_.size, places[face.polygon.next(i)]);
         if (a && b) longest_px = std::max(longest_px, glm::length(a->pixel - b->pixel));
       }
     }
@@ -88,7 +93,9 @@ class Ghost {
     }
   }
 
-  const Session& session_;
+  const Mesh& mesh_;
+  const ViewState& view_;
+  const Gesturing& gesturing_;
   const Mesh& m_;
   Overlay& overlay_;
   Style stays_, comes_, goes_;
@@ -98,53 +105,55 @@ class Ghost {
 };
 
 // Whether more of the faces are in view than can be told apart by thick lines.
-bool are_many_in_view(const Session& session, std::span<const Face> faces) {
+bool are_many_in_view(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+                      std::span<const Face> faces) {
   constexpr std::size_t most = 200;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < faces.size() && seen <= most; ++i) {
-    const Vertex v = session.mesh().from(session.mesh().halfedge(faces[i]));
-    const auto at = project(session.view.camera, session.view.size, session.gesturing.drawn_positions()[v.index]);
-    seen += at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session.view.size.width &&
-            at->pixel.y < session.view.size.height;
+    const Vertex v = mesh.from(mesh.halfedge(faces[i]));
+    const auto at = project(view.camera, view.size, gesturing.drawn_positions()[v.index]);
+    seen +=
+        at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < view.size.width && at->pixel.y < view.size.height;
   }
   return seen > most;
 }
 
 // Many are drawn thin and where they are seen, so that what is moved stays to be seen among them.
-void draw_spoilt(const Session& session, Theme theme, Overlay& overlay) {
-  const std::span<const Face> faces = session.gesturing.spoilt();
-  const bool are_many = are_many_in_view(session, faces);
+void draw_spoilt(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, Theme theme, Overlay& overlay) {
+  const std::span<const Face> faces = gesturing.spoilt();
+  const bool are_many = are_many_in_view(mesh, view, gesturing, faces);
   Style looks = style(Role::refused, theme);
   if (are_many) {
     looks.line = LineStyle::solid;
     looks.width_px = 1;
   }
-  Painter painter(session, overlay, looks, are_many ? 0.f : 1.f, 0, are_many);
+  Painter painter(mesh, gesturing, overlay, looks, are_many ? 0.f : 1.f, 0, are_many);
   for (const Face f : faces) painter.draw(f, false);
 }
 
 }  // namespace
 
-Overlay hover_overlay(const Session& session, Theme theme) {
+Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
+                      Theme theme) {
   Overlay overlay;
-  draw_spoilt(session, theme, overlay);
-  const SnapTarget* const target = session.gesturing.transform() ? session.gesturing.transform()->snapped_to() : nullptr;
+  draw_spoilt(mesh, view, gesturing, theme, overlay);
+  const SnapTarget* const target = gesturing.transform() ? gesturing.transform()->snapped_to() : nullptr;
   if (target && target->element.kind != Element::Kind::vertex)
-    Painter(session, overlay, style(Role::hover, theme), 1).draw(target->element);
-  if (!session.selecting.hover()) return overlay;
-  const Hover& hover = *session.selecting.hover();
+    Painter(mesh, gesturing, overlay, style(Role::hover, theme), 1).draw(target->element);
+  if (!selecting.hover()) return overlay;
+  const Hover& hover = *selecting.hover();
   if (!hover.op) {
-    Painter(session, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
+    Painter(mesh, gesturing, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
     return overlay;
   }
   if (hover.preview.verdict.legal()) {
-    Ghost(session, theme, overlay).draw(hover.preview, hover.picked.element);
+    Ghost(mesh, view, gesturing, theme, overlay).draw(hover.preview, hover.picked.element);
     return overlay;
   }
-  Painter witness(session, overlay, style(Role::witness, theme), 0.6f);
+  Painter witness(mesh, gesturing, overlay, style(Role::witness, theme), 0.6f);
   for (const Reason& reason : hover.preview.verdict.reasons)
     for (const Element& e : reason.witnesses) witness.draw(e);
-  Painter(session, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
+  Painter(mesh, gesturing, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
   return overlay;
 }
 

@@ -6,8 +6,8 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/menu_bar.h"
-#include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/menu_entries.h"
 #include "app/ui/panels.h"
@@ -30,7 +30,7 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
   const ImGuiDir direction = GImGui->NavMoveDir;
   if (direction != ImGuiDir_Left && direction != ImGuiDir_Right) return;
   const std::size_t n = std::size(menu_bar), at = static_cast<std::size_t>(&open - menu_bar);
-  context.session.layout.asked_menu = &menu_bar[(at + (direction == ImGuiDir_Left ? n - 1 : 1)) % n];
+  context.layout.asked_menu = &menu_bar[(at + (direction == ImGuiDir_Left ? n - 1 : 1)) % n];
   context.state.unsettle();
   ImGui::NavMoveRequestCancel();
 }
@@ -84,8 +84,8 @@ void draw_menu(PanelContext& context) {
   if (!ImGui::BeginMainMenuBar()) return;
   // Before any is drawn: all have one window, which is to show one of them in a frame.
   const auto title_of = [&](const MenuRow& row) { return context.text(row.title_en, row.title_ja); };
-  const MenuRow* const asked = std::exchange(context.session.layout.asked_menu, nullptr);
-  if (asked && context.session.layout.open_panel.empty()) open_for_keys(title_of(*asked));
+  const MenuRow* const asked = std::exchange(context.layout.asked_menu, nullptr);
+  if (asked && context.layout.open_panel.empty()) open_for_keys(title_of(*asked));
   const char* const other = context.text(UiText::language_other);
   const float width = ImGui::CalcTextSize(other).x + 3 * ImGui::GetStyle().ItemSpacing.x;
   const BarRoom room = room_in_bar(context, width);

@@ -6,12 +6,17 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 #include "ryosen/view/named_views.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -22,7 +27,7 @@ namespace ryosen {
 namespace {
 
 void item(PanelContext& context, const char* name, const std::string& line, bool enabled = true, bool ticked = false) {
-  const std::string chord = chord_of(context.session, line);
+  const std::string chord = chord_of(context.preferences, line);
   if (ImGui::MenuItem(name, chord.empty() ? nullptr : chord.c_str(), ticked, enabled)) context.run(line);
 }
 void item(PanelContext& context, UiText name, const std::string& line, bool enabled = true, bool ticked = false) {
@@ -33,7 +38,7 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
 // and stand together in the menu of the view.
 void panel_items(PanelContext& context, PanelMenu menu) {
   for (const PanelRow& row : panel_list()) {
-    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.session.layout.is_shown(row);
+    const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.layout.is_shown(row);
     if (row.menu != menu && (menu != PanelMenu::view || is_over)) continue;
     const std::string name = std::string(context.title(row)) + (is_over ? "..." : "");
     const char* const switched = is_over ? "" : is_ticked ? " off" : " on";
@@ -42,10 +47,8 @@ void panel_items(PanelContext& context, PanelMenu menu) {
 }
 
 void draw_recent_menu(PanelContext& context) {
-  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.session.preferences.recent.empty()))
-    return;
-  for (const std::string& file : context.session.preferences.recent)
-    item(context, file.c_str(), "open " + file_argument(file));
+  if (!begin_submenu(context.text("Open recent", "最近のファイル"), !context.preferences.recent.empty())) return;
+  for (const std::string& file : context.preferences.recent) item(context, file.c_str(), "open " + file_argument(file));
   ImGui::EndMenu();
 }
 
@@ -55,10 +58,10 @@ void draw_file_menu(PanelContext& context) {
   panel_items(context, PanelMenu::file_read);
   draw_recent_menu(context);
   const auto compare = find_command_row("compare");
-  if (context.session.has_beside() && compare)
+  if (context.findings().against && compare)
     for (const NamedCall& call : compare->named) item(context, context.text(call.en, call.ja), std::string(call.line));
   ImGui::Separator();
-  item(context, UiText::save, "save", !context.session.document().path().empty());
+  item(context, UiText::save, "save", !context.document().path().empty());
   panel_items(context, PanelMenu::file_write);
   ImGui::Separator();
   item(context, UiText::quit, "quit");
@@ -77,22 +80,23 @@ void key_items(PanelContext& context, KeyMenu menu) {
   for (const KeyRow& row : key_table())
     if (row.menu == menu)
       item(context, context.text(row.menu_en, row.menu_ja), row.command,
-           menu != KeyMenu::edit || !context.session.selecting.selection.empty());
+           menu != KeyMenu::edit || !context.selecting.selection.empty());
 }
 
 void draw_edit_menu(PanelContext& context) {
-  const Document& document = context.session.document();
-  item(context, UiText::undo, "undo", document.position() > 0 || context.session.shown.response(Effect::steps) == Response::instead);
+  const Document& document = context.document();
+  item(context, UiText::undo, "undo",
+       document.position() > 0 || context.shown.response(Effect::steps) == Response::instead);
   item(context, UiText::redo, "redo", document.position() < document.history().size());
   ImGui::Separator();
   for (const OpInfo& op : all_ops()) {
     if (op.key == '\0') continue;  // operators without a key are only in the tools panel
-    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.session.selecting.tool == op.id);
+    item(context, context.text(op.name_en, op.name_ja), line_of_key(op), true, context.selecting.tool == op.id);
   }
   ImGui::Separator();
   key_items(context, KeyMenu::edit);
   item(context, context.text("Duplicate in place", "その場に複製"), "duplicate elements=selected",
-       !context.session.selecting.selection.empty());
+       !context.selecting.selection.empty());
   item(context, context.text("Mirror...", "鏡像..."), "values mirror");
   ImGui::Separator();
   if (begin_submenu(context.text("Algorithms", "アルゴリズム"))) {
@@ -106,7 +110,7 @@ void draw_edit_menu(PanelContext& context) {
 // All elements that have a problem of a kind.
 void draw_select_problems(PanelContext& context) {
   if (!begin_submenu(context.text("What is broken", "問題のある要素"))) return;
-  const HighlightSets& sets = context.session.findings().highlights();
+  const HighlightSets& sets = context.findings().highlights();
   for (const ProblemRow& row : problem_table())
     if (row.is_local() || row.is_on_request())
       item(context, context.text(row.name_en, row.name_ja), select_line(row), sets.count(row.kind) > 0);
@@ -117,7 +121,7 @@ void draw_select_problems(PanelContext& context) {
 void draw_selector_field(PanelContext& context, const Selector& row) {
   const char* const name =
       row.menu_en.empty() ? context.text(row.name_en, row.name_ja) : context.text(row.menu_en, row.menu_ja);
-  if (!begin_submenu(name, missing_for(row, context.session.selecting.selection).en.empty())) return;
+  if (!begin_submenu(name, missing_for(row, context.selecting.selection).en.empty())) return;
   dim_text(context, context.text(row.value_en, row.value_ja));
   std::string& value = context.state.selector_values.try_emplace(row.id, row.usual).first->second;
   if (ImGui::IsWindowAppearing() || is_left_alone("##value")) ImGui::SetKeyboardFocusHere();
@@ -144,19 +148,19 @@ void draw_select_menu(PanelContext& context) {
       continue;
     }
     item(context, context.text(row.name_en, row.name_ja), select_line(row),
-         missing_for(row, context.session.selecting.selection).en.empty());
+         missing_for(row, context.selecting.selection).en.empty());
   }
   draw_select_problems(context);
   ImGui::Separator();
   key_items(context, KeyMenu::select);
   ImGui::Separator();
-  item(context, UiText::hide_selected, "hide selected", !context.session.selecting.selection.empty());
-  item(context, UiText::isolate_selected, "isolate selected", !context.session.selecting.selection.empty());
-  item(context, UiText::unhide, "unhide", !context.session.findings().hidden().empty());
+  item(context, UiText::hide_selected, "hide selected", !context.selecting.selection.empty());
+  item(context, UiText::isolate_selected, "isolate selected", !context.selecting.selection.empty());
+  item(context, UiText::unhide, "unhide", !context.findings().hidden().empty());
   ImGui::Separator();
-  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.session.selecting.selection.empty()))
+  if (ImGui::MenuItem(context.text(UiText::keep_selection), "", false, !context.selecting.selection.empty()))
     context.begin_command("keep ");
-  for (const auto& [name, elements] : context.session.selecting.memory.kept)
+  for (const auto& [name, elements] : context.selecting.memory.kept)
     if (ImGui::MenuItem(name.c_str(), std::to_string(elements.size()).c_str()))
       context.run("select kept " + file_argument(name));
 }
@@ -191,7 +195,7 @@ void draw_switches(PanelContext& context) {
 
 void draw_view_menu(PanelContext& context) {
   item(context, UiText::frame_all, "frame all");
-  item(context, UiText::frame_selected, "frame selected", !context.session.selecting.selection.empty());
+  item(context, UiText::frame_selected, "frame selected", !context.selecting.selection.empty());
   ImGui::Separator();
   if (begin_submenu(context.text("Look from", "視点"))) {
     for (const NamedView& view : named_views())

@@ -22,13 +22,13 @@ std::uint32_t slots_of(const Mesh& mesh, Normals which) {
 }
 
 // What smooth shading has at the vertex, each once.
-std::vector<std::uint32_t> normals_at(Session& session, Vertex v) {
-  const Mesh& mesh = session.mesh();
-  const CornerNormals& normals = session.findings().corner_normals();
-  const SurfaceTriangles& triangles = session.findings().picker().triangles();
+std::vector<std::uint32_t> normals_at(Findings& findings, Vertex v) {
+  const Mesh& mesh = findings.mesh();
+  const CornerNormals& normals = findings.corner_normals();
+  const SurfaceTriangles& triangles = findings.picker().triangles();
   std::vector<std::uint32_t> packed;
   for (const Face f : faces_around(mesh, v)) {
-    if (f.is_none() || session.findings().hidden().hides(mesh, f)) continue;
+    if (f.is_none() || findings.hidden().hides(mesh, f)) continue;
     for (const std::uint32_t slot : triangles.slots_of(mesh, f)) {
       const SurfaceTriangle triangle = triangles.at(mesh, slot);
       for (std::size_t k = 0; k < 3; ++k)
@@ -62,9 +62,9 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
   }
 }
 
-Overlay NormalLines::block(Session& session, std::uint32_t number) const {
-  const Mesh& mesh = session.mesh();
-  const std::span<const glm::dvec3> places = session.gesturing.drawn_positions();
+Overlay NormalLines::block(Findings& findings, Gesturing& gesturing, std::uint32_t number) const {
+  const Mesh& mesh = findings.mesh();
+  const std::span<const glm::dvec3> places = gesturing.drawn_positions();
   const Rgba colour = with_alpha(palette(theme_).label, 190);
   const std::uint32_t end = std::min((number + 1) * block_slots, slots_of(mesh, drawn_));
   Overlay overlay;
@@ -76,11 +76,11 @@ Overlay NormalLines::block(Session& session, std::uint32_t number) const {
   for (std::uint32_t i = number * block_slots; i < end; ++i) {
     if (drawn_ == Normals::vertices) {
       const Vertex v(i);
-      if (!mesh.is_alive(v) || session.findings().hidden().hides(mesh, v)) continue;
-      for (const std::uint32_t packed : normals_at(session, v)) draw(places[i], unpacked_normal(packed));
+      if (!mesh.is_alive(v) || findings.hidden().hides(mesh, v)) continue;
+      for (const std::uint32_t packed : normals_at(findings, v)) draw(places[i], unpacked_normal(packed));
     } else {
       const Face f(i);
-      if (!mesh.is_alive(f) || session.findings().hidden().hides(mesh, f)) continue;
+      if (!mesh.is_alive(f) || findings.hidden().hides(mesh, f)) continue;
       glm::dvec3 sum(0);
       double corners = 0;
       for (const Vertex v : vertices_around(mesh, f)) sum += places[v.index], ++corners;
@@ -105,7 +105,8 @@ void NormalLines::follow(Session& session, View& view) {
   theme_ = settings.theme;
   all_stale_ = false;
   sort_unique(stale_);
-  for (const std::uint32_t number : stale_) view.set_overlay_part(Layer::normals, number, block(session, number));
+  for (const std::uint32_t number : stale_)
+    view.set_overlay_part(Layer::normals, number, block(session.findings(), session.gesturing, number));
   stale_.clear();
 }
 

@@ -10,6 +10,8 @@
 
 namespace ryosen {
 
+class Findings;
+class Gesturing;
 class Session;
 
 // At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements, those
@@ -23,7 +25,7 @@ class NormalLines {
   void follow(Session& session, View& view);
 
  private:
-  Overlay block(Session& session, std::uint32_t number) const;
+  Overlay block(Findings& findings, Gesturing& gesturing, std::uint32_t number) const;
 
   Normals drawn_ = Normals::off;
   Theme theme_ = Theme::dark;

@@ -26,14 +26,13 @@ void draw_note(PanelContext& context, const char* id, ImVec2 at, ImVec2 pivot, C
 }
 
 void draw_hidden(PanelContext& context, ImVec2 bottom) {
-  const Session& session = context.session;
-  if (session.findings().hidden().empty()) return;
+  if (context.findings().hidden().empty()) return;
   draw_note(context, "##hidden", bottom, {0.5f, 1}, [&] {
-    ImGui::TextUnformatted(hidden_text(session.findings().hidden()).in(context.language()).c_str());
+    ImGui::TextUnformatted(hidden_text(context.findings().hidden()).in(context.language()).c_str());
     ImGui::SameLine();
     if (ImGui::Button(context.text(UiText::unhide))) context.run("unhide");
     tip(context.text("Shows again what is hidden.", "非表示にした要素をすべて表示します。") + std::string(" ") +
-        chord_of(session, "unhide"));
+        chord_of(context.preferences, "unhide"));
   });
 }
 
@@ -41,7 +40,7 @@ void draw_change_on_disk(PanelContext& context, ImVec2 top) {
   const FileState::Change change = context.session.change_on_disk();
   if (change == FileState::Change::none) return;
   const bool is_gone = change == FileState::Change::gone;
-  const std::string name = context.session.document().path().filename().string();
+  const std::string name = context.document().path().filename().string();
   draw_note(context, "##disk", top, {0.5f, 0}, [&] {
     ImGui::TextUnformatted((name + (is_gone ? context.text(" is gone from the disk.", " がディスクからなくなりました。")
                                             : context.text(" has changed on disk.", " がディスク上で変更されました。")))
@@ -60,19 +59,18 @@ void draw_change_on_disk(PanelContext& context, ImVec2 top) {
 }
 
 // Which of two meshes beside each other is which: both may be of the same file.
-std::string name_beside(const PanelContext& context, const Session& one) {
-  const std::string name = one.document().path().filename().string();
-  const std::string faces = grouped(one.mesh().live().faces);
-  const char* const edited = one.document().is_modified() ? context.text(", edited", "（編集中）") : "";
+std::string name_beside(const PanelContext& context, const Document& document) {
+  const std::string name = document.path().filename().string();
+  const std::string faces = grouped(document.mesh().live().faces);
+  const char* const edited = document.is_modified() ? context.text(", edited", "（編集中）") : "";
   return name + edited + ": " + Text{faces + " faces", "面 " + faces}.in(context.language());
 }
 
 void draw_names(PanelContext& context) {
-  Session& session = context.session;
-  const Session* const other = session.beside();
+  const Session* const other = context.session.beside();
   if (!other) return;
-  for (const Session* const one : {static_cast<const Session*>(&session), other}) {
-    const std::string name = name_beside(context, *one);
+  for (const Session* const one : {static_cast<const Session*>(&context.session), other}) {
+    const std::string name = name_beside(context, one->document());
     const float margin = 8 * context.scale, gap = 3 * context.scale;
     const ImVec2 at{static_cast<float>(one->view.origin.x) + margin, static_cast<float>(one->view.origin.y) + margin};
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
@@ -85,20 +83,19 @@ void draw_names(PanelContext& context) {
 
 // How to go on from an empty mesh. It takes no pointer.
 void draw_way_on(PanelContext& context) {
-  const Session& session = context.session;
-  if (!session.is_empty() || session.is_at_start()) return;
+  if (!context.session.is_empty() || context.session.is_at_start()) return;
   const MenuRow& add = *find_menu("add");
-  const std::string chord = chord_of(session, "menu add"), title = context.text(add.title_en, add.title_ja);
+  const std::string chord = chord_of(context.preferences, "menu add"), title = context.text(add.title_en, add.title_ja);
   const std::string name = chord.empty() ? title : title + " (" + chord + ")";
   const std::string lines[] = {
       Text{"The menu " + name + " makes a shape,", "メニューの「" + name + "」で基本形状を作れます。"}.in(
           context.language()),
       context.text(UiText::or_drop)};
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
-  const auto width = static_cast<float>(session.view.size.width), height = static_cast<float>(session.view.size.height);
-  float y = static_cast<float>(session.view.origin.y) + height / 2 - pitch;
+  const auto width = static_cast<float>(context.view.size.width), height = static_cast<float>(context.view.size.height);
+  float y = static_cast<float>(context.view.origin.y) + height / 2 - pitch;
   for (const std::string& line : lines) {
-    const float x = static_cast<float>(session.view.origin.x) + (width - ImGui::CalcTextSize(line.c_str()).x) / 2;
+    const float x = static_cast<float>(context.view.origin.x) + (width - ImGui::CalcTextSize(line.c_str()).x) / 2;
     ImGui::GetBackgroundDrawList()->AddText({std::round(x), std::round(y)}, ImGui::GetColorU32(context.colours().dim),
                                             line.c_str());
     y += pitch;
@@ -111,9 +108,8 @@ void draw_notes(PanelContext& context) {
   context.state.notes.clear();
   draw_names(context);
   draw_way_on(context);
-  const Session& session = context.session;
-  const auto left = static_cast<float>(session.view.origin.x), top = static_cast<float>(session.view.origin.y);
-  const auto width = static_cast<float>(session.view.size.width), height = static_cast<float>(session.view.size.height);
+  const auto left = static_cast<float>(context.view.origin.x), top = static_cast<float>(context.view.origin.y);
+  const auto width = static_cast<float>(context.view.size.width), height = static_cast<float>(context.view.size.height);
   const float margin = 12 * context.scale;
   draw_hidden(context, {left + width / 2, top + height - margin});
   draw_change_on_disk(context, {left + width / 2, top + margin});

@@ -4,20 +4,21 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "app/editor/session/session.h"
+#include "app/editor/shown/gesturing.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
 // Adds elements to an overlay in one style.
 class Painter {
  public:
-  Painter(const Session& session, Overlay& overlay, const Style& style, float hidden = faintly, double room = 0,
-          bool thins_out = false)
-      : m_(session.mesh()),
-        places_(session.gesturing.drawn_positions()),
+  Painter(const Mesh& mesh, const Gesturing& gesturing, Overlay& overlay, const Style& style, float hidden = faintly,
+          double room = 0, bool thins_out = false)
+      : m_(mesh),
+        places_(gesturing.drawn_positions()),
         overlay_(overlay),
         style_(style),
         hidden_(hidden),

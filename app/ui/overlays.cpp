@@ -2,26 +2,31 @@
 
 #include <algorithm>
 
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/end_dots.h"
 #include "app/ui/overlay_painter.h"
 #include "ryosen/analysis/measuring.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
-Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          const ViewSettings& settings, double room) {
+Overlay highlight_overlay(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
+                          std::uint32_t first, std::uint32_t end, const ViewSettings& settings, double room) {
   Overlay overlay;
-  Painter painter(session, overlay, style(row.looks, settings.theme), faintly, room);
-  EndDots dots(session);
-  session.findings().highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
+  Painter painter(findings.mesh(), gesturing, overlay, style(row.looks, settings.theme), faintly, room);
+  EndDots dots(findings.mesh(), gesturing);
+  findings.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     Element e;
     e.kind = mark.sort;
     e.index = i;
-    if (session.findings().hidden().hides(session.mesh(), e)) return;
+    if (findings.hidden().hides(findings.mesh(), e)) return;
     if (mark.sort == Element::Kind::face)
       painter.draw(Face(i));
     else
@@ -34,15 +39,16 @@ Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, 
 
 // Of several the last, in a ring at its middle: it is the one that others are welded into, and from which paths go.
 // Of many, which nobody selects one by one, there is no such order.
-static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
-  if (session.selecting.selection.size() < 2 || session.selecting.selection.size() > most_ringed) return;
-  const Mesh& mesh = session.mesh();
-  const Element& last = session.selecting.selection.back();
-  if (session.findings().hidden().hides(mesh, last)) return;
+static void draw_last(const Findings& findings, const Selecting& selecting, const Gesturing& gesturing, Theme theme,
+                      Overlay& overlay) {
+  if (selecting.selection.size() < 2 || selecting.selection.size() > most_ringed) return;
+  const Mesh& mesh = findings.mesh();
+  const Element& last = selecting.selection.back();
+  if (findings.hidden().hides(mesh, last)) return;
   glm::dvec3 sum(0);
   double n = 0;
   const auto add = [&](Vertex v) {
-    sum += session.gesturing.drawn_positions()[v.index];
+    sum += gesturing.drawn_positions()[v.index];
     ++n;
   };
   if (last.kind == Element::Kind::vertex) add(last.vertex());
@@ -56,36 +62,39 @@ static void draw_last(const Session& session, Theme theme, Overlay& overlay) {
   overlay.points.push_back({sum / n, style(Role::witness, theme).colour, PointShape::ring, 11, faintly});
 }
 
-Overlay selection_overlay(const Session& session, Theme theme) {
+Overlay selection_overlay(const Findings& findings, const ViewState& view, const Selecting& selecting,
+                          const Gesturing& gesturing, Theme theme) {
   Overlay overlay;
   // Of very many those behind are hidden by those before, and dense ones need not be wide to be seen.
   constexpr std::size_t many = 1000, very_many = 20000;
-  const std::size_t n = session.selecting.selection.size();
-  Painter painter(session, overlay, style(Role::selected, theme), n > very_many ? 0 : faintly, 0, n > many);
+  const std::size_t n = selecting.selection.size();
+  Painter painter(findings.mesh(), gesturing, overlay, style(Role::selected, theme), n > very_many ? 0 : faintly, 0,
+                  n > many);
   constexpr std::size_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
-  const bool has_outlines = session.selecting.selection.count(Element::Kind::face) <= most_outlines;
-  const bool has_arrow = session.view.links.is_on(session);  // of the selected halfedge, in its face
+  const bool has_outlines = selecting.selection.count(Element::Kind::face) <= most_outlines;
+  const bool has_arrow = view.links.is_on(findings, selecting,
+                                          gesturing);  // of the selected halfedge, in its face
   const auto is_drawn = [&](const Element& e) {
     return (has_outlines || !is_face(e)) &&
-           !(has_arrow && e.kind == Element::Kind::halfedge && e == session.selecting.selection.back()) &&
-           !session.findings().hidden().hides(session.mesh(), e);
+           !(has_arrow && e.kind == Element::Kind::halfedge && e == selecting.selection.back()) &&
+           !findings.hidden().hides(findings.mesh(), e);
   };
-  for (const Element& e : session.selecting.selection)
+  for (const Element& e : selecting.selection)
     if (is_drawn(e)) painter.draw(e);
-  draw_last(session, theme, overlay);
+  draw_last(findings, selecting, gesturing, theme, overlay);
   return overlay;
 }
 
-Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, ElementVerdict which,
-                         std::uint32_t first, std::uint32_t end, Theme theme, double room) {
+Overlay verdicts_overlay(const Findings& findings, const Gesturing& gesturing, const ToolVerdicts& verdicts,
+                         ElementVerdict which, std::uint32_t first, std::uint32_t end, Theme theme, double room) {
   constexpr std::size_t many = 1000;
   Overlay overlay;
   Style looks = style(which == ElementVerdict::legal ? Role::legal : Role::refused, theme);
   looks.width_px = 2;
-  Painter painter(session, overlay, looks, 0, room, verdicts.all().size() > many);
+  Painter painter(findings.mesh(), gesturing, overlay, looks, 0, room, verdicts.all().size() > many);
   const auto draw = [&](const auto element) {
-    if (!session.findings().hidden().hides(session.mesh(), element)) painter.draw_mark(element);
+    if (!findings.hidden().hides(findings.mesh(), element)) painter.draw_mark(element);
   };
   for (std::uint32_t i = first; i < end; ++i) {
     if (verdicts.all()[i] != which) continue;
@@ -96,13 +105,13 @@ Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, E
   return overlay;
 }
 
-Overlay measures_overlay(const Session& session, Theme theme) {
+Overlay measures_overlay(const Mesh& mesh, const Selecting& selecting, Theme theme) {
   Overlay overlay;
   const Style looks = style(Role::witness, theme);
-  const auto lives = [&](const Element& e) { return is_alive(session.mesh(), e); };
-  for (const Elements& measured : session.selecting.measures) {
+  const auto lives = [&](const Element& e) { return is_alive(mesh, e); };
+  for (const Elements& measured : selecting.measures) {
     if (!std::all_of(measured.begin(), measured.end(), lives)) continue;
-    const std::vector<glm::dvec3> path = measure(session.mesh(), measured).path;
+    const std::vector<glm::dvec3> path = measure(mesh, measured).path;
     for (std::size_t i = 0; i < path.size(); ++i) {
       overlay.points.push_back({path[i], looks.colour, PointShape::disc, 3.5f});
       if (i > 0) overlay.lines.push_back({path[i - 1], path[i], looks.colour, looks.line, 2.5f});
@@ -140,18 +149,18 @@ std::uint32_t colour_of(EdgeRule rule, Theme theme) {
   return theme == Theme::dark ? looks.dark : looks.light;
 }
 
-Overlay account_overlay(const Session& session, Theme theme) {
+Overlay account_overlay(const Findings& findings, const Layout& layout, Theme theme) {
   Overlay overlay;
-  const EdgeAccount* const account = session.findings().account();
-  if (!account || !session.layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
+  const EdgeAccount* const account = findings.account();
+  if (!account || !layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
   for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
     const Edge e(i);
     if (account->rules[i] == no_rule || rule_looks[account->rules[i]].width_px == 0) continue;
-    if (session.findings().hidden().hides(session.mesh(), Element(e))) continue;
+    if (findings.hidden().hides(findings.mesh(), Element(e))) continue;
     const auto rule = static_cast<EdgeRule>(account->rules[i]);
     const RuleLooks& looks = rule_looks[account->rules[i]];
-    const auto [a, b] = ends(session.mesh(), e);
-    overlay.lines.push_back({session.mesh().position(a), session.mesh().position(b), rgb(colour_of(rule, theme)),
+    const auto [a, b] = ends(findings.mesh(), e);
+    overlay.lines.push_back({findings.mesh().position(a), findings.mesh().position(b), rgb(colour_of(rule, theme)),
                              looks.line, looks.width_px, 0, false});
   }
   return overlay;

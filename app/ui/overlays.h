@@ -9,33 +9,43 @@
 
 namespace ryosen {
 
+class Findings;
+class Mesh;
+class Selecting;
+class Gesturing;
 class Session;
+class Shown;
+struct ViewState;
+struct Layout;
 
 // The members of a mark of a highlight with slot numbers from first to before end.
 // Points have so much room, see Point. With dots the ends of edges are drawn over them, where vertices are drawn.
-Overlay highlight_overlay(Session& session, const HighlightRow& row, Mark mark, std::uint32_t first, std::uint32_t end,
-                          const ViewSettings& settings, double room);
+Overlay highlight_overlay(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
+                          std::uint32_t first, std::uint32_t end, const ViewSettings& settings, double room);
 // The last of so many is marked by a ring.
 inline constexpr std::size_t most_ringed = 20;
-Overlay selection_overlay(const Session& session, Theme theme);
+Overlay selection_overlay(const Findings& findings, const ViewState& view, const Selecting& selecting,
+                          const Gesturing& gesturing, Theme theme);
 // The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles of
 // faces as points, which have so much room.
-Overlay verdicts_overlay(const Session& session, const ToolVerdicts& verdicts, ElementVerdict which,
-                         std::uint32_t first, std::uint32_t end, Theme theme, double room);
+Overlay verdicts_overlay(const Findings& findings, const Gesturing& gesturing, const ToolVerdicts& verdicts,
+                         ElementVerdict which, std::uint32_t first, std::uint32_t end, Theme theme, double room);
 // The ways along which was measured, where all elements of it are still there.
-Overlay measures_overlay(const Session& session, Theme theme);
+Overlay measures_overlay(const Mesh& mesh, const Selecting& selecting, Theme theme);
 // The elements of the step that is played, by their roles; nothing where the mesh is no longer the one it is about.
-Overlay step_overlay(const Session& session, Theme theme);
+Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, const Shown& shown,
+                     Theme theme);
 // What the open question of practice is about.
 Overlay question_overlay(const Session& session, Theme theme);
 // The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is not
 // shown.
-Overlay account_overlay(const Session& session, Theme theme);
+Overlay account_overlay(const Findings& findings, const Layout& layout, Theme theme);
 // The colour of a rule, as 0xRRGGBB.
 std::uint32_t colour_of(EdgeRule rule, Theme theme);
 // The links of the selected element, or all halfedges, as arrows.
 Overlay links_overlay(Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
-Overlay hover_overlay(const Session& session, Theme theme);
+Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
+                      Theme theme);
 
 }  // namespace ryosen

@@ -1,6 +1,7 @@
 #include "app/ui/panel_frame.h"
 
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/session/findings.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -18,7 +19,7 @@ void draw_dots(PanelContext& context, ImVec2 from, ImVec2 size) {
 
 void draw_menu_of(PanelContext& context, const PanelRow& row, HeaderClick header) {
   if (!ImGui::BeginPopup("menu")) return;
-  const Layout& layout = context.session.layout;
+  const Layout& layout = context.layout;
   const std::string panel = "panel " + std::string(row.id);
   const bool is_folded = layout.is_folded(row), is_left = layout.side_of(row) == PanelPlace::left;
   const auto entry = [&](UiText name, const char* word) {
@@ -35,7 +36,7 @@ void draw_menu_of(PanelContext& context, const PanelRow& row, HeaderClick header
 // True while the panel is unfolded.
 bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header) {
   const std::string panel = "panel " + std::string(row.id);
-  const bool was_open = header == HeaderClick::closes || !context.session.layout.is_folded(row);
+  const bool was_open = header == HeaderClick::closes || !context.layout.is_folded(row);
   const ImVec2 button{ImGui::GetFrameHeight() + 4 * context.scale, ImGui::GetFrameHeight()};
   const float room = ImGui::GetContentRegionAvail().x - 2 * button.x;
   ImGui::SetNextItemOpen(was_open);
@@ -62,7 +63,7 @@ bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header)
 void draw_body(PanelContext& context, OwnPanel& own) {
   const float lines = own.panel->lines();
   if (lines > 0) begin_rows("fixed", lines);
-  const auto share = context.session.findings().preparing();
+  const auto share = context.findings().preparing();
   if (share && own.row.reads == PanelReads::findings)
     draw_preparing(context, *share);
   else
@@ -82,7 +83,7 @@ void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header) {
   ImGui::PushID(own.row.id.data(), own.row.id.data() + own.row.id.size());
   if (draw_header(context, own.row, header)) {
     draw_body(context, own);
-    if (std::exchange(context.state.asks_to_be_seen, false)) context.session.layout.wanted = own.row.id;
+    if (std::exchange(context.state.asks_to_be_seen, false)) context.layout.wanted = own.row.id;
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * context.scale);
   }
   ImGui::PopID();

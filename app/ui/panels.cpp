@@ -60,9 +60,9 @@ Text without_line(const Outcome& outcome, const Mesh& mesh) {
 }
 
 // In fewer and fewer words what the last repair changed and left, if that is what was said.
-void add_shorter_report(std::vector<Text>& shorter, const Session& session, const Text& name, const Text& said) {
-  const RepairReport* const report = session.findings().last_repair();
-  if (!report || (said.en != report->text.en && said.en != told(*report, session.mesh()).en)) return;
+void add_shorter_report(std::vector<Text>& shorter, const Findings& findings, const Text& name, const Text& said) {
+  const RepairReport* const report = findings.last_repair();
+  if (!report || (said.en != report->text.en && said.en != told(*report, findings.mesh()).en)) return;
   shorter.push_back(name + in_short(*report));
   shorter.push_back(name + in_numbers(*report));
   shorter.push_back(in_numbers(*report));
@@ -72,22 +72,22 @@ void add_shorter_report(std::vector<Text>& shorter, const Session& session, cons
 
 Outcome PanelContext::keep(Outcome outcome) {
   state.unsettle();
-  state.last_kind = outcome.kind;
-  state.last_outcome = outcome.sentence;
+  state.last.kind = outcome.kind;
+  state.last.sentence = outcome.sentence;
   if (outcome.done() && !outcome.performed.empty())
-    state.last_outcome = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
+    state.last.sentence = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
-  state.last_shorter.clear();
+  state.last.shorter.clear();
   if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
-    state.last_outcome = {outcome.performed + ": " + outcome.sentence.en,
+    state.last.sentence = {outcome.performed + ": " + outcome.sentence.en,
                           outcome.performed + "：" + outcome.sentence.ja};
     const Text name = name_of_line(outcome.performed) + Text{": ", "："};
-    state.last_shorter = {name + outcome.sentence};
-    add_shorter_report(state.last_shorter, session, name, outcome.sentence);
+    state.last.shorter = {name + outcome.sentence};
+    add_shorter_report(state.last.shorter, session.findings(), name, outcome.sentence);
   }
   if (outcome.kind == Outcome::Kind::refused)
     if (Text reasons = without_line(outcome, session.mesh()); !reasons.en.empty())
-      state.last_shorter = {std::move(reasons)};
+      state.last.shorter = {std::move(reasons)};
   return outcome;
 }
 
@@ -103,35 +103,38 @@ std::optional<int> frames_to_wait(const std::string& line) {
 }
 
 // Whether edits that are not saved would go with what the line replaces.
-bool loses_edits(const Session& session, const std::string& line) {
-  if (!session.document().is_modified()) return false;
+bool loses_edits(const Document& document, const std::string& line) {
+  if (!document.is_modified()) return false;
   const auto call = call_of(line);
   return call && call->row.effect == Effect::replaces && !fault_of_command(line);
 }
 
 // Whether the line saves to a file that has no name yet.
-bool lacks_file(const Session& session, const std::string& line) {
+bool lacks_file(const Document& document, const std::string& line) {
   const auto call = call_of(line);
-  return call && call->row.effect == Effect::writes && file_of(*call).empty() && session.document().path().empty();
+  return call && call->row.effect == Effect::writes && file_of(*call).empty() && document.path().empty();
 }
 
 // Several lines, the first of which begins anew: the program makes what it shows. At once, so that all that there is behind
 // them counts as made; none of them takes long.
 void show_made(PanelContext& context, const std::string& lines) {
-  Session& session = context.session;
   for (const ScriptLine& line : split_script(lines))
-    if (!context.keep(session.run(line.text)).done()) return;
-  session.document().count_as_made();
-  if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
+    if (!context.keep(context.session.run(line.text)).done()) return;
+  context.document().count_as_made();
+  if (context.session.frontend.autosave) context.session.frontend.autosave->note_document(context.document());
 }
 
 }  // namespace
 
+Document& PanelContext::document() const { return session.document(); }
+const Mesh& PanelContext::mesh() const { return session.mesh(); }
+Findings& PanelContext::findings() const { return session.findings(); }
+
 Language PanelContext::language() const { return session.preferences.language; }
 
 Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
-  if (lacks_file(session, line)) return open(PanelOpener::unnamed_save);
-  if (!loses_edits(session, line)) return run_from(line, panel_id);
+  if (lacks_file(session.document(), line)) return open(PanelOpener::unnamed_save);
+  if (!loses_edits(session.document(), line)) return run_from(line, panel_id);
   leave({false, {}, line, panel_id});
   return {};
 }

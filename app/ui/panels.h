@@ -22,7 +22,19 @@
 
 namespace ryosen {
 
+class Document;
+class Findings;
+class Framing;
+class Gesturing;
+class Mesh;
+class Pointing;
+class RepairTrials;
+class Selecting;
 class Session;
+class Shown;
+struct Layout;
+struct Preferences;
+struct ViewState;
 
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
@@ -41,11 +53,24 @@ struct WaitingLine {
   std::string asks_again;  // the id of the panel that opens again where it fails; empty for none
 };
 
+// What was said of the last command that was sent from the window.
+struct LastOutcome {
+  Text sentence;
+  std::vector<Text> shorter;  // the same in fewer words, for where there is no room, the longest first
+  Outcome::Kind kind = Outcome::Kind::done;
+};
+
+struct MenuState {
+  bool had_keys = false;  // one was open when the frame began
+  bool closes = false;    // all of them, in the next frame
+  bool opens = false;     // that of what is selected, in the next frame
+  float room_px = 1;      // the height of that at most
+};
+
 // What the panels share beside the session. What one of them alone remembers are members of its own.
 struct GuiState {
-  Text last_outcome;               // of the last command that was sent from here
-  std::vector<Text> last_shorter;  // the same in fewer words, for where there is no room, the longest first
-  Outcome::Kind last_kind = Outcome::Kind::done;
+  LastOutcome last;
+  MenuState menus;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
   std::vector<WaitingLine> waiting;
@@ -55,10 +80,6 @@ struct GuiState {
   bool is_tight = false;  // the column that is drawn is too long for its window: what says nothing may be left out
   float saved_px = 0;     // that its panels have saved by that
   bool asks_to_be_seen = false;  // the panel that is drawn: its column is to scroll to it
-  bool menus_have_keys = false;  // one was open when the frame began
-  bool closes_menus = false;     // in the next frame
-  bool opens_menu = false;       // that of what is selected, in the next frame
-  float menu_room_px = 1;        // its height at most
   bool asks_for_key = false;     // the next key goes there:
   std::string asked_key;         // its chord
   bool shows_japanese = false;   // a panel has Japanese words to show, whatever the language
@@ -75,11 +96,25 @@ struct GuiState {
 // One frame of one panel.
 struct PanelContext {
   Session& session;
+  ViewState& view;
+  Framing& framing;
+  Selecting& selecting;
+  Pointing& pointing;
+  Gesturing& gesturing;
+  Shown& shown;
+  Preferences& preferences;
+  Layout& layout;
+  RepairTrials& trials;
   GuiState& state;
   Fonts fonts;
   Theme theme;
   float scale;
   float column_scale;  // of the width of columns and panels, which grow with the letters
+
+  // Those that are open just now: a line that runs may put others in their place.
+  Document& document() const;
+  const Mesh& mesh() const;
+  Findings& findings() const;
 
   Language language() const;
   const char* text(UiText id) const { return ryosen::text(id, language()); }

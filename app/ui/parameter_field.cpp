@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/shown.h"
 #include "app/ui/widgets.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -52,8 +53,8 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
   if (!takes_elements) return entered;
   ImGui::SameLine();
   if (ImGui::Button((of_selection + ("##selection_" + id)).c_str())) {
-    context.session.shown.end();  // what is shown before it is run has no selection
-    text = context.session.selecting.selection.empty() ? "" : selection_word;
+    context.shown.end();  // what is shown before it is run has no selection
+    text = context.selecting.selection.empty() ? "" : selection_word;
   }
   return entered;
 }

@@ -29,33 +29,36 @@ Style style(steps::RoleLook look, Theme theme) {
 }
 
 // A halfedge on its own side of the edge, so that it is told from its twin.
-void draw_beside_twin(Painter& painter, const Session& session, const Element& element) {
+void draw_beside_twin(Painter& painter, const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+                      const Element& element) {
   if (element.kind != Element::Kind::halfedge) return painter.draw(element);
-  for (const LinkArrow& arrow : arrows_of(session, {element.halfedge()})) painter.line(arrow.from, arrow.to, true);
+  for (const LinkArrow& arrow : arrows_of(mesh, view, gesturing, {element.halfedge()}))
+    painter.line(arrow.from, arrow.to, true);
 }
 
 }  // namespace
 
 Overlay question_overlay(const Session& session, Theme theme) {
   Overlay overlay;
-  const std::optional<Element> about = asked_element(session);
+  const std::optional<Element> about = asked_element(session.document(), session.layout, session.asked_question);
   if (!about) return overlay;
-  Painter painter(session, overlay, style(Role::witness, theme), 0.6f);
-  draw_beside_twin(painter, session, *about);
+  Painter painter(session.mesh(), session.gesturing, overlay, style(Role::witness, theme), 0.6f);
+  draw_beside_twin(painter, session.mesh(), session.view, session.gesturing, *about);
   return overlay;
 }
 
-Overlay step_overlay(const Session& session, Theme theme) {
+Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, const Shown& shown,
+                     Theme theme) {
   Overlay overlay;
-  if (!session.shown.shows(ShownBy::step) || !session.shown.player()->step()) return overlay;
+  if (!shown.shows(ShownBy::step) || !shown.player()->step()) return overlay;
   // The first mark of an element is what it is above all: it is drawn last.
-  const std::vector<steps::Mark>& marks = session.shown.player()->step()->marks;
+  const std::vector<steps::Mark>& marks = shown.player()->step()->marks;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
-    if (!has_slot(session.mesh().lengths(), mark->element) || !is_alive(session.mesh(), mark->element)) continue;
-    Painter painter(session, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
-    draw_beside_twin(painter, session, mark->element);
+    if (!has_slot(mesh.lengths(), mark->element) || !is_alive(mesh, mark->element)) continue;
+    Painter painter(mesh, gesturing, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
+    draw_beside_twin(painter, mesh, view, gesturing, mark->element);
   }
-  for (const steps::Gone& gone : session.shown.player()->step()->gone) {
+  for (const steps::Gone& gone : shown.player()->step()->gone) {
     const Style looks = style(steps::row_of(gone.role).look, theme);
     for (std::size_t i = 1; i < gone.places.size(); ++i)
       overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});

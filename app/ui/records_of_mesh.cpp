@@ -1,16 +1,17 @@
-#include "app/editor/session/session.h"
+#include "app/editor/document/repair_trials.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
 const RecordBook* records_of_mesh(PanelContext& context) {
   constexpr std::uint32_t most_unasked = 100'000, most_at_once = 1'000;  // those take less than a frame
   RecordBook& book = context.state.records;
-  const Session& session = context.session;
-  const std::uint32_t faces = session.mesh().live().faces;
+  const std::uint32_t faces = context.mesh().live().faces;
   context.state.wants_records = true;
-  if (!book.is_of(session.document()) && faces > most_unasked) {
+  if (!book.is_of(context.document()) && faces > most_unasked) {
     constexpr std::uint64_t bytes_per_face = 1900;  // of all forms with their numbers, measured on the bunny
     const std::string size = std::to_string(faces * bytes_per_face / 1'000'000);
     const Text why{"Over 100,000 faces: the forms are built when you ask for them. They take about " + size +
@@ -21,9 +22,9 @@ const RecordBook* records_of_mesh(PanelContext& context) {
     if (!ImGui::Button(context.text("Build the forms", "形状表現を構築"), {ImGui::GetContentRegionAvail().x, 0}))
       return nullptr;
   }
-  book.ask(session.document());
+  book.ask(context.document());
   // A picture is not drawn again when they are there.
-  if (!context.session.trials.in_background || faces <= most_at_once) book.wait_for(session.document());
+  if (!context.trials.in_background || faces <= most_at_once) book.wait_for(context.document());
   if (book.is_ready()) return &book;
   context.state.waits_for_work = true;
   dim_text(context, context.text("Building the forms...", "形状表現を構築中..."));

@@ -5,10 +5,13 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/document/repair_call.h"
-#include "app/editor/session/session.h"
+#include "app/editor/document/repair_trials.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -27,7 +30,7 @@ constexpr std::size_t row_lines = 3, tip_lines = 8;
 std::string brief(PanelContext& context, const RepairReport& report, float width_px, std::size_t most_lines) {
   const Text begin = report.fault ? Text() : Text{"Trial: ", "結果の見込み："};
   for (std::size_t parts = std::max<std::size_t>(report.findings.size() + report.left.size(), 2);; --parts) {
-    std::string text = (begin + told(report, context.session.mesh(), parts)).in(context.language());
+    std::string text = (begin + told(report, context.mesh(), parts)).in(context.language());
     if (parts == 2 || lines_of(text, width_px) <= most_lines) return text;
   }
 }
@@ -63,9 +66,9 @@ void draw_row_text(const ImVec4& colour, const std::string& text) {
 }  // namespace
 
 // Why no repair can be pressed; empty where they can.
-Text RepairRows::why_off(const Session& session, bool is_mended) {
+Text RepairRows::why_off(const Shown& shown, bool is_mended) {
   if (is_mended) return {"Nothing is left to mend.", "直すものは残っていません。"};
-  if (session.shown.response(Effect::edits) != Response::refuse) return {};
+  if (shown.response(Effect::edits) != Response::refuse) return {};
   return {"Repairs are done on the mesh that is open; Esc shows it.",
           "修復は開いているメッシュに行います。Esc でその表示に戻ります。"};
 }
@@ -78,13 +81,13 @@ void RepairRows::draw_report(PanelContext& context, const std::string& line, con
   const ImVec2 end{begin.x + width, ImGui::GetCursorScreenPos().y + row_lines * pitch};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
   const RepairReport* report = nullptr;
-  const bool is_asked = why_off.en.empty() && (is_pointed || !is_dear_to_try(context.session.mesh()));
+  const bool is_asked = why_off.en.empty() && (is_pointed || !is_dear_to_try(context.mesh()));
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
   if (!why_off.en.empty()) said = why_off;
   if (is_asked) {
     wants_trial_ = true;
-    report = tried(context.session, line);
-    const int percent = static_cast<int>(std::lround(100 * context.session.trials.share().value_or(0)));
+    report = tried(context.document(), context.trials, line);
+    const int percent = static_cast<int>(std::lround(100 * context.trials.share().value_or(0)));
     const std::string n = std::to_string(percent);
     said = {"Trying it on a copy: " + n + " %", "写しで試しています：" + n + " %"};
   }
@@ -150,7 +153,7 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, con
   if (is_pressed && !read.values) {
     fields.are_open = fields.begin = true;
     for (std::size_t i = 0; i < fields.texts.size(); ++i)
-      if (fields.texts[i].empty()) fields.texts[i] = first_text(row.parameters[i], context.session.mesh());
+      if (fields.texts[i].empty()) fields.texts[i] = first_text(row.parameters[i], context.mesh());
     is_pressed = false;
   }
   if (fields.are_open) is_pressed |= draw_fields(context, row, fields) && read.values && why_off.en.empty();
@@ -161,7 +164,7 @@ bool RepairRows::draw_repair(PanelContext& context, const AlgorithmRow& row, con
 
 bool RepairRows::draw(PanelContext& context, ProblemKind kind, bool is_mended) {
   bool is_pressed = false;
-  const Text off = why_off(context.session, is_mended);
+  const Text off = why_off(context.shown, is_mended);
   for (const AlgorithmRow& repair : algorithm_table())
     if (std::find(repair.solves.begin(), repair.solves.end(), kind) != repair.solves.end())
       is_pressed |= draw_repair(context, repair, off);
@@ -179,7 +182,7 @@ bool RepairRows::draw_all(PanelContext& context, bool is_mended) {
     if (!std::exchange(is_first, false)) help += context.text(", ", "、");
     help += context.text(step.row->name_en, step.row->name_ja);
   }
-  const Text off = why_off(context.session, is_mended);
+  const Text off = why_off(context.shown, is_mended);
   ImGui::BeginGroup();
   ImGui::BeginDisabled(!off.en.empty());
   const bool is_pressed = ImGui::Button(name, {ImGui::GetContentRegionAvail().x, 0});
@@ -197,7 +200,7 @@ bool RepairRows::draw_beyond_all(PanelContext& context, ProblemKind kind, bool i
   ImGui::PushID("beyond");
   dim_text(context, said.in(context.language()).c_str());
   bool is_pressed = false;
-  const Text off = why_off(context.session, is_mended);
+  const Text off = why_off(context.shown, is_mended);
   for (const AlgorithmRow& repair : algorithm_table())
     if (!repair.keeps_geometry && repair.parameters.empty() &&
         std::find(repair.solves.begin(), repair.solves.end(), kind) != repair.solves.end())
@@ -207,7 +210,7 @@ bool RepairRows::draw_beyond_all(PanelContext& context, ProblemKind kind, bool i
 }
 
 void RepairRows::end_frame(PanelContext& context) {
-  if (!std::exchange(wants_trial_, false)) context.session.trials.cancel();
+  if (!std::exchange(wants_trial_, false)) context.trials.cancel();
 }
 
 }  // namespace ryosen

@@ -9,6 +9,8 @@
 
 namespace ryosen {
 
+class Shown;
+
 // What stands in the fields of the repairs, and which of them are unfolded.
 class RepairRows {
  public:
@@ -28,7 +30,7 @@ class RepairRows {
     std::vector<std::string> texts;
   };
   Fields& fields_of(const AlgorithmRow& row);
-  static Text why_off(const Session& session, bool is_mended);
+  static Text why_off(const Shown& shown, bool is_mended);
   bool draw_repair(PanelContext& context, const AlgorithmRow& row, const Text& why_off);
   bool draw_fields(PanelContext& context, const AlgorithmRow& row, Fields& fields);
   // Below the button that was drawn last, in whose group it is; ends that.

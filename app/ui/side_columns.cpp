@@ -1,5 +1,5 @@
 #include "app/ui/side_columns.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,10 +41,10 @@ void draw_border(PanelContext& context, PanelPlace side, const PixelRect& column
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float pointed = is_left ? ImGui::GetIO().MousePos.x : all.x - ImGui::GetIO().MousePos.x;
     const Size window{static_cast<int>(all.x), static_cast<int>(all.y)};
-    const int widest = widest_column_px(context.session.layout, side, window, context.column_scale);
+    const int widest = widest_column_px(context.layout, side, window, context.column_scale);
     const float px = std::clamp(pointed / context.column_scale, float{least_column_px}, static_cast<float>(widest));
     const int wanted = static_cast<int>(std::lround(px));
-    if (wanted != context.session.layout.width_px(side))
+    if (wanted != context.layout.width_px(side))
       context.run(std::string("columns ") + (is_left ? "left " : "right ") + std::to_string(wanted));
   }
   ImGui::End();
@@ -63,8 +63,7 @@ SeenPart seen_part(const ColumnNames& of, float covered_px) {
 }
 
 bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) {
-  return row.place != PanelPlace::over && context.session.layout.side_of(row) == side &&
-         context.session.layout.is_shown(row);
+  return row.place != PanelPlace::over && context.layout.side_of(row) == side && context.layout.is_shown(row);
 }
 
 }  // namespace
@@ -105,7 +104,7 @@ void SideColumns::show_wanted(PanelContext& context, float begin, float height, 
   ImGui::SetScrollY(std::min(begin - kept_px, std::max(scroll, end - height)));
   const bool is_settled = begin == std::exchange(wanted_begin_, begin) && end == std::exchange(wanted_end_, end);
   if (!is_settled) return context.state.unsettle();
-  context.session.layout.wanted.clear();
+  context.layout.wanted.clear();
   wanted_begin_ = wanted_end_ = -1;
 }
 
@@ -129,7 +128,7 @@ float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float hei
       if (own.row.at_first == PanelAtFirst::held) held_px = ImGui::GetCursorPosY() - begin;
     }
     if (is_held) kept_px = first + held_px;
-    if (context.session.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
+    if (context.layout.wanted == own.row.id) show_wanted(context, begin, height, kept_px);
     lying.push_back({&own, begin, ImGui::GetCursorPosY()});
   }
   if (!over) return 0;
@@ -172,15 +171,15 @@ void SideColumns::draw_column(PanelContext& context, PanelPlace side, const Area
 
 void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels) {
   flyout_size_ = {0, 0};
-  const std::string open = areas.has_tabs ? context.session.layout.flyout : "";
+  const std::string open = areas.has_tabs ? context.layout.flyout : "";
   const auto own = std::find_if(panels.begin(), panels.end(), [&](const OwnPanel& p) { return p.row.id == open; });
   if (own == panels.end()) {
-    context.session.layout.flyout.clear();
+    context.layout.flyout.clear();
     return;
   }
-  const PanelPlace side = context.session.layout.side_of(own->row);
+  const PanelPlace side = context.layout.side_of(own->row);
   const PixelRect& view = areas.view;
-  const float wide = static_cast<float>(context.session.layout.width_px(side)) * context.column_scale;
+  const float wide = static_cast<float>(context.layout.width_px(side)) * context.column_scale;
   const float width = std::min(std::round(wide), static_cast<float>(view.width()));
   const bool is_left = side == PanelPlace::left;
   ImGui::SetNextWindowPos({static_cast<float>(is_left ? view.x0 : view.x1), static_cast<float>(view.y0)}, 0,
@@ -201,8 +200,8 @@ void SideColumns::draw_flyout(PanelContext& context, const Areas& areas, std::ve
 
 void SideColumns::draw(PanelContext& context, const Areas& areas, std::vector<OwnPanel>& panels) {
   // Behind a tab a panel is shown by being opened.
-  if (std::string& wanted = context.session.layout.wanted; areas.has_tabs && !wanted.empty())
-    context.session.layout.flyout = std::exchange(wanted, {});
+  if (std::string& wanted = context.layout.wanted; areas.has_tabs && !wanted.empty())
+    context.layout.flyout = std::exchange(wanted, {});
   scrolled_.clear();
   draw_column(context, PanelPlace::left, areas, panels);
   draw_column(context, PanelPlace::right, areas, panels);

@@ -30,7 +30,7 @@ void heading(PanelContext& context, const char* text) {
 
 // The drag that does this in the preset, alone if there is one.
 std::string drag_for(const PanelContext& context, Gesture gesture) {
-  const InputPreset& preset = input_presets()[context.session.preferences.input_preset];
+  const InputPreset& preset = input_presets()[context.preferences.input_preset];
   const auto row = std::find_if(preset.drags.begin(), preset.drags.end(), [&](const DragRow& drag) {
     return drag.gesture == gesture && !drag.shift && !drag.ctrl;
   });
@@ -40,9 +40,10 @@ std::string drag_for(const PanelContext& context, Gesture gesture) {
 std::vector<std::string> hints_of_start(const PanelContext& context) {
   const bool ja = context.language() == Language::japanese;
   const std::string orbit = drag_for(context, Gesture::orbit), pan = drag_for(context, Gesture::pan),
-                    undo = chord_of(context.session, "undo"), save = chord_of(context.session, "save"),
-                    collapse = chord_of(context.session, "tool collapse"),
-                    split = chord_of(context.session, "tool split"), move = chord_of(context.session, "gesture move");
+                    undo = chord_of(context.preferences, "undo"), save = chord_of(context.preferences, "save"),
+                    collapse = chord_of(context.preferences, "tool collapse"),
+                    split = chord_of(context.preferences, "tool split"),
+                    move = chord_of(context.preferences, "gesture move");
   const std::string look = ja ? "見る：" + orbit + "で回し、" + pan + "で動かし、ホイールで拡大します。"
                               : "Look: " + orbit + " turns, " + pan + " moves, the wheel zooms.";
   const std::string edit =
@@ -102,7 +103,7 @@ void StartPage::look_for_recent(const std::vector<std::string>& files) {
 }
 
 void StartPage::draw_recent(PanelContext& context, std::size_t most) {
-  look_for_recent(context.session.preferences.recent);
+  look_for_recent(context.preferences.recent);
   if (recent_.empty() || most == 0) return;
   heading(context, context.text("Recent files", "最近のファイル"));
   for (const auto& [file, is_there] : std::span(recent_).first(std::min(most, recent_.size()))) {
@@ -255,19 +256,18 @@ void StartPage::draw_tabs(PanelContext& context, float height) {
 }
 
 void StartPage::draw(PanelContext& context) {
-  const Session& session = context.session;
-  if (!is_shown(session)) {
+  if (!is_shown(context.session)) {
     has_keys_ = false;
     focus_ = 0;
     recent_.clear();  // it is looked for them anew when this is shown again
     return;
   }
   const float margin = 8 * context.scale;
-  const ImVec2 room(static_cast<float>(session.view.size.width) - 2 * margin,
-                    static_cast<float>(session.view.size.height) - 2 * margin);
+  const ImVec2 room(static_cast<float>(context.view.size.width) - 2 * margin,
+                    static_cast<float>(context.view.size.height) - 2 * margin);
   const float width = std::min(room.x, 40 * ImGui::GetFontSize());
-  ImGui::SetNextWindowPos({static_cast<float>(session.view.origin.x) + margin + room.x / 2,
-                           static_cast<float>(session.view.origin.y) + margin + room.y / 2},
+  ImGui::SetNextWindowPos({static_cast<float>(context.view.origin.x) + margin + room.x / 2,
+                           static_cast<float>(context.view.origin.y) + margin + room.y / 2},
                           0, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, room.y});
   ImGui::Begin("##start", nullptr,
@@ -276,7 +276,7 @@ void StartPage::draw(PanelContext& context) {
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoMove);
   entries_.clear();
   taken_.clear();
-  const Measured now{width, ImGui::GetFontSize(), context.language(), session.preferences.recent.size()};
+  const Measured now{width, ImGui::GetFontSize(), context.language(), context.preferences.recent.size()};
   const bool is_known = measured_ == now;
   heading(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
   if (is_known && whole_height_ > room.y)
@@ -289,7 +289,7 @@ void StartPage::draw(PanelContext& context) {
   const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   context.state.notes.push_back({static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.x + size.x),
                                  static_cast<int>(at.y + size.y)});
-  if (!context.state.menus_have_keys) follow_keys();
+  if (!context.state.menus.had_keys) follow_keys();
   ImGui::End();
   if (!taken_.empty()) context.run(taken_);
 }

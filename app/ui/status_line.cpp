@@ -2,9 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/words.h"
+#include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/asking.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/pointing.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/gesturing.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/base/count_text.h"
@@ -20,7 +24,7 @@ struct Hint {
 // What it does now, how it ends and how it is taken back, which always have room; then what else may be pressed.
 std::vector<Hint> hints_of_gesture(const PanelContext& context, const TransformGesture& gesture) {
   std::string told = gesture.told().in(context.language());
-  if (const std::size_t spoilt = context.session.gesturing.spoilt().size(); spoilt > 0)
+  if (const std::size_t spoilt = context.gesturing.spoilt().size(); spoilt > 0)
     told += count_text(spoilt, " (one face turns over or flattens)", " (# faces turn over or flatten)",
                        "（裏返る面・つぶれる面 #）")
                 .in(context.language());
@@ -56,30 +60,29 @@ Text counted(const Selection& selection) {
 }
 
 std::vector<Hint> hints_of(const PanelContext& context) {
-  if (const TransformGesture* const gesture = context.session.gesturing.transform()) return hints_of_gesture(context, *gesture);
-  if (context.session.view.band)
+  if (const TransformGesture* const gesture = context.gesturing.transform()) return hints_of_gesture(context, *gesture);
+  if (context.view.band)
     return {{context.text("Release", "離す"), context.text("select what is inside", "囲んだものを選択")},
             {"Esc", context.text("give up", "中止")}};
   const auto drag = [&](MouseButton button) -> std::string {
-    const auto armed = context.session.view.armed_gesture;
+    const auto armed = context.view.armed_gesture;
     if (armed && button == MouseButton::left)
       return *armed == Gesture::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
                                     : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
-    return help_of(gesture_of(input_presets()[context.session.preferences.input_preset], button, {}))
-        .in(context.language());
+    return help_of(gesture_of(input_presets()[context.preferences.input_preset], button, {})).in(context.language());
   };
-  if (!context.session.selecting.asked_line.empty())
-    return {{"", asked_text(context.session.selecting.asked_line).in(context.language())},
+  if (!context.selecting.asked_line.empty())
+    return {{"", asked_text(context.selecting.asked_line).in(context.language())},
             {"Esc", context.text("give up", "中止")}};
-  if (const HandleRow* const handle = context.session.pointing.pointed_handle())
+  if (const HandleRow* const handle = context.pointing.pointed_handle())
     return {{context.text("Drag", "ドラッグ"), context.text(handle->does_en, handle->does_ja)},
             {"Ctrl", context.text("snap", "吸着")},
             {"Esc", context.text("give up", "中止")}};
-  if (const AxisEnd* const end = context.session.pointing.pointed_axis_end())
+  if (const AxisEnd* const end = context.pointing.pointed_axis_end())
     return {{context.text("Click", "クリック"),
              context.text("look from ", "") + std::string(end->name) + context.text("", " 側から見る")},
             {context.text("Drag", "ドラッグ"), drag(MouseButton::left)}};
-  const OpInfo* const op = find_op(context.session.selecting.tool);
+  const OpInfo* const op = find_op(context.selecting.tool);
   std::vector<Hint> hints{{context.text("Click", "クリック"),
                            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
                           {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
@@ -90,11 +93,11 @@ std::vector<Hint> hints_of(const PanelContext& context) {
   const auto does = [&](const Hint& hint) { return hint.does == by_middle; };
   if (std::none_of(hints.begin(), hints.end(), does))
     hints.insert(hints.begin() + 2, {context.text("Middle drag", "中ドラッグ"), by_middle});
-  if (const auto asked = context.session.selecting.asking_verdicts())
+  if (const auto asked = context.selecting.asking_verdicts())
     hints.insert(hints.begin(), {context.text("Verdicts", "判定"), std::to_string(std::lround(100 * *asked)) + " %"});
-  if (!context.session.selecting.selection.empty())
+  if (!context.selecting.selection.empty())
     hints.insert(hints.begin(),
-                 {context.text("Selected", "選択中"), counted(context.session.selecting.selection).in(context.language())});
+                 {context.text("Selected", "選択中"), counted(context.selecting.selection).in(context.language())});
   return hints;
 }
 
@@ -120,11 +123,11 @@ void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float roo
 // At the right, with short numbers; where it does not fit in fewer words, or with an ellipsis. What is not shown as it was
 // said is whole in a tooltip.
 void draw_said(PanelContext& context, const std::string& said, float end, float room) {
-  const ImVec4 colour = context.state.last_kind == Outcome::Kind::done      ? context.colours().legal
-                        : context.state.last_kind == Outcome::Kind::refused ? context.colours().refused
+  const ImVec4 colour = context.state.last.kind == Outcome::Kind::done      ? context.colours().legal
+                        : context.state.last.kind == Outcome::Kind::refused ? context.colours().refused
                                                                             : context.colours().warning;
   std::string told = with_short_numbers(said);
-  for (const Text& shorter : context.state.last_shorter) {
+  for (const Text& shorter : context.state.last.shorter) {
     if (ImGui::CalcTextSize(told.c_str()).x <= room) break;
     told = with_short_numbers(shorter.in(context.language()));
   }
@@ -138,16 +141,16 @@ void draw_said(PanelContext& context, const std::string& said, float end, float 
 
 void draw_line(PanelContext& context, float width, float padding) {
   std::vector<Hint> hints = hints_of(context);
-  const std::string& said = context.state.last_outcome.in(context.language());
+  const std::string& said = context.state.last.sentence.in(context.language());
   const float all = width - 2 * padding;
-  if (context.session.gesturing.transform()) {
+  if (context.gesturing.transform()) {
     const float ends = width_of(hints[1]) + width_of(hints[2]) + 2 * hint_gap() + word_gap();
     hints[0].does = fitted(hints[0].does, all - ends);
   }
-  const bool asks = !context.session.selecting.asked_line.empty();
+  const bool asks = !context.selecting.asked_line.empty();
   // What is asked stands before what was said, but for why it is asked again.
-  const bool is_refused = context.state.last_kind != Outcome::Kind::done && said != hints[0].does;
-  if (said.empty() || context.session.gesturing.transform() || (asks && !is_refused)) return draw_hints(context, hints, all);
+  const bool is_refused = context.state.last.kind != Outcome::Kind::done && said != hints[0].does;
+  if (said.empty() || context.gesturing.transform() || (asks && !is_refused)) return draw_hints(context, hints, all);
   float hinted = 0;
   for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
   // What was said comes before the hints.

@@ -4,21 +4,24 @@
 #include <cmath>
 #include <vector>
 
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/findings.h"
 #include "render/colour.h"
+#include "ryosen/document/document.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
 namespace {
 
 // The colours of the values that the surface is coloured by.
-void paint_values(Session& session, TriangleSource& source) {
-  const MapValues& values = session.findings().map_values();
-  const Mesh& mesh = session.mesh();
-  const Colouring& colouring = *session.view.colouring;
+void paint_values(Findings& findings, ViewState& view, TriangleSource& source) {
+  const MapValues& values = findings.map_values();
+  const Mesh& mesh = findings.mesh();
+  const Colouring& colouring = *view.colouring;
   constexpr std::size_t steps = 1024;
   std::vector<std::uint32_t> scale(steps);
   for (std::size_t i = 0; i < steps; ++i) {
@@ -61,11 +64,11 @@ struct ShownFileColours {
   const AttributeColumn* of_vertices = nullptr;
   const FaceColours* of_faces = nullptr;
 
-  explicit ShownFileColours(const Session& session) {
-    const FileColours which = session.view.settings.file_colours;
-    const Mesh& mesh = session.mesh();
+  explicit ShownFileColours(const Document& document, const ViewState& view) {
+    const FileColours which = view.settings.file_colours;
+    const Mesh& mesh = document.mesh();
     const int column = mesh.find_attribute(attribute_names::colour);
-    const FaceColours& colours = session.document().tables().face_colours;
+    const FaceColours& colours = document.tables().face_colours;
     if (which == FileColours::off) return;
     if (which != FileColours::faces && column >= 0) of_vertices = &mesh.attributes()[static_cast<std::size_t>(column)];
     if (which != FileColours::vertices && !colours.values.empty()) of_faces = &colours;
@@ -74,8 +77,8 @@ struct ShownFileColours {
 };
 
 // The colours of a file, of faces where they have one.
-void paint_file(const Session& session, TriangleSource& source) {
-  const ShownFileColours shown(session);
+void paint_file(const Document& document, const ViewState& view, TriangleSource& source) {
+  const ShownFileColours shown(document, view);
   if (shown.are_none()) return;
   source.paint = Paint::own;
   source.colours = [of_vertices = shown.of_vertices,
@@ -93,13 +96,15 @@ void paint_file(const Session& session, TriangleSource& source) {
 
 }  // namespace
 
-bool is_painted(const Session& session) { return session.view.colouring || !ShownFileColours(session).are_none(); }
+bool is_painted(const Document& document, const ViewState& view) {
+  return view.colouring || !ShownFileColours(document, view).are_none();
+}
 
-void paint_surface(Session& session, TriangleSource& source) {
-  if (session.view.colouring)
-    paint_values(session, source);
+void paint_surface(Document& document, Findings& findings, ViewState& view, TriangleSource& source) {
+  if (view.colouring)
+    paint_values(findings, view, source);
   else
-    paint_file(session, source);
+    paint_file(document, view, source);
 }
 
 }  // namespace ryosen

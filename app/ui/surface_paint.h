@@ -5,11 +5,13 @@
 
 namespace ryosen {
 
-class Session;
+class Document;
+class Findings;
+struct ViewState;
 
 // Whether the surface has colours beside its own.
-bool is_painted(const Session& session);
+bool is_painted(const Document& document, const ViewState& view);
 // Sets paint and colours of the source, where there are any. It reads the session for as long as it is used.
-void paint_surface(Session& session, TriangleSource& source);
+void paint_surface(Document& document, Findings& findings, ViewState& view, TriangleSource& source);
 
 }  // namespace ryosen

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <span>
 
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
 #include "app/ui/side_columns.h"
 #include "app/ui/widgets.h"
 
@@ -58,7 +58,7 @@ bool draw_strip(PanelContext& context, PanelPlace side, ImVec2 size, bool is_ope
   return is_clicked;
 }
 
-bool is_open(const PanelContext& context, const PanelRow& row) { return context.session.layout.flyout == row.id; }
+bool is_open(const PanelContext& context, const PanelRow& row) { return context.layout.flyout == row.id; }
 
 // Opens the panel, or closes it where it is open.
 std::string line_of_click(const PanelContext& context, const PanelRow& row) {
@@ -122,7 +122,7 @@ void draw_strip_of(PanelContext& context, PanelPlace side, std::span<const Panel
 
 void draw_tabs(PanelContext& context, PanelPlace side, const PixelRect& area) {
   std::vector<const PanelRow*> rows;
-  const Layout& layout = context.session.layout;
+  const Layout& layout = context.layout;
   for (const PanelRow& row : panel_list())
     if (row.place != PanelPlace::over && layout.side_of(row) == side && layout.is_shown(row)) rows.push_back(&row);
   const float gap = 3 * context.scale;

@@ -37,11 +37,12 @@ void VerdictLayer::begin(Session& session, View& view, const ToolVerdicts* verdi
 }
 
 // The refused ones on top, where elements lie dense.
-void VerdictLayer::draw_block(Session& session, View& view, const ToolVerdicts& verdicts, std::uint32_t block) const {
+void VerdictLayer::draw_block(Findings& findings, Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
+                              std::uint32_t block) const {
   const std::uint32_t first = block * in_block, end = std::min(first + in_block, slots_);
   const auto draw = [&](ElementVerdict which, std::uint32_t part) {
     view.set_overlay_part(Layer::verdicts, part,
-                          verdicts_overlay(session, verdicts, which, first, end, theme_, room_));
+                          verdicts_overlay(findings, gesturing, verdicts, which, first, end, theme_, room_));
   };
   draw(ElementVerdict::legal, block);
   draw(ElementVerdict::refused, most_blocks + block);
@@ -67,7 +68,7 @@ void VerdictLayer::follow(Session& session, View& view) {
   std::uint32_t last = no_index;
   for (const std::uint32_t slot : verdicts->take_asked_again()) {
     const std::uint32_t block = slot / in_block;
-    if (block < drawn_ && block != last) draw_block(session, view, *verdicts, block);
+    if (block < drawn_ && block != last) draw_block(session.findings(), session.gesturing, view, *verdicts, block);
     last = block;
   }
   const std::uint32_t blocks = blocks_for(slots_), before = drawn_;
@@ -75,7 +76,7 @@ void VerdictLayer::follow(Session& session, View& view) {
     return verdicts->asked() >= std::min(slots_, (block + 1) * in_block);
   };
   while (drawn_ < blocks && is_asked(drawn_) && (!session.frontend.asks_in_slices || drawn_ < before + most_at_once))
-    draw_block(session, view, *verdicts, drawn_++);
+    draw_block(session.findings(), session.gesturing, view, *verdicts, drawn_++);
   is_waiting_ = drawn_ < blocks || !verdicts->is_complete();
   if (drawn_ == blocks) view.show_layer(Layer::verdicts, true);
 }

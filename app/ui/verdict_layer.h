@@ -8,6 +8,8 @@
 
 namespace ryosen {
 
+class Findings;
+class Gesturing;
 class Session;
 
 // Drawn in blocks of elements: at first so many of them in a frame as cost few milliseconds, where the session asks in
@@ -25,7 +27,8 @@ class VerdictLayer {
   void begin(Session& session, View& view, const ToolVerdicts* verdicts);
   // Drops what an undo has taken away, and forgets a block that was or is not full.
   void follow_slots(View& view, std::uint32_t slots);
-  void draw_block(Session& session, View& view, const ToolVerdicts& verdicts, std::uint32_t block) const;
+  void draw_block(Findings& findings, Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
+                  std::uint32_t block) const;
 
   bool is_stale_ = true, is_waiting_ = false;
   std::uint64_t serial_ = 0;  // of the verdicts that are drawn; 0 for none

@@ -24,29 +24,30 @@ namespace ryosen {
 
 namespace {
 
-TriangleSource source_of(Session& session, std::span<const std::uint8_t> tints) {
-  const SurfaceTriangles& triangles = session.findings().picker().triangles();
-  const Mesh& mesh = session.mesh();
+TriangleSource source_of(Document& document, Findings& findings, ViewState& view, Gesturing& gesturing,
+                         std::span<const std::uint8_t> tints) {
+  const SurfaceTriangles& triangles = findings.picker().triangles();
+  const Mesh& mesh = document.mesh();
   TriangleSource source{
-      session.gesturing.drawn_positions(), triangles.slots(),
+      gesturing.drawn_positions(), triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
-  if (session.view.settings.shading == Shading::smooth) source.corner_normals = session.findings().corner_normals().packed();
-  paint_surface(session, source);
+  if (view.settings.shading == Shading::smooth) source.corner_normals = findings.corner_normals().packed();
+  paint_surface(document, findings, view, source);
   return source;
 }
 
 static_assert(most_highlights < most_tints);
 
 // The tints of highlights, in the order of the table, and at last that of selected faces.
-std::vector<DrawnTint> tints_of(const Session& session) {
-  const Theme theme = session.view.settings.theme;
+std::vector<DrawnTint> tints_of(const Document& document, const ViewState& view) {
+  const Theme theme = view.settings.theme;
   std::vector<DrawnTint> tints;
   for (const HighlightRow& row : highlight_table())
     if (row.tint) tints.push_back({style(row.looks, theme).colour, *row.tint});
   // Stripes where the surface has colours of its own, any of which may be alike.
   const FaceTint selected =
-      is_painted(session) ? FaceTint{FacePattern::bars, 0.9f} : FaceTint{FacePattern::plain, 0.6f};
+      is_painted(document, view) ? FaceTint{FacePattern::bars, 0.9f} : FaceTint{FacePattern::plain, 0.6f};
   tints.push_back({style(Role::selected, theme).colour, selected});
   return tints;
 }
@@ -55,18 +56,18 @@ std::vector<DrawnTint> tints_of(const Session& session) {
 // first highlight of the table tints; being selected goes before them, and being hidden before that.
 class FaceTints {
  public:
-  FaceTints(Session& session, const IndexSet& selected) {
+  FaceTints(Findings& findings, ViewState& view, const IndexSet& selected) {
     const auto tinted =
         std::count_if(highlight_table().begin(), highlight_table().end(), [](const auto& row) { return row.tint; });
-    shown_.push_back({&session.findings().hidden().faces(), hidden_face});
+    shown_.push_back({&findings.hidden().faces(), hidden_face});
     shown_.push_back({&selected, static_cast<std::uint8_t>(tinted + 1)});
-    if (session.findings().preparing()) return;
-    const HighlightSets& sets = session.findings().highlights();
+    if (findings.preparing()) return;
+    const HighlightSets& sets = findings.highlights();
     std::uint8_t number = 0;
     for (const HighlightRow& row : highlight_table()) {
       if (!row.tint) continue;
       ++number;
-      if (!session.view.highlights.contains(std::string(row.id))) continue;
+      if (!view.highlights.contains(std::string(row.id))) continue;
       for_each_mark(row, [&](Mark mark) {
         if (mark.sort == Element::Kind::face) shown_.push_back({&sets.of(mark), number});
       });
@@ -100,12 +101,12 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
 }
 
 // Of points at the members of a mark; none for other members. Linear.
-double room_of(Session& session, Mark mark) {
+double room_of(Findings& findings, Gesturing& gesturing, Mark mark) {
   if (mark.sort != Element::Kind::vertex) return 0;
-  const IndexSet& members = session.findings().highlights().of(mark);
+  const IndexSet& members = findings.highlights().of(mark);
   Box bounds;
   members.for_each([&](std::uint32_t i) {
-    if (is_finite(session.gesturing.drawn_positions()[i])) bounds.add(session.gesturing.drawn_positions()[i]);
+    if (is_finite(gesturing.drawn_positions()[i])) bounds.add(gesturing.drawn_positions()[i]);
   });
   return room_of_points(bounds, members.size());
 }
@@ -177,7 +178,7 @@ void Viewport::follow(Session& session) {
   view_->set_display_scale(scale);
   labels_.set_scale(static_cast<float>(session.preferences.label_scale()));
   view_->set_clip(session.view.clip_plane());
-  view_->set_tints(tints_of(session));
+  view_->set_tints(tints_of(session.document(), session.view));
   view_->set_camera(session.view.camera);
   follow_mesh(session);
   follow_overlays(session);
@@ -185,15 +186,15 @@ void Viewport::follow(Session& session) {
   follow_beside(session);
 }
 
-void Viewport::keep_pace(const Session& session, FramePace::Clock::time_point now) {
-  pace_.see(session.view.camera, now);
+void Viewport::keep_pace(const ViewState& view, FramePace::Clock::time_point now) {
+  pace_.see(view.camera, now);
   const bool is_moving = pace_.time_to_rest(now).has_value();
   view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
   view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
   view_->set_most_refining(pace_.effort_of_refining());
   if (!view_->is_drawn()) changed_at_ = now;
   view_->set_refining(now - changed_at_ >= FramePace::rest_after);
-  if (beside_) beside_->keep_pace(session, now);
+  if (beside_) beside_->keep_pace(view, now);
 }
 
 void Viewport::took(FramePace::Clock::duration time) {
@@ -238,8 +239,8 @@ void Viewport::follow_mesh(Session& session) {
   if (!changes.everything) slots.for_each_since(seen_slots_, [&](std::uint32_t slot) { triangles.push_back(slot); });
   seen_slots_ = slots.clock();
   const bool other_selection = selection_ != session.selecting.selection.stamp();
-  if (other_selection) follow_selected_faces(session, changes.faces, triangles);
-  const FaceTints tints(session, selected_faces_);
+  if (other_selection) follow_selected_faces(session.findings(), session.selecting, changes.faces, triangles);
+  const FaceTints tints(session.findings(), session.view, selected_faces_);
   const bool anew = mesh_of_ != &session.document() || changes.everything ||
                     drawn_shading_ != session.view.settings.shading || drawn_colouring_ != session.view.colouring ||
                     drawn_file_colours_ != session.view.settings.file_colours ||
@@ -252,7 +253,7 @@ void Viewport::follow_mesh(Session& session) {
   if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
     ++rebuilds_;
-    view_->set_mesh(source_of(session, face_tints_));
+    view_->set_mesh(source_of(session.document(), session.findings(), session.view, session.gesturing, face_tints_));
   } else {
     std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_tints_.size(); });
     std::erase_if(changes.vertices, [&](std::uint32_t v) { return v >= mesh.vertex_slots(); });
@@ -261,7 +262,8 @@ void Viewport::follow_mesh(Session& session) {
       changes.faces.resize(face_tints_.size());
       std::iota(changes.faces.begin(), changes.faces.end(), 0u);
     }
-    view_->update_mesh(source_of(session, face_tints_), changes.vertices, triangles, changes.faces);
+    view_->update_mesh(source_of(session.document(), session.findings(), session.view, session.gesturing, face_tints_),
+                       changes.vertices, triangles, changes.faces);
   }
   mesh_of_ = &session.document();
   mesh_revision_ = session.document().revision();
@@ -278,11 +280,11 @@ void Viewport::follow_mesh(Session& session) {
   selection_stale_ = true;
 }
 
-void Viewport::follow_selected_faces(Session& session, std::vector<std::uint32_t>& faces,
+void Viewport::follow_selected_faces(Findings& findings, Selecting& selecting, std::vector<std::uint32_t>& faces,
                                      std::vector<std::uint32_t>& triangles) {
   constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
   IndexSet selected;
-  for (const Element& e : session.selecting.selection)
+  for (const Element& e : selecting.selection)
     if (e.kind == Element::Kind::face) selected.insert(e.index);
   std::vector<std::uint32_t> others;
   selected.for_each([&](std::uint32_t f) {
@@ -293,20 +295,21 @@ void Viewport::follow_selected_faces(Session& session, std::vector<std::uint32_t
   });
   if (others.size() <= few)
     for (const std::uint32_t f : others)
-      if (is_alive(session.mesh(), Face(f)))
-        for (const std::uint32_t slot : session.findings().picker().triangles().slots_of(session.mesh(), Face(f)))
+      if (is_alive(findings.mesh(), Face(f)))
+        for (const std::uint32_t slot : findings.picker().triangles().slots_of(findings.mesh(), Face(f)))
           triangles.push_back(slot);
   faces.insert(faces.end(), others.begin(), others.end());
   selected_faces_ = std::move(selected);
 }
 
-void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block) {
+void Viewport::draw_mark(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
+                         std::uint32_t block) {
   const std::uint32_t place = drawing_place(row, mark);
   DrawnMark& drawn = drawn_marks_[place];
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
   if (drawn.is_shown)
-    overlay = highlight_overlay(session, row, mark, first, first + block_slots, settings_, drawn.room);
+    overlay = highlight_overlay(findings, gesturing, row, mark, first, first + block_slots, settings_, drawn.room);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else
@@ -316,16 +319,19 @@ void Viewport::draw_mark(Session& session, const HighlightRow& row, Mark mark, s
   view_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
 }
 
-void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark) {
+void Viewport::follow_mark(Findings& findings, ViewState& view, Gesturing& gesturing, const HighlightRow& row,
+                           Mark mark) {
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
-  const bool is_shown = session.view.highlights.contains(std::string(row.id));
+  const bool is_shown = view.highlights.contains(std::string(row.id));
   std::vector<std::uint32_t> blocks;
   const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
-  const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(session, mark) : drawn.room;
+  const double room = !is_shown                                 ? 0
+                      : is_shown != drawn.is_shown || is_marked ? room_of(findings, gesturing, mark)
+                                                                : drawn.room;
   if (is_shown != drawn.is_shown || room != drawn.room) {
     blocks = drawn.blocks.to_vector();
     if (is_shown)
-      session.findings().highlights().of(mark).for_each([&](std::uint32_t i) {
+      findings.highlights().of(mark).for_each([&](std::uint32_t i) {
         if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
       });
   } else if (is_shown) {
@@ -335,36 +341,41 @@ void Viewport::follow_mark(Session& session, const HighlightRow& row, Mark mark)
   }
   drawn.is_shown = is_shown;
   drawn.room = room;
-  for (std::uint32_t block : blocks) draw_mark(session, row, mark, block);
+  for (std::uint32_t block : blocks) draw_mark(findings, gesturing, row, mark, block);
 }
 
-void Viewport::follow_highlights(Session& session) {
+void Viewport::follow_highlights(Findings& findings, ViewState& view, Gesturing& gesturing) {
   if (highlights_stale_) {
     view_->set_overlay(Layer::highlights, {});
     drawn_marks_.clear();
   }
   for (const HighlightRow& row : highlight_table())
-    for_each_mark(row, [&](Mark mark) { follow_mark(session, row, mark); });
+    for_each_mark(row, [&](Mark mark) { follow_mark(findings, view, gesturing, row, mark); });
   highlights_stale_ = false;
   marked_.clear();
 }
 
 void Viewport::follow_overlays(Session& session) {
   selection_stale_ |=
-      highlights_stale_ || selection_ != session.selecting.selection.stamp() || draws_links_ != session.view.links.is_on(session);
-  draws_links_ = session.view.links.is_on(session);
+      highlights_stale_ || selection_ != session.selecting.selection.stamp() ||
+      draws_links_ != session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
+  draws_links_ = session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
   verdict_layer_.follow(session, *view_);
-  if (!session.findings().preparing()) follow_highlights(session);
+  if (!session.findings().preparing()) follow_highlights(session.findings(), session.view, session.gesturing);
   normal_lines_.follow(session, *view_);
-  if (selection_stale_) view_->set_overlay(Layer::selection, selection_overlay(session, settings_.theme));
+  if (selection_stale_)
+    view_->set_overlay(Layer::selection, selection_overlay(session.findings(), session.view, session.selecting,
+                                                           session.gesturing, settings_.theme));
   if (selection_stale_ || measures_ != session.selecting.measures)
-    view_->set_overlay(Layer::measures, measures_overlay(session, settings_.theme));
+    view_->set_overlay(Layer::measures, measures_overlay(session.mesh(), session.selecting, settings_.theme));
   measures_ = session.selecting.measures;
   const Player* const player = session.shown.player().get();
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
-  if (selection_stale_ || step_ != step) view_->set_overlay(Layer::steps, step_overlay(session, settings_.theme));
+  if (selection_stale_ || step_ != step)
+    view_->set_overlay(Layer::steps,
+                       step_overlay(session.mesh(), session.view, session.gesturing, session.shown, settings_.theme));
   step_ = step;
-  const std::optional<Element> asked = asked_element(session);
+  const std::optional<Element> asked = asked_element(session.document(), session.layout, session.asked_question);
   if (selection_stale_ || asked_ != asked)
     view_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
   asked_ = asked;
@@ -372,14 +383,15 @@ void Viewport::follow_overlays(Session& session) {
       session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().account() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
   if (selection_stale_ || account_ != drawn)
-    view_->set_overlay(Layer::account, account_overlay(session, settings_.theme));
+    view_->set_overlay(Layer::account, account_overlay(session.findings(), session.layout, settings_.theme));
   account_ = drawn;
   selection_stale_ = false;
   selection_ = session.selecting.selection.stamp();
   view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
-  view_->set_overlay(Layer::hover, hover_overlay(session, settings_.theme));
-  view_->set_overlay(Layer::handles, gizmo_overlay(session, settings_.theme));
-  view_->set_overlay(Layer::axes, axes_overlay(session, settings_.theme));
+  view_->set_overlay(
+      Layer::hover, hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, settings_.theme));
+  view_->set_overlay(Layer::handles, gizmo_overlay(session.view, session.pointing, session.gesturing, settings_.theme));
+  view_->set_overlay(Layer::axes, axes_overlay(session.view, session.pointing, session.preferences, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -21,7 +21,11 @@
 
 namespace ryosen {
 
+class Findings;
+class Selecting;
+class Gesturing;
 class Session;
+struct ViewState;
 
 class Viewport {
  public:
@@ -32,7 +36,7 @@ class Viewport {
   void follow(Session& session);
   // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of the
   // rest a slice if it has come to rest. A while after the last change it refines the picture.
-  void keep_pace(const Session& session, FramePace::Clock::time_point now);
+  void keep_pace(const ViewState& view, FramePace::Clock::time_point now);
   // What that draw() took.
   void took(FramePace::Clock::duration time);
   // When the next frame is due, though nothing happens; none if the whole is drawn.
@@ -66,14 +70,13 @@ class Viewport {
   void follow_mesh(Session& session);
   void follow_beside(Session& session);
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
-  // Adds the faces that have come into the selection or left it to what has changed.
   // Adds the faces, and the slots of their triangles, that were selected or are no longer.
-  void follow_selected_faces(Session& session, std::vector<std::uint32_t>& faces,
+  void follow_selected_faces(Findings& findings, Selecting& selecting, std::vector<std::uint32_t>& faces,
                              std::vector<std::uint32_t>& triangles);
   void follow_overlays(Session& session);
-  void follow_highlights(Session& session);
-  void follow_mark(Session& session, const HighlightRow& row, Mark mark);
-  void draw_mark(Session& session, const HighlightRow& row, Mark mark, std::uint32_t block);
+  void follow_highlights(Findings& findings, ViewState& view, Gesturing& gesturing);
+  void follow_mark(Findings& findings, ViewState& view, Gesturing& gesturing, const HighlightRow& row, Mark mark);
+  void draw_mark(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;
   glm::ivec2 origin_{0};

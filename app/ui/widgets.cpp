@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "app/editor/input/keys.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/preferences/preference_values.h"
 #include "app/ui/letters.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -55,11 +57,11 @@ bool element_links(PanelContext& context, const std::vector<Element>& elements) 
   const float gap = ImGui::GetFontSize() * 0.6f;
   std::string chosen;
   for (std::size_t i = 0; i < std::min(elements.size(), most); ++i) {
-    const std::string name = link_name(context.session.mesh(), elements[i]);
+    const std::string name = link_name(context.mesh(), elements[i]);
     ImGui::PushID(static_cast<int>(i));
     if (i > 0 && ImGui::GetItemRectMax().x + gap + ImGui::CalcTextSize(name.c_str()).x < right_edge)
       ImGui::SameLine(0, gap);
-    if (link(context, name.c_str())) chosen = name_to_select(context.session.mesh(), elements[i]);
+    if (link(context, name.c_str())) chosen = name_to_select(context.mesh(), elements[i]);
     tip(context.text("A click selects it.", "クリックすると選択します。"));
     ImGui::PopID();
   }
@@ -192,7 +194,7 @@ void fitted_text(const std::string& text, float width_px) {
 }
 
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view) {
-  const bool wanted = context.session.layout.open_panel == row.id;
+  const bool wanted = context.layout.open_panel == row.id;
   const std::string name = context.title(row) + ("###" + std::string(row.id));
   if (!wanted && !ImGui::IsPopupOpen(name.c_str())) return false;
   if (!ImGui::IsPopupOpen(name.c_str())) ImGui::OpenPopup(name.c_str());
@@ -250,8 +252,8 @@ std::string chord_of(std::span<const KeyRow> keys, std::string_view command) {
   return {};
 }
 
-std::string chord_of(const Session& session, std::string_view command) {
-  return chord_of(key_table(input_presets()[session.preferences.input_preset], session.preferences.bindings), command);
+std::string chord_of(const Preferences& preferences, std::string_view command) {
+  return chord_of(key_table(input_presets()[preferences.input_preset], preferences.bindings), command);
 }
 
 std::string grouped(std::int64_t n) {

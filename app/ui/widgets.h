@@ -11,6 +11,10 @@
 
 namespace ryosen {
 
+struct Preferences;
+
+class Mesh;
+
 // Text wrapped at the panel's edge, its lines as far apart as others; coloured and dim text likewise.
 void wrapped_text(const char* text);
 // The same at a width.
@@ -68,7 +72,7 @@ void give_keyboard_to_next();
 bool is_left_alone(const char* field);
 
 // The chord of the key that sends a command, or nothing.
-std::string chord_of(const Session& session, std::string_view command);
+std::string chord_of(const Preferences& preferences, std::string_view command);
 std::string chord_of(std::span<const KeyRow> keys, std::string_view command);
 // 34834 as 34,834.
 std::string grouped(std::int64_t n);

@@ -102,7 +102,7 @@ Outcome WindowInput::open_menu(const Navigation::Click& click) {
 }
 
 Outcome WindowInput::key_down(const std::string& chord, bool is_again) {
-  if (catch_up_ && gui_.awaits_frame(session_)) catch_up_();
+  if (catch_up_ && gui_.awaits_frame(session_.layout)) catch_up_();
   navigation_.forget_click();
   return press_key(chord, is_again, input_presets()[session_.preferences.input_preset]);
 }
@@ -118,9 +118,9 @@ Outcome WindowInput::press_key(const std::string& chord, bool is_again, const In
 }
 
 Outcome WindowInput::act_on(const std::string& chord, bool is_again, const InputPreset& preset) {
-  if (gui_.take_chord(session_, chord)) return {};
+  if (gui_.take_chord(session_.layout, chord)) return {};
   const auto row = find_key(chord, preset, session_.preferences.bindings);
-  if (gui_.has_menu(session_)) {
+  if (gui_.has_menu(session_.layout)) {
     const bool opens_menus = row && row->command == find_key(lone_key, preset)->command;
     const bool is_done_behind = row && !opens_menus && is_function_key(chord);
     if (chord == "Escape" || opens_menus || is_done_behind) gui_.close_menus();
@@ -147,7 +147,7 @@ Outcome WindowInput::key_up(const std::string& chord) {
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
   if (!find_key(chord, input_presets()[0], session_.preferences.bindings) && !is_panel_key(chord) &&
-      !session_.gesturing.transform() && !gui_.wants_chord(session_))
+      !session_.gesturing.transform() && !gui_.wants_chord(session_.layout))
     return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
   if (Outcome then = let_key_go(chord, input_presets()[0]); chord == lone_key) outcome = std::move(then);

@@ -39,7 +39,7 @@ class WindowInput : public ViewInput {
   void let_go();
 
  private:
-  bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_, window_, pixel); }
+  bool is_over_view(glm::dvec2 pixel) const override { return !gui_.owns_pointer(session_.layout, window_, pixel); }
   // One beside what a tab has opened closes that and does nothing else.
   Outcome click(const Navigation::Click& click) override;
   Outcome open_menu(const Navigation::Click& click) override;

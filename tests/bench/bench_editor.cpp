@@ -112,7 +112,7 @@ void edit_by_name(benchmark::State& state, Source source, Part part) {
   constexpr Size window{1280, 720};
   Gui gui(1);
   gui.place_view(*session, window);
-  session->frame_all();
+  session->framing.frame_all();
   Screen screen;
   if (part == Part::view) screen = open_screen();
   if (part == Part::view && !screen.viewport) return state.SkipWithError("no OSMesa");
@@ -247,7 +247,7 @@ void refined_tile(benchmark::State& state, Source source, std::vector<std::strin
   const auto frame = [&] {
     moment += std::chrono::seconds(1);  // nothing moves for longer than that takes to be seen
     viewport.follow(*session);
-    viewport.keep_pace(*session, moment);
+    viewport.keep_pace(session->view, moment);
     const double start = now();
     viewport.draw();
     glFinish();

@@ -81,7 +81,7 @@ class LargeScene {
       const auto begin = FramePace::Clock::now();
       const Cost cost = cost_of([&] {
         viewport_.follow(*session_);
-        viewport_.keep_pace(*session_, begin);
+        viewport_.keep_pace(session_->view, begin);
         viewport_.draw();
         glFinish();
       });

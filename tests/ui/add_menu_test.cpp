@@ -58,7 +58,7 @@ TEST_F(AddMenu, adds_what_the_fields_say_and_shows_all_of_it_where_nothing_was_b
   frames(4);
   EXPECT_EQ(session.log(), std::vector<std::string>{"sphere radius=50 segments=32 bands=16 at=0,0,0"}) << gui.said().en;
   const Camera shown = session.view.camera;
-  session.frame_all();
+  session.framing.frame_all();
   EXPECT_NEAR(glm::distance(session.view.camera.eye, shown.eye), 0, 1e-9);
   session.view.camera = shown;
   ASSERT_TRUE(session.run("cube at=900,0,0").done());

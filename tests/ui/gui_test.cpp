@@ -130,10 +130,10 @@ TEST(gui, the_view_lies_between_the_columns) {
   EXPECT_EQ(laid.session.view.size, (Size{area.width(), area.height()}));
   EXPECT_EQ(laid.session.view.origin, glm::dvec2(area.x0, area.y0));
   const double y = (area.y0 + area.y1) / 2.0, x = (area.x0 + area.x1) / 2.0;
-  EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {x, y}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {area.x0 / 2.0, y}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {(area.x1 + window.width) / 2.0, y}));
-  EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {x, area.y0 / 2.0}));
+  EXPECT_FALSE(laid.gui.owns_pointer(laid.session.layout, window, {x, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session.layout, window, {area.x0 / 2.0, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session.layout, window, {(area.x1 + window.width) / 2.0, y}));
+  EXPECT_TRUE(laid.gui.owns_pointer(laid.session.layout, window, {x, area.y0 / 2.0}));
 }
 
 TEST(gui, a_click_on_a_tool_takes_it_and_another_puts_it_away) {
@@ -158,10 +158,10 @@ TEST(gui, an_open_panel_takes_the_pointer_and_escape_gives_it_back) {
   for (const char* panel : {"keys", "open", "save", "command"}) {
     ASSERT_TRUE(laid.gui.run(laid.session, std::string("panel ") + panel).done());
     laid.frames(2);
-    EXPECT_TRUE(laid.gui.owns_pointer(laid.session, window, {640, 360})) << panel;
+    EXPECT_TRUE(laid.gui.owns_pointer(laid.session.layout, window, {640, 360})) << panel;
     ASSERT_TRUE(laid.gui.run(laid.session, "cancel").done());
     laid.frames(3);
-    EXPECT_FALSE(laid.gui.owns_pointer(laid.session, window, {640, 360})) << panel;
+    EXPECT_FALSE(laid.gui.owns_pointer(laid.session.layout, window, {640, 360})) << panel;
   }
 }
 

@@ -17,7 +17,7 @@ class HidingTest : public testing::Test {
   void open(const char* asset) {
     session_.set_document(Document::open(test::asset(asset)).value());
     headless_->place_view(session_);
-    session_.frame_all();
+    session_.framing.frame_all();
   }
   Image picture(const char* line) {
     EXPECT_TRUE(session_.run(line).done()) << line;

@@ -115,7 +115,7 @@ TEST_F(LabelsTest, of_measures_move_aside_and_are_all_there) {
   const auto size_of = [](const std::string&) { return Size{300, 14}; };
   for (const Size view : {Size{480, 360}, Size{640, 480}}) {
     session_.view.size = view;
-    session_.frame_all();
+    session_.framing.frame_all();
     ASSERT_GE(session_.selecting.measures.size(), 4u);
     const std::vector<PlacedLabel> all = placed_labels(session_, size_of, 1);
     EXPECT_EQ(all.size(), session_.selecting.measures.size()) << view.width;
@@ -288,9 +288,9 @@ TEST_F(LabelsTest, say_it_in_the_picture) {
     session_.set_document(Document::open(file).value());
     headless_->place_view(session_);
     const Image with = headless_->picture(session_);
-    session_.awaits_file = true;  // then nothing is said
+    session_.frontend.awaits_file = true;  // then nothing is said
     EXPECT_FALSE(headless_->picture(session_) == with) << panels;
-    session_.awaits_file = false;
+    session_.frontend.awaits_file = false;
   }
 }
 

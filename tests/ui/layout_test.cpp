@@ -117,11 +117,11 @@ TEST_F(LayoutTest, a_click_on_a_header_folds_its_panel_and_another_unfolds_it) {
 TEST_F(LayoutTest, a_panel_has_a_menu_that_hides_it_and_puts_it_on_the_other_side) {
   const int column = view().x0;
   open_menu("Highlights");
-  EXPECT_TRUE(gui.owns_pointer(session, size_, {640, 360})) << "while the menu is open";
+  EXPECT_TRUE(gui.owns_pointer(session.layout, size_, {640, 360})) << "while the menu is open";
   click(place("Put on the right"));
   EXPECT_EQ(session.layout.moved, std::set<std::string>{"highlights"});
   EXPECT_GT(place("Highlights").x, 640);
-  EXPECT_FALSE(gui.owns_pointer(session, size_, {640, 360}));
+  EXPECT_FALSE(gui.owns_pointer(session.layout, size_, {640, 360}));
   click(place("Highlights"), 1);
   click(place("Put on the left"));
   EXPECT_LT(place("Highlights").x, column);
@@ -140,7 +140,7 @@ TEST_F(LayoutTest, a_column_without_panels_leaves_its_place_to_the_view) {
   EXPECT_EQ(view().x0, 0);
   EXPECT_EQ(session.view.origin.x, 0);
   EXPECT_EQ(session.view.size.width, view().width());
-  EXPECT_FALSE(gui.owns_pointer(session, size_, {100, 360}));
+  EXPECT_FALSE(gui.owns_pointer(session.layout, size_, {100, 360}));
   run("panel history left");
   EXPECT_GT(view().x0, 0);
 }
@@ -181,9 +181,9 @@ TEST_F(LayoutTest, a_view_that_nobody_has_moved_is_framed_anew_with_its_size) {
   for (const char* const line : lines) {
     ASSERT_TRUE(session.run(line).done()) << line;
     frames(2);
-    EXPECT_TRUE(session.is_framed()) << line;
+    EXPECT_TRUE(session.framing.is_framed()) << line;
     const Camera shown = session.view.camera;
-    session.frame_all();
+    session.framing.frame_all();
     EXPECT_LT(glm::distance(shown.eye, session.view.camera.eye), 1e-9) << line;
   }
   session.view.camera = orbited(session.view.camera, {40, 20}, session.view.size, {0, 0, 0});
@@ -322,8 +322,8 @@ TEST_F(NarrowWindow, a_tab_opens_its_panel_and_another_click_closes_it) {
   EXPECT_EQ(session.layout.flyout, "totals");
   EXPECT_TRUE(is_seen("vertices"));
   EXPECT_EQ(view().x0, areas_of({}, size_, 1).view.x0) << "the view stays as it is";
-  EXPECT_TRUE(gui.owns_pointer(session, size_, place("vertices")));
-  EXPECT_FALSE(gui.owns_pointer(session, size_, {500, 300}));
+  EXPECT_TRUE(gui.owns_pointer(session.layout, size_, place("vertices")));
+  EXPECT_FALSE(gui.owns_pointer(session.layout, size_, {500, 300}));
   click(tab);
   EXPECT_EQ(session.layout.flyout, "");
   EXPECT_FALSE(is_seen("vertices"));

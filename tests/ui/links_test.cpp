@@ -20,7 +20,7 @@ class LinksTest : public testing::Test {
   void open(const std::string& name, std::initializer_list<const char*> lines) {
     session_.set_document(Document::open(test::asset(name)).value());
     session_.view.size = {900, 700};
-    session_.frame_all();
+    session_.framing.frame_all();
     for (const char* const line : lines) ASSERT_TRUE(session_.run(line).done()) << line;
   }
   const std::vector<LinkArrow>& arrows() { return session_.view.links.of(session_); }

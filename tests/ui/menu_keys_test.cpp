@@ -42,7 +42,7 @@ class MenuKeys : public testing::Test, protected test::Laid {
 
 TEST_F(MenuKeys, f10_opens_them_and_arrows_walk_through_all) {
   press("F10");
-  ASSERT_TRUE(gui.has_menu(session));
+  ASSERT_TRUE(gui.has_menu(session.layout));
   EXPECT_TRUE(shows("Append...")) << "the first one";
   press("Right");
   EXPECT_TRUE(shows("Duplicate"));
@@ -53,7 +53,7 @@ TEST_F(MenuKeys, f10_opens_them_and_arrows_walk_through_all) {
   for (std::size_t i = 0; i < std::size(menu_bar); ++i) press("Right");
   EXPECT_TRUE(shows("Keys and mouse"));
   press("F10");
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
 }
 
 // What keys do with the selection is found without knowing them, and the menus teach the keys that are in force.
@@ -96,7 +96,7 @@ TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_o
   open();
   ASSERT_TRUE(shows("1%")) << "what stands there";
   press("Enter");
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   EXPECT_TRUE(session.selecting.selection.empty()) << "six of more than five hundred are no less than 1%";
   open();
   write("7");
@@ -165,7 +165,7 @@ TEST_F(MenuKeys, a_function_key_closes_them_and_acts) {
   for (const char* chord : {"F10", "Left", "F3"}) press(chord);
   EXPECT_EQ(session.layout.open_panel, "command");
   EXPECT_FALSE(shows("Keysandmouse...")) << "the menu is closed";
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   write("poke f0");
   press("Enter");
   EXPECT_EQ(session.document().position(), 1u) << "its field has the keyboard";
@@ -183,11 +183,11 @@ TEST_F(MenuKeys, ctrl_n_begins_a_new_mesh) {
 TEST_F(MenuKeys, enter_takes_an_entry_and_escape_closes) {
   ASSERT_TRUE(session.run("split 0-1").done());
   for (const char* chord : {"F10", "Right", "Escape"}) press(chord);
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   EXPECT_EQ(session.document().position(), 1u);
   for (const char* chord : {"F10", "Right", "Enter"}) press(chord);
   EXPECT_EQ(session.document().position(), 0u) << "undo is the first entry of Edit";
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   for (const char* chord : {"F10", "Right", "Enter"}) press(chord);
   EXPECT_EQ(session.document().position(), 1u) << "what cannot be done is passed over: redo";
 }
@@ -218,11 +218,11 @@ TEST_F(MenuKeys, alt_alone_opens_them_but_not_with_anything_else) {
   input_.let_go();
   input_.key_up("Alt");
   frames(4);
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   press("Alt");
-  EXPECT_TRUE(gui.has_menu(session));
+  EXPECT_TRUE(gui.has_menu(session.layout));
   press("Alt");
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   ASSERT_TRUE(gui.run(session, "panel keys").done());
   frames(3);
   press("Alt");
@@ -259,7 +259,7 @@ TEST_F(MenuKeys, keys_that_come_faster_than_frames_go_where_they_were_meant) {
   EXPECT_EQ(session.document().position(), 0u) << "undo, the first entry of Edit";
   for (const char* chord : {"F10", "Right", "Right", "Right", "Down", "Down", "Escape", "4"}) tap(chord);
   frames(4);
-  EXPECT_FALSE(gui.has_menu(session));
+  EXPECT_FALSE(gui.has_menu(session.layout));
   EXPECT_EQ(session.selecting.mode, PickMode::halfedge) << "the view has the keys again";
   tap("F3");
   tap("4");  // a letter of the field, no command

@@ -128,7 +128,7 @@ TEST_F(PracticePanelTest, shows_the_answers_whole) {
 TEST_F(PracticePanelTest, marks_what_it_asks_about) {
   for (const QuestionKind kind : {QuestionKind::legal, QuestionKind::valence, QuestionKind::next}) {
     const Element about = go_to(kind).about;
-    ASSERT_EQ(asked_element(session), about);
+    ASSERT_EQ(asked_element(session.document(), session.layout, session.asked_question), about);
     const Overlay marks = question_overlay(session, Theme::dark);
     if (kind == QuestionKind::valence) {
       ASSERT_EQ(marks.points.size(), 1u);
@@ -159,13 +159,13 @@ TEST_F(PracticePanelTest, escape_leaves_the_question_last) {
   ASSERT_TRUE(gui.run(session, "cancel").done());
   frames(3);
   EXPECT_TRUE(session.selecting.selection.empty());
-  EXPECT_TRUE(asked_element(session));
+  EXPECT_TRUE(asked_element(session.document(), session.layout, session.asked_question));
   ASSERT_TRUE(gui.run(session, "cancel").done());
   frames(3);
-  EXPECT_FALSE(asked_element(session));
+  EXPECT_FALSE(asked_element(session.document(), session.layout, session.asked_question));
   EXPECT_FALSE(has("Yes,itmay."));
   take("Nextquestion");
-  EXPECT_TRUE(asked_element(session));
+  EXPECT_TRUE(asked_element(session.document(), session.layout, session.asked_question));
 }
 
 TEST_F(PracticePanelTest, takes_a_click_on_a_number) {

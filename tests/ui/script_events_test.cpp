@@ -32,8 +32,8 @@ constexpr const char* on_torus = "640,560";
 
 TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
   const auto session = torus(), other = torus();
-  session->frame_all();
-  other->frame_all();
+  session->framing.frame_all();
+  other->framing.frame_all();
   run(*session, {"press left 640,560", "move 700,580", "release left 700,580"});
   run(*other, {"drag 640,560 700,580"});
   EXPECT_EQ(session->view.camera.eye, other->view.camera.eye);
@@ -60,7 +60,7 @@ TEST(script_events, on_the_view_are_drags_clicks_and_the_wheel) {
 
 TEST(script_events, a_click_with_a_tool_edits_and_a_refused_one_says_so) {
   const auto session = torus();
-  session->frame_all();
+  session->framing.frame_all();
   run(*session, {"tool poke", "press left 640,560", "release left 640,560"});
   ASSERT_EQ(session->log().size(), 1u);
   EXPECT_EQ(session->log()[0].substr(0, 5), "poke ");
@@ -72,7 +72,7 @@ TEST(script_events, a_click_with_a_tool_edits_and_a_refused_one_says_so) {
 
 TEST(script_events, a_click_selects_with_shift_adds_with_ctrl_toggles) {
   const auto session = torus();
-  session->frame_all();
+  session->framing.frame_all();
   const auto click = [&](const std::string& at, const std::string& with) {
     run(*session, {"press left " + at + with, "release left " + at + with});
   };

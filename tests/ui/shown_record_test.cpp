@@ -150,7 +150,7 @@ class Stage {
     auto document = Document::open("cube.obj");
     session_ = std::make_unique<Session>(std::move(document).value());
     session_->place_view(session_->view.size, {0, 0});
-    session_->frame_all();
+    session_->framing.frame_all();
     session_->files = RunFiles(RunFiles::Policy::keep);
     for (const char* const line : first_lines) EXPECT_TRUE(session_->run(line).done()) << line;
     for (const char* const line : owner.lines) EXPECT_TRUE(session_->run(line).done()) << line;

@@ -65,11 +65,11 @@ TEST_F(StartPageTest, an_empty_view_says_how_to_go_on) {
   ASSERT_TRUE(gui.run(session, "new").done());
   frames(3);
   EXPECT_TRUE(hint());
-  EXPECT_FALSE(gui.owns_pointer(session, size_, test::DrawnText(gui).place("ordropafilehere")));
-  session.awaits_file = true;
+  EXPECT_FALSE(gui.owns_pointer(session.layout, size_, test::DrawnText(gui).place("ordropafilehere")));
+  session.frontend.awaits_file = true;
   frames(3);
   EXPECT_FALSE(hint()) << "a file is read";
-  session.awaits_file = false;
+  session.frontend.awaits_file = false;
   ASSERT_TRUE(session.run("bind Ctrl+M menu add").done());
   frames(3);
   EXPECT_TRUE(has("ThemenuAdd(Ctrl+M)makesashape,")) << "with its key";
@@ -197,7 +197,7 @@ TEST(start_page, is_in_pictures_with_panels_only) {
     Session session(std::make_unique<Document>());
     (*headless)->place_view(session);
     const Image with = (*headless)->picture(session);
-    session.begins_empty = true;
+    session.frontend.begins_empty = true;
     return with.pixels != (*headless)->picture(session).pixels;
   };
   EXPECT_TRUE(differs(true));

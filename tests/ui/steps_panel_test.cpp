@@ -72,7 +72,7 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
     laid.frames(4);
   };
   const auto shows_all_of = [&](std::span<const glm::dvec3> places) {
-    Covered covered = covered_view(session);
+    Covered covered = session.framing.covered();
     EXPECT_GT(covered.right, 200);
     return shows_all(session.view.camera, session.view.size, covered, places);
   };
@@ -91,11 +91,12 @@ TEST(steps_flyout, what_is_played_is_seen_beside_it) {
     say(line);
     EXPECT_TRUE(shows_all_of(session.shown.player()->places_at_end)) << line;
     for (const glm::dvec3& place : session.shown.player()->places_at_end)
-      EXPECT_GT(project(session.view.camera, session.view.size, place)->pixel.y, caption_px(session)) << line;
+      EXPECT_GT(project(session.view.camera, session.view.size, place)->pixel.y, caption_px(session.preferences))
+          << line;
   }
   say("panel none");
   EXPECT_EQ(session.view.covered_px, glm::dvec2(0));
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_TRUE(session.framing.is_framed());
 }
 
 TEST(steps_flyout, closing_it_moves_nothing_that_was_not_framed_beside_it) {
@@ -117,7 +118,7 @@ TEST(steps_flyout, closing_it_moves_nothing_that_was_not_framed_beside_it) {
   EXPECT_NE(beside, before);
   say("panel none");
   EXPECT_NE(session.view.camera, beside) << "all of the view is free again";
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_TRUE(session.framing.is_framed());
 }
 
 // However much there is to play, the panels below stay in sight.
@@ -189,7 +190,8 @@ TEST_F(StepsPanelTest, calls_are_told_by_name_in_the_language_of_the_window) {
     ASSERT_TRUE(say("steps " + call).done());
     EXPECT_TRUE(session.shown.player()->name().ja.starts_with(row.ja)) << session.shown.player()->name().ja;
     EXPECT_FALSE(has(row.id)) << row.id;
-    EXPECT_EQ(leave_playing(session).sentence.ja, "「" + name_of_played(split(call)).ja + "」の再生を終えました。");
+    EXPECT_EQ(leave_playing(session.view, session.framing, session.shown).sentence.ja,
+              "「" + name_of_played(split(call)).ja + "」の再生を終えました。");
   }
 }
 
@@ -224,9 +226,9 @@ TEST_F(StepsPanelTest, it_plays_by_itself_and_stops_at_the_end) {
 
 TEST_F(StepsPanelTest, marks_and_labels_are_in_the_view) {
   ASSERT_TRUE(say("steps collapse 0-1").done());
-  EXPECT_TRUE(step_overlay(session, Theme::dark).empty());
+  EXPECT_TRUE(step_overlay(session.mesh(), session.view, session.gesturing, session.shown, Theme::dark).empty());
   ASSERT_TRUE(say("steps forward").done());
-  EXPECT_FALSE(step_overlay(session, Theme::dark).empty());
+  EXPECT_FALSE(step_overlay(session.mesh(), session.view, session.gesturing, session.shown, Theme::dark).empty());
   const std::set<std::string> texts = labels();
   for (const char* const label : {"(1)", "(2)", "(3)", "(4)"}) EXPECT_TRUE(texts.contains(label)) << label;
   bool has_caption = false;
@@ -241,7 +243,7 @@ TEST_F(StepsPanelTest, the_words_of_a_step_have_lines_that_fit) {
   for (const double scale : {1.0, 2.0}) {
     session.preferences.display_scale = scale;
     std::vector<Label> labels;
-    add_step(session, labels);
+    add_step(session.mesh(), session.view, session.shown, session.preferences, labels);
     std::string all;
     for (const Label& label : labels) {
       if (!label.begins_there) continue;
@@ -262,7 +264,8 @@ TEST_F(StepsPanelTest, a_halfedge_is_an_arrow_in_its_face_and_not_its_edge) {
     for (const steps::Mark& mark : session.shown.player()->step()->marks)
       marked += mark.element.kind == Element::Kind::halfedge ? 1 : 0;
     std::size_t drawn = 0;
-    for (const Line& line : step_overlay(session, Theme::dark).lines) {
+    for (const Line& line :
+         step_overlay(session.mesh(), session.view, session.gesturing, session.shown, Theme::dark).lines) {
       if (!line.arrow) continue;
       ++drawn;
       for (std::uint32_t v = 0; v < session.mesh().vertex_slots(); ++v) {
@@ -320,7 +323,7 @@ TEST_F(StepsPanelTest, undo_takes_back_the_edit_alone) {
   EXPECT_EQ(session.mesh().hash(), shown) << "what is refused leaves the step";
   ASSERT_TRUE(say("steps close").done());
   EXPECT_EQ(session.mesh().live().vertices, vertices - 1);
-  EXPECT_TRUE(session.is_framed()) << "seen as before the exercise";
+  EXPECT_TRUE(session.framing.is_framed()) << "seen as before the exercise";
 }
 
 // It is made anew of the mesh as it is then; where that has not what it is about, it ends.
@@ -403,7 +406,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
     EXPECT_EQ(session.shown.player()->position(), 9u) << line;
     EXPECT_EQ(session.mesh().hash(), shown) << line;
     EXPECT_EQ(session.view.camera, camera) << line;
-    EXPECT_TRUE(session.is_framed()) << line;
+    EXPECT_TRUE(session.framing.is_framed()) << line;
   }
   const Outcome saved = say("save " + (folder.path() / "b.obj").string());
   EXPECT_NE(saved.sentence.en.find("the open mesh, not the step that is shown"), std::string::npos)
@@ -414,7 +417,7 @@ TEST_F(StepsPanelTest, what_is_played_ends_by_an_edit_of_what_is_seen_and_by_no_
   EXPECT_NE(session.view.camera, camera) << "as it was looked at before";
   ASSERT_TRUE(say("steps at 9").done());
   EXPECT_EQ(session.mesh().hash(), shown);
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_TRUE(session.framing.is_framed());
   EXPECT_EQ(say("split 0-1").exit_code, ExitCode::refused) << "what it would be done to is not seen";
   ASSERT_TRUE(say("select v0").done());
   const Outcome outcome = say("split 0-1");

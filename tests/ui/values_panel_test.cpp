@@ -144,14 +144,14 @@ TEST(values_panel, leaves_what_would_come_to_be_seen_beside_it) {
   ASSERT_TRUE(laid.gui.run(session, "values cylinder").done());
   laid.frames(6);
   ASSERT_TRUE(session.document().is_on_trial());
-  const Covered covered = covered_view(session);
+  const Covered covered = session.framing.covered();
   EXPECT_GT(covered.right, 200);
   EXPECT_LT(covered.right, 320);
   EXPECT_TRUE(shows_all(session.view.camera, session.view.size, covered, session.mesh().positions()));
   ASSERT_TRUE(session.run("panel none").done());
   laid.frames(6);
-  EXPECT_EQ(covered_view(session).right, 0);
-  EXPECT_TRUE(session.is_framed()) << "as before";
+  EXPECT_EQ(session.framing.covered().right, 0);
+  EXPECT_TRUE(session.framing.is_framed()) << "as before";
 }
 
 // Also where nothing comes that was not in view: the panel covers a part of what is changed.
@@ -162,7 +162,7 @@ TEST(values_panel, leaves_what_would_change_to_be_seen_beside_it) {
   ASSERT_TRUE(laid.gui.run(session, "values remesh").done());
   laid.frames(6);
   ASSERT_TRUE(session.document().is_on_trial());
-  EXPECT_TRUE(shows_all(session.view.camera, session.view.size, covered_view(session), session.mesh().positions()));
+  EXPECT_TRUE(shows_all(session.view.camera, session.view.size, session.framing.covered(), session.mesh().positions()));
   EXPECT_NE(session.view.camera, before);
   ASSERT_TRUE(session.run("panel none").done());
   laid.frames(6);
@@ -188,7 +188,7 @@ TEST_F(ValuesPanel, leaves_the_camera_to_who_moves_it_while_values_are_written) 
   ASSERT_TRUE(gui.run(session, "values cube").done());
   frames(3);
   type("9");
-  ASSERT_TRUE(session.is_framed());
+  ASSERT_TRUE(session.framing.is_framed());
   session.view.camera.eye *= 0.5;
   const Camera moved = session.view.camera;
   type("9");
@@ -333,7 +333,7 @@ TEST_F(ValuesPanel, gives_way_to_another_and_begins_anew) {
   EXPECT_EQ(test::DrawnText(gui).count("0.5"), 0u) << "its field begins anew";
   ASSERT_TRUE(session.run("cancel").done());
   frames(3);
-  EXPECT_FALSE(gui.owns_pointer(session, {1280, 1000}, {640, 500}));
+  EXPECT_FALSE(gui.owns_pointer(session.layout, {1280, 1000}, {640, 500}));
 }
 
 TEST_F(ValuesPanel, shows_beforehand_what_is_quick_and_takes_it_back) {

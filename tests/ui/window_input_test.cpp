@@ -271,17 +271,17 @@ TEST_F(WindowInputTest, alt_counts_when_a_box_ends_and_opens_no_menu_that_was_do
   EXPECT_EQ(session_.selecting.selection.size(), session_.mesh().live().faces) << "through the surface";
   input_.key_up("Alt");
   frames(4);
-  EXPECT_FALSE(gui_.has_menu(session_));
+  EXPECT_FALSE(gui_.has_menu(session_.layout));
   drag_to_end();
   input_.key_down("Alt");
   input_.key_up("Alt");
   input_.release(MouseButton::left, {high, {}});
   EXPECT_LT(session_.selecting.selection.size(), session_.mesh().live().faces);
   frames(4);
-  EXPECT_FALSE(gui_.has_menu(session_));
+  EXPECT_FALSE(gui_.has_menu(session_.layout));
   input_.key("Alt");
   frames(4);
-  EXPECT_TRUE(gui_.has_menu(session_)) << "alone it does";
+  EXPECT_TRUE(gui_.has_menu(session_.layout)) << "alone it does";
 }
 
 TEST_F(WindowInputTest, the_blender_preset_has_the_keys_of_selecting_and_hiding) {
@@ -371,7 +371,7 @@ TEST_F(WindowInputTest, a_right_click_selects_and_opens_the_menu_of_the_element)
   input_.release(MouseButton::right, {middle, {}});
   EXPECT_EQ(session_.selecting.selection, (std::vector<Element>{face->element}));
   frames(4);
-  EXPECT_TRUE(gui_.owns_pointer(session_, test::window, middle)) << "the menu is open";
+  EXPECT_TRUE(gui_.owns_pointer(session_.layout, test::window, middle)) << "the menu is open";
   // Its first entries are operators.
   const std::size_t before = session_.document().history().size();
   for (double y = 100; y < 700 && session_.document().history().size() == before; y += 8) {
@@ -393,12 +393,12 @@ TEST_F(WindowInputTest, a_menu_takes_the_keys_and_escape_closes_it) {
   release(in_view, MouseButton::right);
   frames(4);
   ASSERT_EQ(session_.selecting.selection.size(), 1u);
-  ASSERT_TRUE(gui_.has_menu(session_));
+  ASSERT_TRUE(gui_.has_menu(session_.layout));
   input_.key_down("X");
   EXPECT_TRUE(session_.log().empty()) << "nothing behind the menu is deleted";
   input_.key_down("Escape");
   frames(4);
-  EXPECT_FALSE(gui_.has_menu(session_));
+  EXPECT_FALSE(gui_.has_menu(session_.layout));
   EXPECT_EQ(session_.selecting.selection.size(), 1u) << "one step at a time";
 }
 

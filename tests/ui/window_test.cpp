@@ -182,7 +182,7 @@ OnEdge on_long_edge(const std::string& file, double share) {
   test::Laid laid("cube.obj", {1280, 800});
   laid.session.frontend.turns_to_solids = laid.session.view.shows_axes = true;
   EXPECT_TRUE(laid.session.run("open " + file).done());
-  laid.session.frame_all();
+  laid.session.framing.frame_all();
   const Mesh& m = laid.session.mesh();
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const auto [a, b] = ends(m, Edge(i));

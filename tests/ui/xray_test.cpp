@@ -15,7 +15,7 @@ class XrayTest : public testing::Test {
     session_.set_document(Document::open(test::asset("torus.off")).value());
     headless_ = Headless::make({.backend = Backend::osmesa, .size = {320, 240}}).value();
     headless_->place_view(session_);
-    session_.frame_all();
+    session_.framing.frame_all();
   }
   Image picture(const std::string& line) {
     EXPECT_TRUE(session_.run(line).done()) << line;

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/script.h"
-#include "app/editor/session/session.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -39,17 +40,16 @@ std::optional<double> share_of(Words arguments) {
 
 }  // namespace
 
-void cut_across(Session& session, ClipWay way) {
-  session.view.cut.reset();
+void cut_across(const Mesh& mesh, ViewState& view, ClipWay way) {
+  view.cut.reset();
   if (way == ClipWay::off) return;
-  session.view.cut = Cut{way, 0.5, {normal_of(way, session.view.camera), 0}};
-  move_cut(session, 0.5);
+  view.cut = Cut{way, 0.5, {normal_of(way, view.camera), 0}};
+  move_cut(mesh, view, 0.5);
 }
 
-void move_cut(Session& session, double share) {
-  Cut& cut = *session.view.cut;
+void move_cut(const Mesh& mesh, ViewState& view, double share) {
+  Cut& cut = *view.cut;
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  const Mesh& mesh = session.mesh();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     if (!mesh.is_alive(Vertex(i))) continue;
     const double along = glm::dot(cut.plane.normal, mesh.position(Vertex(i)));
@@ -66,14 +66,14 @@ std::optional<Text> fault_of_clip_at(Words arguments, const std::string&) {
   return wrong_arguments("clip_at").sentence;
 }
 
-Outcome run_clip_at(Session& session, Words arguments, std::string_view) {
+Outcome run_clip_at(const Mesh& mesh, ViewState& view, Words arguments, std::string_view) {
   const auto share = share_of(arguments);
   if (!share) return wrong_arguments("clip_at");
-  if (!session.view.cut)
+  if (!view.cut)
     return failed(ExitCode::refused, {"there is no clipping plane to move; clip x, for one, begins with it",
                                       "動かす断面がありません。clip x などで断面を表示してください"});
   const bool is_step = arguments[0][0] == '+' || arguments[0][0] == '-';
-  move_cut(session, is_step ? session.view.cut->share + *share : *share);
+  move_cut(mesh, view, is_step ? view.cut->share + *share : *share);
   return {};
 }
 

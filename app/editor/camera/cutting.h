@@ -5,11 +5,12 @@
 
 namespace ryosen {
 
-class Session;
+class Mesh;
+struct ViewState;
 
 // Cuts in the middle of the mesh, or no more. O(vertices), as the next one is.
-void cut_across(Session& session, ClipWay way);
+void cut_across(const Mesh& mesh, ViewState& view, ClipWay way);
 // Moves the plane, which there must be, so that this share of the extent of the mesh across it is kept.
-void move_cut(Session& session, double share);
+void move_cut(const Mesh& mesh, ViewState& view, double share);
 
 }  // namespace ryosen

@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/findings.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 
 namespace ryosen {
@@ -60,15 +62,14 @@ std::vector<Face> faces_beside(const Mesh& m, const Element& e) {
 // Where a camera may look from, as unit vectors from what it looks at.
 class Directions {
  public:
-  Directions(const Session& session, std::span<const Element> elements) : session_(session) {
-    const Mesh& m = session.mesh();
+  Directions(const Mesh& m, const ViewState& view, std::span<const Element> elements) {
     glm::dvec3 normal{0};
     for (const Element& e : elements)
       for (Face f : faces_beside(m, e)) {
         const glm::dvec3 area = vector_area(FacePolygon(m, f).keyhole_walk());
         if (length_of(area) > 0) normal += unit_vector(area);
       }
-    now_ = -axes(session.view.camera).forward;
+    now_ = -axes(view.camera).forward;
     all_.push_back(now_);
     if (length_of(normal) > 1e-9) {
       add(unit_vector(normal));
@@ -98,7 +99,6 @@ class Directions {
     all_.push_back(direction);
   }
 
-  const Session& session_;
   glm::dvec3 now_{0};
   std::vector<glm::dvec3> all_;
 };
@@ -106,35 +106,36 @@ class Directions {
 // How many of a sample of elements are seen with a camera.
 class Sight {
  public:
-  Sight(Session& session, std::span<const Element> elements) : session_(session), covered_(covered_shares(session)) {
+  Sight(Findings& findings, const ViewState& view, const Framing& framing, std::span<const Element> elements)
+      : findings_(findings), view_(view), covered_(framing.covered_shares()) {
     constexpr std::size_t most = 16;
     const std::size_t step = (elements.size() + most - 1) / most;
     for (std::size_t i = 0; i < elements.size(); i += step) sample_.push_back(elements[i]);
-    if (session.view.camera.ortho_height) {
-      const Box box = bounds_of(session.mesh().positions());
-      size_ = length_of(box.highest - box.lowest) + length_of(session.view.camera.eye - session.view.camera.target);
+    if (view.camera.ortho_height) {
+      const Box box = bounds_of(findings.mesh().positions());
+      size_ = length_of(box.highest - box.lowest) + length_of(view.camera.eye - view.camera.target);
     }
   }
 
   std::size_t size() const { return sample_.size(); }
   // All, as long as it cannot be asked.
   std::size_t seen(const Camera& camera) const {
-    if (session_.findings().preparing()) return size();
+    if (findings_.preparing()) return size();
     return static_cast<std::size_t>(
         std::count_if(sample_.begin(), sample_.end(), [&](const Element& e) { return is_seen(camera, e); }));
   }
 
  private:
   bool is_seen(Camera camera, const Element& e) const {
-    const Mesh& m = session_.mesh();
+    const Mesh& m = findings_.mesh();
     // An orthographic picture shows what lies behind the eye too.
     if (camera.ortho_height) camera.eye -= 2 * size_ * axes(camera).forward;
     const glm::dvec3 middle = middle_of(m, e);
-    const auto at = project(camera, session_.view.size, middle);
-    const double width = session_.view.size.width, height = session_.view.size.height;
+    const auto at = project(camera, view_.size, middle);
+    const double width = view_.size.width, height = view_.size.height;
     if (!at || at->pixel.x < covered_.left * width || at->pixel.y < covered_.above * height) return false;
     if (at->pixel.x >= (1 - covered_.right) * width || at->pixel.y >= height) return false;
-    const auto front = session_.findings().picker().pick(m, camera, session_.view.size, at->pixel, PickMode::face);
+    const auto front = findings_.picker().pick(m, camera, view_.size, at->pixel, PickMode::face);
     if (!front) return true;
     const double depth = depth_of(camera, front->place);
     if (depth >= at->depth * (1 - 1e-6)) return true;
@@ -148,7 +149,8 @@ class Sight {
     return false;
   }
 
-  Session& session_;
+  Findings& findings_;
+  const ViewState& view_;
   CoveredShares covered_;  // nothing is seen there
   std::vector<Element> sample_;
   double size_ = 0;  // of what an orthographic picture shows
@@ -210,31 +212,31 @@ Camera best_camera(const Sight& sight, const Directions& directions, Make make) 
 
 }  // namespace
 
-void fly_to(Session& session, std::span<const Element> elements) {
-  if (elements.empty()) return session.frame_all();
+void fly_to(Findings& findings, ViewState& view, Framing& framing, std::span<const Element> elements) {
+  if (elements.empty()) return framing.frame_all();
   constexpr double margin = 0.12;
-  std::vector<glm::dvec3> places = places_around(session.mesh(), elements);
-  mirror(places, middle_of_all(session.mesh(), elements));
-  const double aspect = static_cast<double>(session.view.size.width) / session.view.size.height;
-  const CoveredShares covered = covered_shares(session);
-  session.view.camera =
-      best_camera(Sight(session, elements), Directions(session, elements), [&](const glm::dvec3& from) {
-        return fitted(looking_from(session.view.camera, from, session.view.camera.target), places, aspect, margin,
-                      covered);
-      });
+  std::vector<glm::dvec3> places = places_around(findings.mesh(), elements);
+  mirror(places, middle_of_all(findings.mesh(), elements));
+  const double aspect = static_cast<double>(view.size.width) / view.size.height;
+  const CoveredShares covered = framing.covered_shares();
+  view.camera =
+      best_camera(Sight(findings, view, framing, elements), Directions(findings.mesh(), view, elements),
+                  [&](const glm::dvec3& from) {
+                    return fitted(looking_from(view.camera, from, view.camera.target), places, aspect, margin, covered);
+                  });
 }
 
-void keep_in_sight(Session& session, const Element& element) {
+void keep_in_sight(Findings& findings, ViewState& view, Framing& framing, const Element& element) {
   const std::array<Element, 1> one{element};
-  if (!is_finite(middle_of(session.mesh(), element))) return;
-  const Sight sight(session, one);
-  if (sight.seen(session.view.camera) == 1) return;
-  const glm::dvec3 middle = middle_of(session.mesh(), element);
-  const CoveredShares covered = covered_shares(session);
-  const glm::dvec2 to_free_middle(0.5 * (covered.left - covered.right) * session.view.size.width,
-                                  0.5 * covered.above * session.view.size.height);
-  session.view.camera = best_camera(sight, Directions(session, one), [&](const glm::dvec3& from) {
-    return panned(looking_from(session.view.camera, from, middle), to_free_middle, session.view.size, middle);
+  if (!is_finite(middle_of(findings.mesh(), element))) return;
+  const Sight sight(findings, view, framing, one);
+  if (sight.seen(view.camera) == 1) return;
+  const glm::dvec3 middle = middle_of(findings.mesh(), element);
+  const CoveredShares covered = framing.covered_shares();
+  const glm::dvec2 to_free_middle(0.5 * (covered.left - covered.right) * view.size.width,
+                                  0.5 * covered.above * view.size.height);
+  view.camera = best_camera(sight, Directions(findings.mesh(), view, one), [&](const glm::dvec3& from) {
+    return panned(looking_from(view.camera, from, middle), to_free_middle, view.size, middle);
   });
 }
 

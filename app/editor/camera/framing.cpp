@@ -83,21 +83,6 @@ double unit_of(const Camera& camera) {
 
 }  // namespace
 
-Covered covered_view(const Session& session) {
-  Covered covered;
-  if (session.view.shows_axes) covered.corner = room_of_axes(session.view.size, session.preferences.size_scale());
-  if (!session.has_beside()) {
-    covered.left = session.view.covered_px.x;
-    covered.right = session.view.covered_px.y;
-  }
-  if (session.shown.player()) covered.above = caption_px(session);
-  return covered;
-}
-
-CoveredShares covered_shares(const Session& session) {
-  return shares_of(kept_off(covered_view(session), session.view.size), session.view.size);
-}
-
 // Off the corner to the left of it or below it, by as little as it takes, where it shows more.
 Camera fitted_beside(const Covered& all_covered, const Camera& from, std::span<const glm::dvec3> places, Size view) {
   const Covered covered = kept_off(all_covered, view);
@@ -161,12 +146,25 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
   return fitted_beside(covered, from, all, view);
 }
 
-Camera framing_of(const Session& session, const Mesh* beside, const Camera& from) {
-  const Covered covered = covered_view(session);
-  if (session.shown.shows(ShownBy::step) && !session.shown.player()->places_at_end.empty())
-    return fitted_beside(covered, from, session.shown.player()->places_at_end, session.view.size);
-  if (beside) return framing({&session.mesh(), beside}, from, session.view.size, covered);
-  return framing({&session.mesh()}, from, session.view.size, covered);
+Covered Framing::covered() const {
+  Covered covered;
+  if (view_.shows_axes) covered.corner = room_of_axes(view_.size, session_.preferences.size_scale());
+  if (!session_.has_beside()) {
+    covered.left = view_.covered_px.x;
+    covered.right = view_.covered_px.y;
+  }
+  if (session_.shown.player()) covered.above = caption_px(session_.preferences);
+  return covered;
+}
+
+CoveredShares Framing::covered_shares() const { return shares_of(kept_off(covered(), view_.size), view_.size); }
+
+Camera Framing::of_all(const Camera& from) const {
+  if (session_.shown.shows(ShownBy::step) && !session_.shown.player()->places_at_end.empty())
+    return fitted_beside(covered(), from, session_.shown.player()->places_at_end, view_.size);
+  const Findings* const against = session_.findings().against;
+  if (against) return framing({&session_.mesh(), &against->mesh()}, from, view_.size, covered());
+  return framing({&session_.mesh()}, from, view_.size, covered());
 }
 
 }  // namespace ryosen

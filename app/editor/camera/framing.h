@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "app/editor/camera/view_state.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/view/camera.h"
 
@@ -29,10 +30,6 @@ struct Covered {
   double left = 0, right = 0, above = 0;
   std::optional<PixelRect> corner;
 };
-// By what a tab has opened, the caption of what is played, and the axes.
-Covered covered_view(const Session& session);
-// The strips of that alone, as shares of the view; none where they leave hardly any of it.
-CoveredShares covered_shares(const Session& session);
 
 // The camera in the same direction that shows places in the free part of a view.
 Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view);
@@ -41,8 +38,29 @@ bool shows_all(const Camera& camera, Size view, const Covered& covered, std::spa
 
 // The camera in the same direction that shows the places to frame of all of these meshes.
 Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
-// The same for all that a session shows, beside what lies over its view: its mesh, with the one that it is compared with,
-// or what is played, as it ends.
-Camera framing_of(const Session& session, const Mesh* beside, const Camera& from);
+
+// How the camera of a session's view is put to show all of it.
+class Framing {
+ public:
+  explicit Framing(const Session& session, ViewState& view) : session_(session), view_(view) {}
+
+  // What lies over the view: what a tab has opened, the caption of what is played, and the axes.
+  Covered covered() const;
+  // The strips of that alone, as shares of the view; none where they leave hardly any of it.
+  CoveredShares covered_shares() const;
+  // The camera in the same direction that shows all beside what lies over the view: the mesh, with the one that it is
+  // compared with, or what is played, as it ends.
+  Camera of_all(const Camera& from) const;
+  void frame_all() { frame(of_all(view_.camera)); }
+  // Whether the camera is where that has put it last.
+  bool is_framed() const { return framed_ == view_.camera; }
+  // The camera shows all of another document.
+  void frame(const Camera& camera) { view_.camera = framed_ = camera; }
+
+ private:
+  const Session& session_;
+  ViewState& view_;
+  Camera framed_;
+};
 
 }  // namespace ryosen

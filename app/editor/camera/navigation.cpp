@@ -24,47 +24,46 @@ std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
 }
 
 // How deep the nearest of the surface lies that a grid of rays meets, else the target.
-double nearest_depth(Session& session) {
+double nearest_depth(ViewState& view, Pointing& pointing) {
   constexpr int columns = 16, rows = 10;
   std::optional<double> nearest;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const glm::dvec2 share((column + 0.5) / columns, (row + 0.5) / rows);
-      const glm::dvec2 pixel =
-          session.view.origin + share * glm::dvec2(session.view.size.width, session.view.size.height);
-      const auto picked = session.pointing.pick_drawn(pixel, PickMode::face);
+      const glm::dvec2 pixel = view.origin + share * glm::dvec2(view.size.width, view.size.height);
+      const auto picked = pointing.pick_drawn(pixel, PickMode::face);
       if (!picked) continue;
-      const double depth = depth_of(session.view.camera, picked->place);
+      const double depth = depth_of(view.camera, picked->place);
       nearest = std::min(nearest.value_or(depth), depth);
     }
-  return nearest.value_or(depth_of(session.view.camera, session.view.camera.target));
+  return nearest.value_or(depth_of(view.camera, view.camera.target));
 }
 
 // The point that the view moves about or towards, for a pixel.
 glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
   if (const auto place = place_under(session, pixel)) return *place;
   Session& part = session.part_at(pixel);
-  return place_at(part.view.camera, part.view.size, pixel - part.view.origin, nearest_depth(part));
+  return place_at(part.view.camera, part.view.size, pixel - part.view.origin, nearest_depth(part.view, part.pointing));
 }
 
 // What is looked at, where nothing was pressed. The wheel may have left the target before or behind all there is: then
 // the middle of the mesh, or, where that is out of sight, the middle of the view as deep as its nearest surface.
-glm::dvec3 middle_of_what_is_seen(Session& session) {
-  const Camera& camera = session.view.camera;
-  const Box box = box_of_finite(session.mesh().positions());
+glm::dvec3 middle_of_what_is_seen(const Mesh& mesh, ViewState& view, Pointing& pointing) {
+  const Camera& camera = view.camera;
+  const Box box = box_of_finite(mesh.positions());
   if (box.is_empty() || box.encloses({camera.target, camera.target})) return camera.target;
-  const auto at = project(camera, session.view.size, box.middle());
-  const bool is_seen = at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= session.view.size.width &&
-                       at->pixel.y <= session.view.size.height;
+  const auto at = project(camera, view.size, box.middle());
+  const bool is_seen =
+      at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x <= view.size.width && at->pixel.y <= view.size.height;
   if (is_seen) return box.middle();
-  return place_at(camera, session.view.size, glm::dvec2(session.view.size.width, session.view.size.height) / 2.0,
-                  nearest_depth(session));
+  return place_at(camera, view.size, glm::dvec2(view.size.width, view.size.height) / 2.0,
+                  nearest_depth(view, pointing));
 }
 
 glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
   if (session.preferences.orbit_about == OrbitAbout::centre) return session.view.camera.target;
   const auto place = place_under(session, pixel);
-  return place ? *place : middle_of_what_is_seen(session);
+  return place ? *place : middle_of_what_is_seen(session.mesh(), session.view, session.pointing);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <type_traits>
 
 #include "app/editor/camera/cutting.h"
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/session/session.h"
+#include "app/editor/input/gestures.h"
+#include "app/editor/preferences/preference_values.h"
 
 namespace ryosen {
 
@@ -13,12 +15,12 @@ namespace {
 
 // A field of the settings as the value of a row.
 template <auto field>
-std::size_t setting(const Session& session) {
-  return static_cast<std::size_t>(session.view.settings.*field);
+std::size_t setting(const ViewState& view) {
+  return static_cast<std::size_t>(view.settings.*field);
 }
 template <auto field>
-void set_setting(Session& session, std::size_t value) {
-  session.view.settings.*field = static_cast<std::remove_cvref_t<decltype(session.view.settings.*field)>>(value);
+void set_setting(ViewState& view, std::size_t value) {
+  view.settings.*field = static_cast<std::remove_cvref_t<decltype(view.settings.*field)>>(value);
 }
 
 std::vector<SwitchValue> preset_values() {
@@ -33,9 +35,8 @@ std::vector<ViewSwitch>& switch_rows() {
        .help_en = "switches the projection",
        .help_ja = "投影法を切り替える",
        .values = {{"perspective", "Perspective", "透視投影"}, {"orthographic", "Orthographic", "平行投影"}},
-       .value = [](const Session& session) { return std::size_t{session.view.camera.ortho_height.has_value()}; },
-       .set = [](Session& session,
-                 std::size_t value) { session.view.camera = with_ortho(session.view.camera, value == 1); },
+       .value = [](const ViewState& view) { return std::size_t{view.camera.ortho_height.has_value()}; },
+       .set = [](ViewState& view, std::size_t value) { view.camera = with_ortho(view.camera, value == 1); },
        .chord = "Numpad5",
        .key_en = "perspective or orthographic",
        .key_ja = "透視投影と平行投影"},
@@ -44,9 +45,9 @@ std::vector<ViewSwitch>& switch_rows() {
        .help_ja = "ドラッグで視点を回す中心を、押した点か画面の中心かで選ぶ",
        .values = {{"point", "Orbit about the point pressed", "押した点のまわりに回す"},
                   {"centre", "Orbit about the centre", "中心のまわりに回す"}},
-       .value = [](const Session& session) { return static_cast<std::size_t>(session.preferences.orbit_about); },
-       .set = [](Session& session,
-                 std::size_t value) { session.preferences.orbit_about = static_cast<OrbitAbout>(value); },
+       .value = [](const Preferences& preferences) { return static_cast<std::size_t>(preferences.orbit_about); },
+       .set = [](Preferences& preferences,
+                 std::size_t value) { preferences.orbit_about = static_cast<OrbitAbout>(value); },
        .menu_en = "Orbit",
        .menu_ja = "回転の中心",
        .preference_en = "Orbit",
@@ -55,8 +56,8 @@ std::vector<ViewSwitch>& switch_rows() {
        .help_en = "drags and keys as in Ryosen or another program",
        .help_ja = "ドラッグとキーの割り当てを選ぶ",
        .values = preset_values(),
-       .value = [](const Session& session) { return session.preferences.input_preset; },
-       .set = [](Session& session, std::size_t value) { session.preferences.input_preset = value; },
+       .value = [](const Preferences& preferences) { return preferences.input_preset; },
+       .set = [](Preferences& preferences, std::size_t value) { preferences.input_preset = value; },
        .menu_en = "Mouse and keys",
        .menu_ja = "マウスとキー",
        .preference_en = "Mouse and keys",
@@ -142,8 +143,8 @@ std::vector<ViewSwitch>& switch_rows() {
                   {"all", "All halfedges as arrows", "すべての半稜線を矢印で表示"},
                   {"faces", "Halfedges of faces as arrows", "面のある半稜線を矢印で表示"},
                   {"off", "No links", "リンクを表示しない"}},
-       .value = [](const Session& session) { return static_cast<std::size_t>(session.view.links.shown); },
-       .set = [](Session& session, std::size_t value) { session.view.links.shown = static_cast<LinksShown>(value); },
+       .value = [](const ViewState& view) { return static_cast<std::size_t>(view.links.shown); },
+       .set = [](ViewState& view, std::size_t value) { view.links.shown = static_cast<LinksShown>(value); },
        .flag_en = "which links are drawn as arrows; else those of the selection in halfedge mode",
        .flag_ja = "矢印で表示するリンク（省くと半稜線モードの選択）",
        .menu_en = "Links",
@@ -178,8 +179,8 @@ std::vector<ViewSwitch>& switch_rows() {
        .help_ja = "手にしたツールの判定（可能・不可）を、その対象となるすべての要素に表示する",
        .values = {{"off", "No verdicts on all elements", "全要素の判定なし"},
                   {"on", "Verdicts of the tool on all elements", "全要素にツールの判定"}},
-       .value = [](const Session& session) { return std::size_t{session.view.shows_verdicts}; },
-       .set = [](Session& session, std::size_t value) { session.view.shows_verdicts = value == 1; },
+       .value = [](const ViewState& view) { return std::size_t{view.shows_verdicts}; },
+       .set = [](ViewState& view, std::size_t value) { view.shows_verdicts = value == 1; },
        .chord = "V",
        .key_en = "the verdict of the tool on all elements, or not",
        .key_ja = "全要素へのツールの判定表示の切り替え",
@@ -203,8 +204,8 @@ std::vector<ViewSwitch>& switch_rows() {
            "draws the axes X, Y and Z in the corner, a click on which looks from there; a window begins with them",
        .help_ja = "隅に座標軸を表示し、クリックした方向から見る（ウィンドウでは表示から始まる）",
        .values = {{"off", "No axes in the corner", "隅の座標軸なし"}, {"on", "Axes in the corner", "隅の座標軸"}},
-       .value = [](const Session& session) { return std::size_t{session.view.shows_axes}; },
-       .set = [](Session& session, std::size_t value) { session.view.shows_axes = value == 1; },
+       .value = [](const ViewState& view) { return std::size_t{view.shows_axes}; },
+       .set = [](ViewState& view, std::size_t value) { view.shows_axes = value == 1; },
        .chord = "Shift+V",
        .key_en = "with or without the axes in the corner",
        .key_ja = "隅の座標軸の切り替え",
@@ -229,7 +230,8 @@ std::vector<ViewSwitch>& switch_rows() {
        .value = [](const Session& session) -> std::size_t {
          return session.view.cut ? std::size_t(session.view.cut->way) : 0;
        },
-       .set = [](Session& session, std::size_t value) { cut_across(session, static_cast<ClipWay>(value)); },
+       .set = [](const Mesh& mesh, ViewState& view,
+                 std::size_t value) { cut_across(mesh, view, static_cast<ClipWay>(value)); },
        .flag_en = "where the mesh is cut; else nowhere",
        .flag_ja = "断面（省くと off）",
        .menu_en = "Clipping plane",
@@ -242,8 +244,8 @@ std::vector<ViewSwitch>& switch_rows() {
                   {"move", "Handles to move", "移動ハンドル"},
                   {"turn", "Handles to turn", "回転ハンドル"},
                   {"scale", "Handles to scale", "拡大縮小ハンドル"}},
-       .value = [](const Session& session) { return static_cast<std::size_t>(session.view.gizmo_kind); },
-       .set = [](Session& session, std::size_t value) { session.view.gizmo_kind = static_cast<GizmoKind>(value); },
+       .value = [](const ViewState& view) { return static_cast<std::size_t>(view.gizmo_kind); },
+       .set = [](ViewState& view, std::size_t value) { view.gizmo_kind = static_cast<GizmoKind>(value); },
        .chord = "Ctrl+G",
        .key_en = "handles that move, turn, scale, or none",
        .key_ja = "ハンドル（移動・回転・拡大縮小・なし）の切り替え",

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/session/owners.h"
+
 namespace ryosen {
 
 class Session;
@@ -27,8 +29,8 @@ struct ViewSwitch {
   std::string_view help_en, help_ja;  // of that command
   std::vector<SwitchValue> values;    // it begins with the first
   // The number of the value that it has, and how it gets one.
-  std::size_t (*value)(const Session& session);
-  void (*set)(Session& session, std::size_t value);
+  OnOwners<std::size_t(const Session&)> value;
+  OnOwners<void(Session&, std::size_t value)> set;
   // The key that goes on to the next value; empty where there is none. The command says that with the word `toggle`.
   std::string_view chord = "", key_en = "", key_ja = "";
   // The help of its flag --ID of `shot`; empty where there is none.

@@ -7,13 +7,18 @@
 
 namespace ryosen {
 
+class Document;
+
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
 Outcome failed(const Failure& failure);
 // [N]: a number from 1, which is 1 where it is left out; none for anything else.
 std::optional<std::uint32_t> count_of(Words arguments);
 
-using RunCommand = Outcome(Session& session, Words arguments, std::string_view whole);
+// On the session, or on the owners in it that the command works on.
+template <class... Owners>
+using RunOn = Outcome(Owners&..., Words arguments, std::string_view whole);
+using RunCommand = RunOn<Session>;
 using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& line);
 
 // Operators, and commands of commands: commands_operator.cpp
@@ -21,39 +26,49 @@ CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
 FaultOfCommand fault_of_either, fault_of_ask;
 // Files and the history: commands_document.cpp
-RunCommand run_exercise, run_figure, run_start, run_new, run_open, run_reload, run_keep_mine, run_append, run_save,
-    run_save_selected, run_undo, run_redo, run_recover, run_shot;
+RunCommand run_exercise, run_start, run_new, run_open, run_reload, run_keep_mine, run_save, run_recover;
+RunOn<Document, Framing> run_figure;
+RunOn<Document, Framing, Selecting, RunFiles> run_append;
+RunOn<Document, Selecting, Frontend, RunFiles> run_save_selected;
+RunOn<Document> run_undo, run_redo;
+RunOn<Frontend, RunFiles> run_shot;
 FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_figure, fault_of_open,
     fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
-RunCommand run_repair, run_would;
+RunCommand run_repair;
+RunOn<Document, Frontend> run_would;
 FaultOfCommand fault_of_repair, fault_of_would;
 // What the pointer does: commands_pointing.cpp
-RunCommand run_ask, run_walk, run_tool, run_mode, run_click, run_remedy;
+RunCommand run_ask, run_remedy;
+RunOn<Findings, ViewState, Framing, Selecting> run_walk;
+RunOn<Selecting, Pointing> run_tool, run_mode, run_click;
 FaultOfCommand fault_of_remedy;
 // Another mesh beside this one: commands_comparing.cpp
 RunCommand run_compare;
 FaultOfCommand fault_of_compare;
 // Selecting: commands_selecting.cpp
-RunCommand run_select, run_keep, run_forget;
+RunCommand run_select;
+RunOn<Selecting> run_keep, run_forget;
 enum class SelectHow { anew, add, toggle };
 // Adds what is not there yet; where wanted takes out what is, or what was there before.
 void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how);
 FaultOfCommand fault_of_select, fault_of_keep;
 std::string select_syntax();
 // Moving the selection by hand: commands_view.cpp
-RunCommand run_gesture;
+RunOn<Gesturing> run_gesture;
 // Those named; fails at the first that is not there. Of a range those that are. And what is wrong with the names on any
 // mesh.
-Outcome find_named(Session& session, std::string_view command, Words names, Elements& found);
+Outcome find_named(Document& document, std::string_view command, Words names, Elements& found);
 std::optional<Text> fault_of_names(std::string_view command, Words names);
 // Hiding: commands_hiding.cpp
-RunCommand run_hide, run_isolate, run_unhide;
+RunOn<Document, Findings, Selecting> run_hide, run_isolate;
+RunOn<Selecting> run_unhide;
 FaultOfCommand fault_of_hide;
 // Colouring and measuring: commands_measuring.cpp
-RunCommand run_colours, run_measure;
+RunOn<Findings, ViewState, Layout> run_colours;
+RunOn<Document, Selecting, Layout> run_measure;
 FaultOfCommand fault_of_colours, fault_of_measure;
 std::string colours_syntax();
 // Playing step by step: commands_playing.cpp
@@ -66,26 +81,35 @@ FaultOfCommand fault_of_levels, fault_of_account;
 std::string levels_syntax(), account_syntax();
 bool levels_take_long(Words arguments);
 // Searching on request: commands_searching.cpp
-RunCommand run_self_intersections;
+RunOn<Findings, Frontend> run_self_intersections;
 FaultOfCommand fault_of_self_intersections;
 // In a region of the picture: commands_region.cpp
-RunCommand run_box, run_lasso, run_band;
+RunCommand run_box, run_lasso;
+RunOn<ViewState> run_band;
 // Events of mouse and keyboard: commands_input.cpp
-RunCommand run_press, run_move, run_release, run_wheel, run_type, run_key;
+RunCommand run_move;
+RunOn<Input> run_press, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;
 std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 // What is seen: view_switches.cpp, commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
-RunCommand run_camera, run_view, run_frame, run_drag, run_show;
+RunCommand run_drag;
+RunOn<Findings, ViewState, Framing, Selecting> run_frame;
+RunOn<ViewState, Framing> run_view;
+RunOn<ViewState> run_camera, run_show;
 // Where the mesh is cut: cutting.cpp
-RunCommand run_clip_at;
+RunOn<const Mesh, ViewState> run_clip_at;
 FaultOfCommand fault_of_clip_at;
 // The user interface: commands_window.cpp, commands_preferences.cpp
 std::string panel_syntax();
 std::string preference_ids(), prefer_syntax();
-RunCommand run_prefer, run_bind;
+RunCommand run_prefer;
+RunOn<Preferences> run_bind;
 FaultOfCommand fault_of_bind;
-RunCommand run_panel, run_menu, run_columns, run_values, run_language, run_cancel, run_quit;
+RunCommand run_cancel;
+RunOn<Layout> run_panel, run_menu, run_columns, run_values;
+RunOn<Preferences> run_language;
+RunOn<Frontend> run_quit;
 
 // Whether the file is a large one.
 bool opening_takes_long(Words arguments);

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/session/owners.h"
 #include "app/editor/shown/effect.h"
 #include "ryosen/algo/algorithms.h"
 #include "ryosen/algo/repair/report.h"
@@ -23,6 +24,8 @@
 
 namespace ryosen {
 
+class Document;
+class RepairTrials;
 class Session;
 
 using Words = std::span<const std::string_view>;
@@ -44,7 +47,7 @@ struct CommandRow {
   Effect effect;  // with most words; effect_of() knows those of a call
   // Does it; `whole` is all of the text behind the id. What it performed is the line that does the same; for one that
   // edits or steps, where it is left empty, the line that was said.
-  std::function<Outcome(Session& session, Words arguments, std::string_view whole)> run;
+  OnOwners<Outcome(Session&, Words arguments, std::string_view whole)> run;
 
   std::string_view aliases = "";                     // further ids, separated by blanks
   bool is_long = false;                              // may take long: the window first shows that it is at work
@@ -102,7 +105,7 @@ std::string select_line(const ProblemRow& row, std::string_view element = {});
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
 // What a line of `repair` without a fault would do; null while that is being tried.
-const RepairReport* tried(Session& session, const std::string& line);
+const RepairReport* tried(Document& document, RepairTrials& trials, const std::string& line);
 
 // A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
 // anything else reads the table.

@@ -36,26 +36,26 @@ void unless_memory_lacks(SayMore say_more) {
 }
 
 // The repairs of a list, in rounds, as one entry of the history.
-Outcome run_recipe(Session& session, const std::string& list) {
+Outcome run_recipe(Document& document, Findings& findings, Frontend& frontend, const std::string& list) {
   const RepairCall call = read_repairs(list).call;
   for (const RecipeStep& step : call.steps)
-    if (const ReadValues found = step.values.on(session.mesh()); !found.values)
+    if (const ReadValues found = step.values.on(document.mesh()); !found.values)
       return failed(found.lacks_extent ? ExitCode::refused : ExitCode::usage, found.sentence);
   Outcome outcome;
   outcome.performed = "repair " + list;
   RecipeEvents events;
-  if (session.frontend.on_progress)
+  if (frontend.on_progress)
     events.progress = [&](const RecipeStep& step, std::size_t, double share) {
-      return session.frontend.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
-                                          static_cast<double>(call.steps.size()));
+      return frontend.on_progress((static_cast<double>(&step - call.steps.data()) + share) /
+                                  static_cast<double>(call.steps.size()));
     };
-  const BesideRepairs beside = session.document().beside_repairs();
-  const auto result = session.document().run(call.steps, outcome.performed, events);
+  const BesideRepairs beside = document.beside_repairs();
+  const auto result = document.run(call.steps, outcome.performed, events);
   if (!result) return cancelled();
   unless_memory_lacks([&] {
-    RepairReport report = report_of(call, *result, session.mesh(), beside.input());
-    outcome.sentence = told(report, session.mesh());
-    session.findings().keep_report(std::move(report));
+    RepairReport report = report_of(call, *result, document.mesh(), beside.input());
+    outcome.sentence = told(report, document.mesh());
+    findings.keep_report(std::move(report));
   });
   return outcome;
 }
@@ -86,17 +86,17 @@ std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
               "選択した要素は " + whole + " と名前をつけて指定します"};
 }
 
-std::vector<std::string> names_of_kept(const Session& session) {
+std::vector<std::string> names_of_kept(const Selecting& selecting) {
   std::vector<std::string> names;
-  for (const auto& [name, elements] : session.selecting.memory.kept) names.push_back(name);
+  for (const auto& [name, elements] : selecting.memory.kept) names.push_back(name);
   return names;
 }
 
 // Of those names the ones under which nothing is kept any more.
-Text gone_text(const Session& session, const std::vector<std::string>& names) {
+Text gone_text(const Selecting& selecting, const std::vector<std::string>& names) {
   std::string gone, gone_ja;
   for (const std::string& name : names) {
-    if (session.selecting.memory.kept.contains(name)) continue;
+    if (selecting.memory.kept.contains(name)) continue;
     gone += (gone.empty() ? "'" : ", '") + name + "'";
     gone_ja += "「" + name + "」";
   }
@@ -129,7 +129,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (make_account).
   const bool wants_account = row.accounts_for_edges && session.layout.is_shown(panel_opened_by(PanelOpener::levelled));
-  const std::vector<std::string> names_before = names_of_kept(session);
+  const std::vector<std::string> names_before = names_of_kept(session.selecting);
   const bool wants_descent = !session.selecting.selection.empty() || !names_before.empty();
   auto result = session.document().run(row, *found.values, outcome.performed, session.frontend.on_progress,
                                        {wants_account, wants_descent});
@@ -137,7 +137,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
   if (result->fault) return usage_error(id + ": " + result->fault->en, id + "：" + result->fault->ja);
   if (result->refused)
     return failed(ExitCode::refused, {id + ": " + result->refused->en, id + "：" + result->refused->ja});
-  if (was_empty && result->changed > 0) session.frame_all();  // nobody could have looked at it before
+  if (was_empty && result->changed > 0) session.framing.frame_all();  // nobody could have looked at it before
   unless_memory_lacks([&] {
     if (row.selects_added && result->changed > 0) session.selecting.selection = before.added_to(session.mesh());
     if (result->account && !result->account->rules.empty())
@@ -148,7 +148,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
     session.findings().keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   });
   outcome.sentence = std::move(result->text);
-  unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session, names_before); });
+  unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session.selecting, names_before); });
   return outcome;
 }
 
@@ -195,7 +195,8 @@ std::optional<Text> fault_of_repair(Words words, const std::string& line) {
 
 Outcome run_repair(Session& session, Words words, std::string_view) {
   if (const auto fault = fault_of_repair(words, {})) return usage_error(fault->en, fault->ja);
-  if (is_list_of_repairs(words[0])) return run_recipe(session, std::string(words[0]));
+  if (is_list_of_repairs(words[0]))
+    return run_recipe(session.document(), session.findings(), session.frontend, std::string(words[0]));
   const AlgorithmRow& row = *find_algorithm(words[0]);
   return run_algorithm(session, row, words.subspan(1), called(row, true));
 }
@@ -205,22 +206,22 @@ std::optional<Text> fault_of_would(Words words, const std::string& line) {
   return fault_of_repair(words.subspan(1), line);
 }
 
-Outcome run_would(Session& session, Words words, std::string_view) {
+Outcome run_would(Document& document, Frontend& frontend, Words words, std::string_view) {
   if (const auto fault = fault_of_would(words, {})) return usage_error(*fault);
   const RepairCall call = call_of_repair(words.subspan(1));
-  const BesideRepairs beside = session.document().beside_repairs();
-  const auto report = try_repair(session.mesh(), call, beside.input(), session.frontend.on_progress);
+  const BesideRepairs beside = document.beside_repairs();
+  const auto report = try_repair(document.mesh(), call, beside.input(), frontend.on_progress);
   if (!report) return cancelled();
   if (report->fault) return usage_error(*report->fault);
   Outcome outcome;
-  outcome.sentence = Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, session.mesh());
+  outcome.sentence = Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, document.mesh());
   return outcome;
 }
 
-const RepairReport* tried(Session& session, const std::string& line) {
+const RepairReport* tried(Document& document, RepairTrials& trials, const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   const RepairCall call = call_of_repair(Words(words).subspan(1));
-  return session.trials.of(session.document(), line, call, is_dear_to_try(session.mesh()));
+  return trials.of(document, line, call, is_dear_to_try(document.mesh()));
 }
 
 }  // namespace ryosen

@@ -26,10 +26,9 @@ Outcome performed(std::string line) {
 }
 
 // Goes N entries through the history, or nowhere when there are not so many.
-Outcome step_history(Session& session, Words arguments, std::string_view id, bool back) {
+Outcome step_history(Document& document, Words arguments, std::string_view id, bool back) {
   const auto n = count_of(arguments);
   if (!n) return wrong_arguments(id);
-  Document& document = session.document();
   const std::size_t possible = back ? document.position() : document.history().size() - document.position();
   if (*n <= possible) {
     document.go_to(back ? document.position() - *n : document.position() + *n);
@@ -45,8 +44,8 @@ Outcome step_history(Session& session, Words arguments, std::string_view id, boo
 
 }  // namespace
 
-Outcome run_undo(Session& s, Words a, std::string_view) { return step_history(s, a, "undo", true); }
-Outcome run_redo(Session& s, Words a, std::string_view) { return step_history(s, a, "redo", false); }
+Outcome run_undo(Document& document, Words a, std::string_view) { return step_history(document, a, "undo", true); }
+Outcome run_redo(Document& document, Words a, std::string_view) { return step_history(document, a, "redo", false); }
 
 std::optional<Text> fault_of_open(Words arguments, const std::string&) {
   return arguments.empty() ? std::optional(wrong_arguments("open").sentence) : std::nullopt;
@@ -76,14 +75,14 @@ Outcome run_open(Session& session, Words arguments, std::string_view whole) {
 Outcome run_new(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("new");
   session.set_document(std::make_unique<Document>());
-  session.begins_empty = true;
+  session.frontend.begins_empty = true;
   return performed("new");
 }
 
 Outcome run_start(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("start");
   session.set_document(std::make_unique<Document>());
-  session.begins_empty = false;
+  session.frontend.begins_empty = false;
   return performed("new");
 }
 
@@ -94,35 +93,37 @@ std::optional<Text> fault_of_save_selected(Words arguments, const std::string&) 
   return arguments.empty() ? std::optional(wrong_arguments("save_selected").sentence) : std::nullopt;
 }
 
-Outcome run_append(Session& session, Words arguments, std::string_view whole) {
+Outcome run_append(Document& document, Framing& framing, Selecting& selecting, RunFiles& files, Words arguments,
+                   std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("append");
   const std::string name = file_name(whole);
   Result<MeshFile> file = read_mesh_file(name);
   if (!file) return failed(file.failure().exit_code, text_with_place(file.failure().message, name));
-  const FirstSlots before(session.mesh());
-  const bool was_empty = session.mesh().live() == ElementCounts();
+  const FirstSlots before(document.mesh());
+  const bool was_empty = document.mesh().live() == ElementCounts();
   const std::string line = "append " + file_argument(name);
-  const Text left_out = session.document().append(std::move(file).value(), line);
-  session.files.reads(name, FileRole::mesh);
-  session.selecting.selection = before.added_to(session.mesh());
-  if (was_empty) session.frame_all();
+  const Text left_out = document.append(std::move(file).value(), line);
+  files.reads(name, FileRole::mesh);
+  selecting.selection = before.added_to(document.mesh());
+  if (was_empty) framing.frame_all();
   Outcome outcome = performed(line);
   outcome.sentence = left_out;
   return outcome;
 }
 
-Outcome run_save_selected(Session& session, Words arguments, std::string_view whole) {
+Outcome run_save_selected(Document& document, Selecting& selecting, Frontend& frontend, RunFiles& files,
+                          Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("save_selected");
-  if (session.selecting.selection.empty())
+  if (selecting.selection.empty())
     return failed(ExitCode::refused, {"save_selected: nothing is selected", "save_selected：選択がありません"});
   const std::string name = file_name(whole);
-  if (const Status may = session.files.may_write(name, FileRole::saved); !may) return failed(may.failure());
-  const MeshFile part = session.document().part(session.selecting.selection);
+  if (const Status may = files.may_write(name, FileRole::saved); !may) return failed(may.failure());
+  const MeshFile part = document.part(selecting.selection);
   const Format* const format = format_to_write(name, part);
   const std::vector<Message> losses = format && format->write ? loss_messages(part, *format) : std::vector<Message>();
-  if (session.strict && !losses.empty()) return failed(refusal_of_losses());
+  if (frontend.is_strict && !losses.empty()) return failed(refusal_of_losses());
   const Status status = write_mesh_file(name, part, {.format = format});
-  if (is_in_place(status)) session.files.writes(name, FileRole::saved);
+  if (is_in_place(status)) files.writes(name, FileRole::saved);
   if (!status) return failed(status.failure());
   Outcome outcome;
   const std::string v = std::to_string(part.mesh.positions.size()), f = std::to_string(part.mesh.face_count());
@@ -148,7 +149,7 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
     if (outcome = session.run(line.text); !outcome.done()) return outcome;
   session.document().count_as_made();
   if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
-  session.frame_all();
+  session.framing.frame_all();
   outcome.performed.clear();
   outcome.sentence = {"Undo goes back through its steps.", "「元に戻す」で一手ずつ戻れます。"};
   return outcome;
@@ -160,18 +161,18 @@ std::optional<Text> fault_of_figure(Words arguments, const std::string&) {
 }
 
 // An entry of the history, so that what is recovered has it too.
-Outcome run_figure(Session& session, Words arguments, std::string_view) {
+Outcome run_figure(Document& document, Framing& framing, Words arguments, std::string_view) {
   if (fault_of_figure(arguments, {})) return wrong_arguments("figure");
-  if (session.mesh().vertex_slots() > 0 || !session.document().path().empty())
+  if (document.mesh().vertex_slots() > 0 || !document.path().empty())
     return failed(ExitCode::refused, {"a figure comes into an empty mesh; first say: new",
                                       "図は空のメッシュに置きます。先に new を実行してください"});
   const Figure& figure = *find_figure(arguments[0]);
   Result<MeshFile> file = mesh_of_figure(figure);
   if (!file) return failed(file.failure());
   const std::string line = "figure " + std::string(figure.id);
-  session.document().append(std::move(file).value(), line);
-  session.document().count_as_made();
-  session.frame_all();
+  document.append(std::move(file).value(), line);
+  document.count_as_made();
+  framing.frame_all();
   Outcome outcome = performed(line);
   outcome.sentence = {std::string(figure.name_en) + ".", std::string(figure.name_ja) + "。"};
   return outcome;
@@ -218,13 +219,14 @@ Outcome run_save(Session& session, Words, std::string_view whole) {
                 "「こちらを残す」（keep_mine）のあとで保存すると上書きできます。"});
   }
   const std::vector<Message> losses = document.losses(target);
-  if (session.strict && !losses.empty()) {
+  if (session.frontend.is_strict && !losses.empty()) {
     Outcome outcome = failed(refusal_of_losses());
     for (const Message& loss : losses) outcome.say(loss.text);
     return outcome;
   }
   const std::optional<Text> warning =
-      session.frontend.autosave ? session.frontend.autosave->before_save(session, target) : std::nullopt;
+      session.frontend.autosave ? session.frontend.autosave->before_save(session.document(), session.log(), target)
+                                : std::nullopt;
   const Status status = document.save(target);
   if (is_in_place(status)) session.files.writes(target, FileRole::saved);
   if (!status) {
@@ -265,16 +267,15 @@ std::optional<RecoverCall> read_recover_call(Words arguments) {
   return call;
 }
 
-Outcome list_lost(const Session& session) {
+Outcome list_lost(const std::vector<LostSession>& lost) {
   Outcome outcome;
-  for (std::size_t i = 0; i < session.lost.size(); ++i) {
+  for (std::size_t i = 0; i < lost.size(); ++i) {
     const std::string number = std::to_string(i + 1);
-    const Text text = describe(session.lost[i]);
+    const Text text = describe(lost[i]);
     outcome.say({number + ": " + text.en + ".", number + "：" + text.ja + "。"});
-    if (const Text change = told_change(session.lost[i], session.lost[i].change); !change.en.empty())
-      outcome.say(change);
+    if (const Text change = told_change(lost[i], lost[i].change); !change.en.empty()) outcome.say(change);
   }
-  if (session.lost.empty()) outcome.sentence = nothing_to_recover();
+  if (lost.empty()) outcome.sentence = nothing_to_recover();
   return outcome;
 }
 
@@ -295,16 +296,16 @@ Outcome run_recover(Session& session, Words arguments, std::string_view) {
   const bool lists = call->kind == RecoverCall::Kind::list;
   // A number is that of the list which was seen.
   if (lists || session.lost.empty())
-    if (const Status listed = list_lost_sessions(session); !listed) return failed(listed.failure());
-  if (lists) return list_lost(session);
+    if (const Status listed = list_lost_sessions(session.lost); !listed) return failed(listed.failure());
+  if (lists) return list_lost(session.lost);
   if (call->number > session.lost.size()) {
-    const Text list = list_lost(session).sentence;
+    const Text list = list_lost(session.lost).sentence;
     return usage_error("recover: there is no number " + std::to_string(call->number) + ". " + list.en,
                        "recover：" + std::to_string(call->number) + " 番はありません。" + list.ja);
   }
   const LostSession lost = session.lost[call->number - 1];
   Outcome outcome = call->kind == RecoverCall::Kind::discard ? discard(lost) : recover(session, lost, call->onto);
-  if (const Status listed = list_lost_sessions(session); !listed) outcome.say(listed.failure().message.text);
+  if (const Status listed = list_lost_sessions(session.lost); !listed) outcome.say(listed.failure().message.text);
   return outcome;
 }
 
@@ -319,15 +320,15 @@ std::string free_picture_name(const RunFiles& files) {
 
 }  // namespace
 
-Outcome run_shot(Session& session, Words, std::string_view whole) {
-  if (!session.frontend.take_picture)
+Outcome run_shot(Frontend& frontend, RunFiles& files, Words, std::string_view whole) {
+  if (!frontend.take_picture)
     return failed(ExitCode::no_backend, {"no picture can be made here; use ryosen shot --script",
                                          "ここでは画像を作れません。ryosen shot --script を使ってください"});
   std::string name = file_name(whole);
-  if (name.empty()) name = free_picture_name(session.files);
-  if (const Status may = session.files.may_write(name, FileRole::picture); !may) return failed(may.failure());
-  const Status status = session.frontend.take_picture(name);
-  if (is_in_place(status)) session.files.writes(name, FileRole::picture);
+  if (name.empty()) name = free_picture_name(files);
+  if (const Status may = files.may_write(name, FileRole::picture); !may) return failed(may.failure());
+  const Status status = frontend.take_picture(name);
+  if (is_in_place(status)) files.writes(name, FileRole::picture);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
 }
 

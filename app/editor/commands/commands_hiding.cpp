@@ -1,7 +1,9 @@
 // The commands `hide`, `isolate` and `unhide`.
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/texts/hidden_text.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -10,19 +12,19 @@ namespace {
 bool is_selection(Words arguments) { return arguments.size() == 1 && arguments[0] == "selected"; }
 
 // `lacks`: what is said where nothing is selected.
-Outcome hide_named(Session& session, std::string_view command, Words arguments,
-                   void (Selecting::*hide)(std::span<const Element>), const Text& lacks) {
+Outcome hide_named(Document& document, Findings& findings, Selecting& selecting, std::string_view command,
+                   Words arguments, void (Selecting::*hide)(std::span<const Element>), const Text& lacks) {
   if (arguments.empty()) return wrong_arguments(command);
-  Elements elements = session.selecting.selection;
+  Elements elements = selecting.selection;
   if (!is_selection(arguments)) {
     elements.clear();
-    if (Outcome outcome = find_named(session, command, arguments, elements); !outcome.done()) return outcome;
+    if (Outcome outcome = find_named(document, command, arguments, elements); !outcome.done()) return outcome;
   } else if (elements.empty()) {
     return failed(ExitCode::refused, lacks);
   }
-  (session.selecting.*hide)(elements);
+  (selecting.*hide)(elements);
   Outcome outcome;
-  outcome.sentence = hidden_text(session.findings().hidden());
+  outcome.sentence = hidden_text(findings.hidden());
   return outcome;
 }
 
@@ -34,19 +36,19 @@ std::optional<Text> fault_of_hide(Words arguments, const std::string& line) {
   return is_selection(arguments) ? std::nullopt : fault_of_names(command, arguments);
 }
 
-Outcome run_hide(Session& session, Words arguments, std::string_view) {
-  return hide_named(session, "hide", arguments, &Selecting::hide,
+Outcome run_hide(Document& document, Findings& findings, Selecting& selecting, Words arguments, std::string_view) {
+  return hide_named(document, findings, selecting, "hide", arguments, &Selecting::hide,
                     {"select first what is to be hidden", "先に非表示にする要素を選択してください"});
 }
 
-Outcome run_isolate(Session& session, Words arguments, std::string_view) {
-  return hide_named(session, "isolate", arguments, &Selecting::isolate,
+Outcome run_isolate(Document& document, Findings& findings, Selecting& selecting, Words arguments, std::string_view) {
+  return hide_named(document, findings, selecting, "isolate", arguments, &Selecting::isolate,
                     {"select first what alone is to be shown", "先に、それだけを表示する要素を選択してください"});
 }
 
-Outcome run_unhide(Session& session, Words arguments, std::string_view) {
+Outcome run_unhide(Selecting& selecting, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("unhide");
-  session.selecting.unhide();
+  selecting.unhide();
   return {};
 }
 

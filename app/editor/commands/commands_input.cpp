@@ -62,17 +62,17 @@ Outcome keys_press_each_other(std::string_view chord) {
 
 }  // namespace
 
-Outcome run_press(Session& session, Words arguments, std::string_view) {
+Outcome run_press(Input& input, Words arguments, std::string_view) {
   const auto event = read_button_event(arguments);
   if (!event) return wrong_arguments("press");
-  session.input().press(event->button, event->at);
+  input.press(event->button, event->at);
   return {};
 }
 
-Outcome run_release(Session& session, Words arguments, std::string_view) {
+Outcome run_release(Input& input, Words arguments, std::string_view) {
   const auto event = read_button_event(arguments);
   if (!event) return wrong_arguments("release");
-  const Outcome clicked = session.input().release(event->button, event->at);
+  const Outcome clicked = input.release(event->button, event->at);
   Outcome outcome;  // the event came where it should: what a hand would be told is no failure of the script
   outcome.sentence = clicked.sentence;
   return outcome;
@@ -98,20 +98,20 @@ std::optional<Text> fault_of_move(Words arguments, const std::string&) {
   return read_move(arguments) ? std::nullopt : std::optional(wrong_arguments("move").sentence);
 }
 
-Outcome run_wheel(Session& session, Words arguments, std::string_view) {
+Outcome run_wheel(Input& input, Words arguments, std::string_view) {
   const auto steps = arguments.empty() ? std::nullopt : parse_double(arguments[0]);
   const auto at = steps ? read_pointer(arguments.subspan(1)) : std::nullopt;
   if (!at) return wrong_arguments("wheel");
   constexpr double most_steps = 100;  // about a million times as large
   if (std::abs(*steps) > most_steps)
     return usage_error("wheel: at most 100 steps at a time", "wheel：一度に回せるのは 100 段までです");
-  session.input().wheel(*steps, *at);
+  input.wheel(*steps, *at);
   return {};
 }
 
-Outcome run_type(Session& session, Words arguments, std::string_view whole) {
+Outcome run_type(Input& input, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("type");
-  return session.input().type(without_blanks(whole));
+  return input.type(without_blanks(whole));
 }
 
 std::string sent_by_key(Words arguments) {
@@ -127,11 +127,11 @@ std::optional<Text> fault_of_key(Words arguments, const std::string&) {
   return no_such_key(arguments[0]).sentence;
 }
 
-Outcome run_key(Session& session, Words arguments, std::string_view) {
+Outcome run_key(Input& input, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("key");
   const PressedKey pressed;
   if (pressed.is_too_deep()) return keys_press_each_other(arguments[0]);
-  return session.input().key(std::string(arguments[0]));
+  return input.key(std::string(arguments[0]));
 }
 
 }  // namespace ryosen

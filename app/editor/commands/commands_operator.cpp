@@ -21,11 +21,12 @@ constexpr std::string_view selected_word = "selected";
 
 bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selected_word; }
 
-Outcome apply(Session& session, const std::string& called, Words arguments, std::string_view whole) {
-  const Parsed<AnyOp> parsed = parse_op(session.mesh(), called, arguments);
-  if (!parsed.op) return no_element(session.document(), called + std::string(whole), parsed.error, parsed.sentence);
-  Outcome outcome = session.document().apply(*parsed.op, session.strict);
-  if (outcome.done()) outcome.performed = session.document().history().back().command;
+Outcome apply(Document& document, Frontend& frontend, const std::string& called, Words arguments,
+              std::string_view whole) {
+  const Parsed<AnyOp> parsed = parse_op(document.mesh(), called, arguments);
+  if (!parsed.op) return no_element(document, called + std::string(whole), parsed.error, parsed.sentence);
+  Outcome outcome = document.apply(*parsed.op, frontend.is_strict);
+  if (outcome.done()) outcome.performed = document.history().back().command;
   return outcome;
 }
 
@@ -141,13 +142,13 @@ Text told(const OpInfo& op, const EachResult& result) {
 }
 
 // What was refused stays selected, and so does what is of another kind, or else all that lives on.
-void select_refused(Session& session, const EachResult& result) {
+void select_refused(const Mesh& mesh, Selecting& selecting, const EachResult& result) {
   if (result.refused.empty()) return;
   Elements left = result.others;
   for (const EachResult::Refused& refused : result.refused)
     left.insert(left.end(), refused.elements.begin(), refused.elements.end());
-  drop_lost(left, session.mesh(), false);
-  session.selecting.selection = std::move(left);
+  drop_lost(left, mesh, false);
+  selecting.selection = std::move(left);
 }
 
 // The selection without those that were refused: the same is done with it whatever is refused for.
@@ -161,22 +162,23 @@ std::string line_without_refused(const Elements& selection, const EachResult& re
   return "select" + slot_ranges(left);
 }
 
-Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
-  const Elements selected = worked_on(session, op, words.subspan(1));
+Outcome apply_to_each(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend,
+                      const OpInfo& op, Words words) {
+  const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
   Outcome outcome;
   outcome.performed = line_of(op, words);
-  outcome.selecting = selected == session.selecting.selection ? session.selecting.select_line() : "select" + slot_ranges(selected);
-  const auto result = session.document().apply_to_each(op, selected, words.subspan(1), outcome.performed,
-                                                       session.strict, session.frontend.on_progress);
+  outcome.selecting = selected == selecting.selection ? selecting.select_line() : "select" + slot_ranges(selected);
+  const auto result = document.apply_to_each(op, selected, words.subspan(1), outcome.performed, frontend.is_strict,
+                                             frontend.on_progress);
   if (!result) return cancelled();
   if (result->error != NameError::none) return usage_error(behind(op.id, result->sentence));
   if (result->done + result->gone + result->refusals() == 0) return nothing_selected(op);
   // A script that is not strict would do what was refused for a warning.
-  if (session.strict && result->refusals() > 0) outcome.selecting = line_without_refused(selected, *result);
+  if (frontend.is_strict && result->refusals() > 0) outcome.selecting = line_without_refused(selected, *result);
   outcome.sentence = told(op, *result);
   for (const EachResult::Refused& refused : result->refused) {
     outcome.reasons.push_back({refused.rule, refused.elements});
-    drop_lost(outcome.reasons.back().witnesses, session.mesh(), false);  // a later call may have deleted some
+    drop_lost(outcome.reasons.back().witnesses, document.mesh(), false);  // a later call may have deleted some
   }
   if (result->done == 0) {
     outcome.kind = Outcome::Kind::refused;
@@ -184,23 +186,25 @@ Outcome apply_to_each(Session& session, const OpInfo& op, Words words) {
     outcome.performed.clear();
     return outcome;
   }
-  select_refused(session, *result);
+  select_refused(document.mesh(), selecting, *result);
   return outcome;
 }
 
-Outcome apply_to_all(Session& session, const OpInfo& op, Words words) {
-  if (session.selecting.selection.empty()) return nothing_selected(op);
-  const Elements selected = worked_on(session, op, words.subspan(1));
-  const std::vector<std::string> names = names_taken(session, op, selected, words.subspan(1));
+Outcome apply_to_all(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend, const OpInfo& op,
+                     Words words) {
+  if (selecting.selection.empty()) return nothing_selected(op);
+  const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
+  const std::vector<std::string> names = names_taken(selecting, op, selected, words.subspan(1));
   std::vector<std::string_view> arguments(names.begin(), names.end());
   arguments.insert(arguments.end(), words.begin() + 1, words.end());
   if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);
-  return apply(session, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
+  return apply(document, frontend, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
 }
 
-Outcome apply_to_selection(Session& session, const OpInfo& op, Words words) {
-  if (op.on_selection == OnSelection::all) return apply_to_all(session, op, words);
-  return apply_to_each(session, op, words);
+Outcome apply_to_selection(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend,
+                           const OpInfo& op, Words words) {
+  if (op.on_selection == OnSelection::all) return apply_to_all(document, findings, selecting, frontend, op, words);
+  return apply_to_each(document, findings, selecting, frontend, op, words);
 }
 
 std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
@@ -221,9 +225,11 @@ std::vector<std::string> alternatives(std::string_view whole) {
 CommandRow row_of(const OpInfo& op, std::string_view called) {
   const std::string word(called);
   const auto run = [word, &op](Session& session, Words arguments, std::string_view whole) {
-    if (!is_on_selection(arguments)) return apply(session, word, arguments, whole);
+    if (!is_on_selection(arguments)) return apply(session.document(), session.frontend, word, arguments, whole);
     const auto fault = fault_on_selection(op, arguments);
-    return fault ? usage_error(behind(word, *fault)) : apply_to_selection(session, op, arguments);
+    return fault ? usage_error(behind(word, *fault))
+                 : apply_to_selection(session.document(), session.findings(), session.selecting, session.frontend, op,
+                                      arguments);
   };
   const auto fault = [word, &op](Words arguments, const std::string&) -> std::optional<Text> {
     const auto wrong =

@@ -59,17 +59,17 @@ Outcome refused_step(const Player& player) {
 }
 
 // Goes there, or tells that the mesh is another one by now.
-Outcome go_to_step(Session& session, std::size_t position) {
-  Player& player = *session.shown.player();
-  if (!session.shown.fits()) {
+Outcome go_to_step(Framing& framing, Shown& shown, std::size_t position) {
+  Player& player = *shown.player();
+  if (!shown.fits()) {
     const std::string call = player.call();
-    session.shown.end_steps();
+    shown.end_steps();
     return failed(ExitCode::refused, {"the mesh has changed since; play it again: steps " + call,
                                       "再生を始めた後にメッシュが変わりました。もう一度：steps " + call});
   }
-  const bool returns = !session.shown.shows(ShownBy::step) && player.camera_before;
-  session.shown.go_to_step(position);
-  if (returns) session.frame_all();  // the mesh beneath was looked at meanwhile
+  const bool returns = !shown.shows(ShownBy::step) && player.camera_before;
+  shown.go_to_step(position);
+  if (returns) framing.frame_all();  // the mesh beneath was looked at meanwhile
   if (player.position() == player.size()) player.is_running = false;
   Outcome outcome;
   if (player.step()) outcome.sentence = player.step()->caption;
@@ -97,38 +97,39 @@ std::optional<Text> fault_of_steps(Words arguments, const std::string&) {
 }
 
 // The words that call what is played; the name of a script may have blanks.
-std::vector<std::string> called_words(Session& session, Words arguments, std::string_view whole) {
+std::vector<std::string> called_words(RunFiles& files, Words arguments, std::string_view whole) {
   const auto row = find_played(arguments[0]);
   if (arguments.size() < 2 || !row || !(*row)->plays_script) return {arguments.begin(), arguments.end()};
   std::string name = file_name(behind_word(without_blanks(whole)));
-  if (is_script_file(name)) session.files.reads(name, FileRole::script);
+  if (is_script_file(name)) files.reads(name, FileRole::script);
   return {std::string(arguments[0]), std::move(name)};
 }
 
 Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
   if (const auto fault = fault_of_steps(arguments, {})) return usage_error(*fault);
   if (arguments[0] == "close") {
-    end_playing(session);
+    end_playing(session.view, session.framing, session.shown);
     return {};
   }
   const PlayerWay* const way = find_way(arguments[0]);
   if (!way && arguments[0] != "at") {
-    Outcome outcome = begin_playing(session, called_words(session, arguments, whole));
+    Outcome outcome = begin_playing(session.document(), session.view, session.framing, session.shown,
+                                    called_words(session.files, arguments, whole));
     if (!outcome.done()) return outcome;
     session.layout.show(panel_opened_by(PanelOpener::played), true);
     outcome.sentence = session.shown.player()->remark();
-    if (session.shown.levels()) outcome.say(leave_level(session).sentence);
+    if (session.shown.levels()) outcome.say(leave_level(session.shown).sentence);
     return outcome;
   }
   if (!session.shown.player()) return nothing_played();
   Player& player = *session.shown.player();
   if (!way) {
     const std::size_t number = *step_number(arguments[1]);
-    return number > player.size() ? refused_step(player) : go_to_step(session, number);
+    return number > player.size() ? refused_step(player) : go_to_step(session.framing, session.shown, number);
   }
   const std::size_t to = way->to(player);
   player.is_running = way->is_running(player);
-  return go_to_step(session, to);
+  return go_to_step(session.framing, session.shown, to);
 }
 
 }  // namespace ryosen

@@ -39,30 +39,31 @@ Outcome not_a_tool(std::string_view id) {
 
 }  // namespace
 
-Outcome run_walk(Session& session, Words arguments, std::string_view) {
+Outcome run_walk(Findings& findings, ViewState& view, Framing& framing, Selecting& selecting, Words arguments,
+                 std::string_view) {
   const std::string_view where = arguments.size() == 1 ? arguments[0] : "";
   if (where != "next" && where != "prev" && where != "twin" && where != "around") return wrong_arguments("walk");
-  if (session.selecting.selection.size() != 1 || session.selecting.selection[0].kind != Element::Kind::halfedge)
+  if (selecting.selection.size() != 1 || selecting.selection[0].kind != Element::Kind::halfedge)
     return failed(ExitCode::refused, {"select one halfedge first; halfedges are walked from there",
                                       "先に半稜線を一つ選択してください。そこから辿ります"});
-  const Mesh& mesh = session.mesh();
-  const Halfedge h = session.selecting.selection[0].halfedge();
-  session.selecting.selection = {where == "next"   ? mesh.next(h)
-                       : where == "prev" ? mesh.prev(h)
-                       : where == "twin" ? twin(h)
-                                         : mesh.counter_clockwise(h)};
-  session.view.links.walked(h, session.selecting.selection[0].halfedge());
-  keep_in_sight(session, session.selecting.selection[0]);
+  const Mesh& mesh = findings.mesh();
+  const Halfedge h = selecting.selection[0].halfedge();
+  selecting.selection = {where == "next"   ? mesh.next(h)
+                         : where == "prev" ? mesh.prev(h)
+                         : where == "twin" ? twin(h)
+                                           : mesh.counter_clockwise(h)};
+  view.links.walked(h, selecting.selection[0].halfedge());
+  keep_in_sight(findings, view, framing, selecting.selection[0]);
   return {};
 }
 
-Outcome run_tool(Session& session, Words arguments, std::string_view) {
+Outcome run_tool(Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("tool");
   if (arguments[0] != "none" && !find_tool(arguments[0])) return not_a_tool(arguments[0]);
-  session.selecting.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
-  session.selecting.asked_line.clear();
-  session.selecting.release_verdict();
-  if (session.selecting.hover()) session.pointing.point_at(session.selecting.hover()->pixel, session.selecting.hover()->modifiers);
+  selecting.tool = arguments[0] == "none" ? "" : std::string(arguments[0]);
+  selecting.asked_line.clear();
+  selecting.release_verdict();
+  if (selecting.hover()) pointing.point_at(selecting.hover()->pixel, selecting.hover()->modifiers);
   return {};
 }
 
@@ -86,22 +87,22 @@ Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
   return carry_out_asked(session);
 }
 
-Outcome run_mode(Session& session, Words arguments, std::string_view) {
+Outcome run_mode(Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
   for (const auto& [mode, id, point_en, point_ja, help_en, help_ja] : pick_modes) {
     if (arguments.size() != 1 || arguments[0] != id) continue;
-    session.selecting.mode = mode;
-    session.selecting.release_verdict();
-    if (session.selecting.hover()) session.pointing.point_at(session.selecting.hover()->pixel, session.selecting.hover()->modifiers);
+    selecting.mode = mode;
+    selecting.release_verdict();
+    if (selecting.hover()) pointing.point_at(selecting.hover()->pixel, selecting.hover()->modifiers);
     return {};
   }
   return wrong_arguments("mode");
 }
 
-Outcome run_click(Session& session, Words arguments, std::string_view) {
+Outcome run_click(Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
   const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
   if (!at || arguments.size() > 2) return wrong_arguments("click");
   if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);
-  return session.pointing.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : session.selecting.tool);
+  return pointing.click(*at, arguments.size() == 2 ? std::string(arguments[1]) : selecting.tool);
 }
 
 std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {

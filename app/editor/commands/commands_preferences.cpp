@@ -43,20 +43,20 @@ std::optional<Text> fault_of_bind(Words arguments, const std::string& line) {
   return fault ? std::optional(Text{"bind: " + fault->en, "bind：" + fault->ja}) : std::nullopt;
 }
 
-Outcome run_bind(Session& session, Words arguments, std::string_view whole) {
+Outcome run_bind(Preferences& preferences, Words arguments, std::string_view whole) {
   if (is_all_initial(arguments)) {
-    session.preferences.bindings.clear();
+    preferences.bindings.clear();
     return {};
   }
   if (const auto fault = fault_of_bind(arguments, "bind " + std::string(whole))) return usage_error(*fault);
   const std::string chord = *chord_from(arguments[0]), command = command_behind(whole);
   if (command == "initial") {
-    bind(session.preferences, chord, BindTo::preset);
+    bind(preferences, chord, BindTo::preset);
     return {};
   }
   const std::string wanted = command == "none" ? std::string() : command;
-  const auto conflict = conflict_of(session.preferences, chord, wanted);
-  bind(session.preferences, chord, BindTo::command, wanted);
+  const auto conflict = conflict_of(preferences, chord, wanted);
+  bind(preferences, chord, BindTo::command, wanted);
   Outcome outcome;
   if (!conflict || wanted.empty()) return outcome;
   const Text lost = help_of_key(*conflict);

@@ -68,10 +68,10 @@ Outcome run_lasso(Session& session, Words arguments, std::string_view) {
   return select_in(session, *call, ScreenRegion(call->pixels));
 }
 
-Outcome run_band(Session& session, Words arguments, std::string_view) {
+Outcome run_band(ViewState& view, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "box" && word != "lasso") return wrong_arguments("band");
-  session.view.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
+  view.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
   return {};
 }
 

@@ -106,9 +106,9 @@ std::optional<Text> fault_of(const SelectRequest& asked) {
   return fault && asked.names.size() == 1 ? std::optional(*fault + meant_by(asked.names[0])) : fault;
 }
 
-Elements all_of(Session& session, const ProblemRow& problem) {
+Elements all_of(Findings& findings, const ProblemRow& problem) {
   Elements found;
-  session.findings().highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
+  findings.highlights().of(problem.kind).for_each([&](std::uint32_t i) { found.push_back(problem.element(i)); });
   return found;
 }
 
@@ -131,10 +131,10 @@ const PickModeRow& mode_of(Element::Kind kind) {
                        [&](const PickModeRow& row) { return kind_of(row.mode) == kind; });
 }
 
-Outcome nothing_kept(const Session& session, std::string_view name) {
+Outcome nothing_kept(const Selecting& selecting, std::string_view name) {
   const std::string wanted(name);
   std::vector<std::string> known;
-  for (const auto& [kept, elements] : session.selecting.memory.kept) known.push_back(kept);
+  for (const auto& [kept, elements] : selecting.memory.kept) known.push_back(kept);
   const Text hint = did_you_mean(name, known);
   return failed(
       ExitCode::refused,
@@ -142,20 +142,20 @@ Outcome nothing_kept(const Session& session, std::string_view name) {
 }
 
 // What was searched for, but for what is hidden.
-Outcome select(Session& session, Elements found) {
-  session.findings().drop_hidden(found);
+Outcome select(Findings& findings, Selecting& selecting, Elements found) {
+  findings.drop_hidden(found);
   Outcome outcome;
   outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
                                    : count_text(found.size(), "one element is selected", "# elements are selected",
                                                 "# 個を選択しました");
-  session.selecting.selection = std::move(found);
+  selecting.selection = std::move(found);
   return outcome;
 }
 
 // All that has been found of it, and where that is nothing because nobody has searched, a word about how.
-Outcome select_all_of(Session& session, const ProblemRow& row) {
-  Outcome outcome = select(session, all_of(session, row));
-  if (row.is_on_request() && !session.findings().has_searched(row.kind)) {
+Outcome select_all_of(Findings& findings, Selecting& selecting, const ProblemRow& row) {
+  Outcome outcome = select(findings, selecting, all_of(findings, row));
+  if (row.is_on_request() && !findings.has_searched(row.kind)) {
     const std::string en(row.several_en), ja(row.name_ja), by(row.searched_by);
     outcome.sentence = {
         "nothing is selected: nobody has searched for " + en + " since the last edit, as " + by + " does",
@@ -165,27 +165,27 @@ Outcome select_all_of(Session& session, const ProblemRow& row) {
 }
 
 // What lives of it.
-Outcome select_kept(Session& session, std::string_view name) {
-  const auto kept = session.selecting.memory.kept.find(name);
-  if (kept == session.selecting.memory.kept.end()) return nothing_kept(session, name);
+Outcome select_kept(Findings& findings, Selecting& selecting, std::string_view name) {
+  const auto kept = selecting.memory.kept.find(name);
+  if (kept == selecting.memory.kept.end()) return nothing_kept(selecting, name);
   Elements found = kept->second;
-  drop_lost(found, session.mesh(), false);
-  return select(session, std::move(found));
+  drop_lost(found, findings.mesh(), false);
+  return select(findings, selecting, std::move(found));
 }
 
 }  // namespace
 
-Outcome find_named(Session& session, std::string_view command, Words names, Elements& found) {
+Outcome find_named(Document& document, std::string_view command, Words names, Elements& found) {
   for (const std::string_view name : names) {
     if (const auto range = parse_slot_range(name)) {
-      add_living(session.mesh(), *range, found);
+      add_living(document.mesh(), *range, found);
       continue;
     }
-    const NamedElement named = find_element(session.mesh(), name);
+    const NamedElement named = find_element(document.mesh(), name);
     if (!named.element) {
-      if (const auto aside = session.document().quarantine_text({&name, 1})) return usage_error(behind(command, *aside));
+      if (const auto aside = document.quarantine_text({&name, 1})) return usage_error(behind(command, *aside));
       const std::string line = std::string(command) + " " + std::string(name);
-      return no_element(session.document(), line, named.error, named.sentence);
+      return no_element(document, line, named.error, named.sentence);
     }
     found.push_back(*named.element);
   }
@@ -239,12 +239,12 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     Elements found =
         row.find(session.mesh(), session.selecting.selection, kind_of(session.selecting.mode), *parse_values(row, asked.names));
     if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
-    return select(session, std::move(found));
+    return select(session.findings(), session.selecting, std::move(found));
   }
-  if (asked.is_kept) return select_kept(session, *kept_name(asked.names));
-  if (asked.problem && asked.names.empty()) return select_all_of(session, *asked.problem);
+  if (asked.is_kept) return select_kept(session.findings(), session.selecting, *kept_name(asked.names));
+  if (asked.problem && asked.names.empty()) return select_all_of(session.findings(), session.selecting, *asked.problem);
   Elements found;
-  if (Outcome outcome = find_named(session, "select", asked.names, found); !outcome.done()) return outcome;
+  if (Outcome outcome = find_named(session.document(), "select", asked.names, found); !outcome.done()) return outcome;
   if (asked.problem) found = session.findings().about(*asked.problem, found[0]);
   put_into_selection(session.selecting.selection.changed(), found, asked.how);
   return {};
@@ -255,21 +255,21 @@ std::optional<Text> fault_of_keep(Words arguments, const std::string& line) {
   return fault_of_kept_name(line.substr(0, line.find(' ')), arguments);
 }
 
-Outcome run_keep(Session& session, Words arguments, std::string_view) {
+Outcome run_keep(Selecting& selecting, Words arguments, std::string_view) {
   const std::optional<std::string> name = kept_name(arguments);
   if (!name) return usage_error(fault_of_kept_name("keep", arguments));
-  if (session.selecting.selection.empty())
+  if (selecting.selection.empty())
     return failed(ExitCode::refused, {"nothing is selected that could be kept", "取っておく選択がありません"});
-  session.selecting.memory.kept.insert_or_assign(*name, session.selecting.selection);
+  selecting.memory.kept.insert_or_assign(*name, selecting.selection);
   return {};
 }
 
-Outcome run_forget(Session& session, Words arguments, std::string_view) {
+Outcome run_forget(Selecting& selecting, Words arguments, std::string_view) {
   const std::optional<std::string> name = kept_name(arguments);
   if (!name) return usage_error(fault_of_kept_name("forget", arguments));
-  const auto kept = session.selecting.memory.kept.find(*name);
-  if (kept == session.selecting.memory.kept.end()) return nothing_kept(session, *name);
-  session.selecting.memory.kept.erase(kept);
+  const auto kept = selecting.memory.kept.find(*name);
+  if (kept == selecting.memory.kept.end()) return nothing_kept(selecting, *name);
+  selecting.memory.kept.erase(kept);
   return {};
 }
 

@@ -43,7 +43,8 @@ ParameterValues as_of_simplify(const ParameterValues& given) {
 Outcome begin_levels(Session& session, Words words) {
   const ReadValues given = read_values(level_parameters(), words);
   if (!given.values) return usage_error(behind("levels", given.sentence));
-  const Text left = session.shown.player() ? leave_playing(session).sentence : Text();
+  const Text left =
+      session.shown.player() ? leave_playing(session.view, session.framing, session.shown).sentence : Text();
   session.shown.end_levels();
   session.shown.end();
   const ParameterValues values = as_of_simplify(*given.values);
@@ -68,15 +69,15 @@ Outcome begin_levels(Session& session, Words words) {
   return telling(std::move(outcome));
 }
 
-Outcome go_to_level(Session& session, std::size_t faces) {
-  if (!session.shown.fits()) {
-    session.shown.end_levels();
+Outcome go_to_level(Shown& shown, std::size_t faces) {
+  if (!shown.fits()) {
+    shown.end_levels();
     return failed(ExitCode::refused, {"the mesh has changed since; begin again with levels",
                                       "その後メッシュが変わりました。もう一度 levels で始めてください"});
   }
-  session.shown.go_to_level(session.shown.levels()->level_of(faces));
+  shown.go_to_level(shown.levels()->level_of(faces));
   Outcome outcome;
-  outcome.sentence = told(*session.shown.levels());
+  outcome.sentence = told(*shown.levels());
   return outcome;
 }
 
@@ -86,11 +87,11 @@ const EdgeRuleRow* find_rule(std::string_view id) {
   return nullptr;
 }
 
-void select_under(Session& session, const EdgeAccount& account, EdgeRule rule) {
+void select_under(Selecting& selecting, const EdgeAccount& account, EdgeRule rule) {
   Elements found;
   for (std::uint32_t i = 0; i < account.rules.size(); ++i)
     if (account.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
-  session.selecting.selection = std::move(found);
+  selecting.selection = std::move(found);
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ Outcome run_levels(Session& session, Words arguments, std::string_view) {
   }
   if (word != "at" && word != "keep") return begin_levels(session, arguments);
   if (!session.shown.levels()) return no_levels();
-  if (word == "at") return go_to_level(session, *face_count(arguments[1]));
+  if (word == "at") return go_to_level(session.shown, *face_count(arguments[1]));
   const std::string line = session.shown.levels()->line();
   return session.run(line);  // which ends them
 }
@@ -139,15 +140,16 @@ std::optional<Text> fault_of_account(Words arguments, const std::string&) {
 
 Outcome run_account(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of_account(arguments, {})) return usage_error(*fault);
-  if (line_to_account_for(session).empty())
+  if (line_to_account_for(session.document(), session.shown).empty())
     return failed(ExitCode::refused, {"there is no account; simplify makes one, until the next change",
                                       "内訳がありません。simplify の直後、次の変更までの間だけ示せます"});
-  const EdgeAccount* const account = make_account(session);
+  const EdgeAccount* const account =
+      make_account(session.document(), session.findings(), session.shown, session.frontend);
   if (!account) return cancelled();
   session.layout.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
   if (!arguments.empty()) {
-    select_under(session, *account, find_rule(arguments[0])->rule);
+    select_under(session.selecting, *account, find_rule(arguments[0])->rule);
     return outcome;
   }
   for (const EdgeRuleRow& row : edge_rules) {

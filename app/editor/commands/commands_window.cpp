@@ -25,33 +25,33 @@ Outcome no_such_panel(const std::string& id) {
 struct PanelAct {
   std::string_view id;
   bool of_columns;
-  void (*act)(Session& session, const PanelRow& row);
+  void (*act)(Layout& layout, const PanelRow& row);
 };
 constexpr PanelAct panel_acts[] = {
-    {"on", false, [](Session& session, const PanelRow& row) { session.layout.show(row, true); }},
-    {"off", false, [](Session& session, const PanelRow& row) { session.layout.show(row, false); }},
-    {"fold", true, [](Session& session, const PanelRow& row) { session.layout.folded.emplace(row.id); }},
-    {"unfold", true, [](Session& session, const PanelRow& row) { session.layout.folded.erase(std::string(row.id)); }},
-    {"left", true, [](Session& session, const PanelRow& row) { session.layout.put(row, PanelPlace::left); }},
-    {"right", true, [](Session& session, const PanelRow& row) { session.layout.put(row, PanelPlace::right); }},
+    {"on", false, [](Layout& layout, const PanelRow& row) { layout.show(row, true); }},
+    {"off", false, [](Layout& layout, const PanelRow& row) { layout.show(row, false); }},
+    {"fold", true, [](Layout& layout, const PanelRow& row) { layout.folded.emplace(row.id); }},
+    {"unfold", true, [](Layout& layout, const PanelRow& row) { layout.folded.erase(std::string(row.id)); }},
+    {"left", true, [](Layout& layout, const PanelRow& row) { layout.put(row, PanelPlace::left); }},
+    {"right", true, [](Layout& layout, const PanelRow& row) { layout.put(row, PanelPlace::right); }},
     {"flyout", true,
-     [](Session& session, const PanelRow& row) {
-       session.layout.show(row, true);
-       session.layout.flyout = row.id;
+     [](Layout& layout, const PanelRow& row) {
+       layout.show(row, true);
+       layout.flyout = row.id;
      }},
 };
 
 }  // namespace
 
-Outcome run_panel(Session& session, Words arguments, std::string_view) {
+Outcome run_panel(Layout& layout, Words arguments, std::string_view) {
   if (arguments.empty() || arguments.size() > 2) return wrong_arguments("panel");
   const std::string id(arguments[0]);
   if (id == "none" && arguments.size() > 1)
     return usage_error("panel none closes what lies over the view; it takes no further word",
                        "panel none は画面に重なるものを閉じます。後ろに言葉は付けられません");
   if (id == "none") {
-    session.layout.open_panel.clear();
-    session.layout.flyout.clear();
+    layout.open_panel.clear();
+    layout.flyout.clear();
     return {};
   }
   const std::string_view word = arguments.size() == 1 ? "on" : arguments[1];
@@ -63,7 +63,7 @@ Outcome run_panel(Session& session, Words arguments, std::string_view) {
   if (row->place == PanelPlace::over && act->of_columns)
     return usage_error("the panel " + id + " lies over the view: it is opened and closed, by on and off",
                        "パネル " + id + " は画面に重なるもので、on と off で開閉するだけです");
-  act->act(session, *row);
+  act->act(layout, *row);
   return {};
 }
 
@@ -73,14 +73,14 @@ std::string panel_syntax() {
   return "ID|none [" + words + "]";
 }
 
-Outcome run_menu(Session& session, Words arguments, std::string_view) {
+Outcome run_menu(Layout& layout, Words arguments, std::string_view) {
   const MenuRow* const menu = arguments.empty() ? menu_bar : find_menu(arguments[0]);
   if (!menu || arguments.size() > 1) return wrong_arguments("menu");
-  session.layout.asked_menu = menu;
+  layout.asked_menu = menu;
   return {};
 }
 
-Outcome run_columns(Session& session, Words arguments, std::string_view) {
+Outcome run_columns(Layout& layout, Words arguments, std::string_view) {
   const std::string_view side = arguments.size() == 2 ? arguments[0] : "";
   if (side != "left" && side != "right") return wrong_arguments("columns");
   const std::optional<std::uint32_t> width = count_of(arguments.subspan(1));
@@ -90,11 +90,11 @@ Outcome run_columns(Session& session, Words arguments, std::string_view) {
     return usage_error("a column is between " + least + " and " + most + " pixels wide",
                        "列の幅は " + least + " から " + most + " までです");
   }
-  session.layout.width_px(side == "left" ? PanelPlace::left : PanelPlace::right) = static_cast<int>(*width);
+  layout.width_px(side == "left" ? PanelPlace::left : PanelPlace::right) = static_cast<int>(*width);
   return {};
 }
 
-Outcome run_values(Session& session, Words arguments, std::string_view) {
+Outcome run_values(Layout& layout, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("values");
   const AlgorithmRow* const row = find_algorithm(arguments[0]);
   if (!row) {
@@ -104,20 +104,20 @@ Outcome run_values(Session& session, Words arguments, std::string_view) {
     return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
                        did_you_mean(wrong, known));
   }
-  session.layout.asked_algorithm = row->id;
-  session.layout.show(panel_opened_by(PanelOpener::asked_values), true);
+  layout.asked_algorithm = row->id;
+  layout.show(panel_opened_by(PanelOpener::asked_values), true);
   return {};
 }
 
-Outcome run_language(Session& session, Words arguments, std::string_view) {
+Outcome run_language(Preferences& preferences, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "en" && word != "ja") return wrong_arguments("language");
-  session.preferences.language = word == "ja" ? Language::japanese : Language::english;
+  preferences.language = word == "ja" ? Language::japanese : Language::english;
   return {};
 }
 
-Outcome leave_question(Session& session) {
-  session.asked_question.reset();
+Outcome leave_question(std::optional<AskedQuestion>& asked_question) {
+  asked_question.reset();
   Outcome outcome;
   outcome.sentence = {"The question is left.", "問題を終えました。"};
   return outcome;
@@ -144,15 +144,16 @@ Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   }
   if (!session.selecting.tool.empty()) return session.run("tool none");
   if (!session.shown.is_replaced() && !session.selecting.selection.empty()) return session.run("select none");
-  if (session.shown.player()) return leave_playing(session);
-  if (session.shown.by() == ShownBy::level) return leave_level(session);
-  if (asked_element(session)) return leave_question(session);
+  if (session.shown.player()) return leave_playing(session.view, session.framing, session.shown);
+  if (session.shown.by() == ShownBy::level) return leave_level(session.shown);
+  if (asked_element(session.document(), session.layout, session.asked_question))
+    return leave_question(session.asked_question);
   return session.shown.is_replaced() ? Outcome() : session.run("select none");
 }
 
-Outcome run_quit(Session& session, Words arguments, std::string_view) {
+Outcome run_quit(Frontend& frontend, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("quit");
-  if (session.frontend.quit) session.frontend.quit();
+  if (frontend.quit) frontend.quit();
   return {};
 }
 

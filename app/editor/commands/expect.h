@@ -10,11 +10,13 @@
 
 namespace ryosen {
 
-class Session;
+class Document;
+class Findings;
 
 // A term of the Euler–Poincaré sum (analysis/euler_poincare.h), the verdict on a command, or the hash. A false
 // assertion fails with exit code 1 and reports the actual value.
-Outcome run_expect(Session& session, std::span<const std::string_view> arguments, std::string_view whole);
+Outcome run_expect(Document& document, Findings& findings, std::span<const std::string_view> arguments,
+                   std::string_view whole);
 // What stands behind the word in its syntax.
 std::string expect_syntax();
 

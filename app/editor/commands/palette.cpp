@@ -9,8 +9,9 @@
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/session/asking.h"
+#include "app/editor/session/findings.h"
 #include "app/editor/session/operator_selection.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/selecting.h"
 #include "ryosen/highlights/colour_maps.h"
 #include "ryosen/view/named_views.h"
 
@@ -126,10 +127,10 @@ std::vector<PaletteEntry> find_in_palette(std::string_view typed) {
   return entries;
 }
 
-PaletteChoice choice_of(const Session& session, const PaletteEntry& entry) {
+PaletteChoice choice_of(const Findings& findings, const Selecting& selecting, const PaletteEntry& entry) {
   using Kind = PaletteChoice::Kind;
   if (const OpInfo* const op = find_op(entry.line)) {
-    if (fits_selection(session, *op)) return {Kind::run, entry.line + " selected"};
+    if (fits_selection(findings, selecting, *op)) return {Kind::run, entry.line + " selected"};
     if (!fault_of_command(entry.line)) return {Kind::run, entry.line};
     if (is_tool(*op)) return {Kind::run, "tool " + entry.line};
     if (can_be_asked(entry.line)) return {Kind::run, "ask " + entry.line};
@@ -138,7 +139,7 @@ PaletteChoice choice_of(const Session& session, const PaletteEntry& entry) {
   if (const AlgorithmRow* const row = find_algorithm(entry.line))
     return {Kind::run, row->parameters.empty() ? line_of(*row, ParameterValues()) : "values " + entry.line};
   if (const auto row = find_command_row(entry.line); row && row->most_elements > 0)
-    return {Kind::run, session.selecting.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
+    return {Kind::run, selecting.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
   if (fault_of_command(entry.line)) return {Kind::begin, entry.line + " "};
   return {Kind::run, entry.line};
 }

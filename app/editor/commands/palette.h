@@ -9,6 +9,10 @@
 
 namespace ryosen {
 
+class Selecting;
+
+class Findings;
+
 struct PaletteEntry {
   std::string line;  // what it says, without arguments that are not known yet
   Text name;         // as menus have it; where they have none, what it does in a few words
@@ -37,6 +41,6 @@ struct PaletteChoice {
   Kind kind;
   std::string line;
 };
-PaletteChoice choice_of(const Session& session, const PaletteEntry& entry);
+PaletteChoice choice_of(const Findings& findings, const Selecting& selecting, const PaletteEntry& entry);
 
 }  // namespace ryosen

@@ -14,22 +14,22 @@ namespace ryosen {
 namespace {
 
 // The halfedges whose edges are in view and long enough there, the longest ones where there are too many.
-std::vector<Halfedge> halfedges_in_view(const Session& session) {
-  const Mesh& m = session.mesh();
-  const std::span<const glm::dvec3> places = session.gesturing.drawn_positions();
-  const ScreenProjection screen(session.view.camera, session.view.size);
+std::vector<Halfedge> halfedges_in_view(const Findings& findings, const ViewState& view, const Gesturing& gesturing,
+                                        const Preferences& preferences) {
+  const Mesh& m = findings.mesh();
+  const std::span<const glm::dvec3> places = gesturing.drawn_positions();
+  const ScreenProjection screen(view.camera, view.size);
   std::vector<std::pair<double, std::uint32_t>> edges;  // shortest last
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const Edge e(i);
-    if (!m.is_alive(e) || session.findings().hidden().hides(m, e)) continue;
+    if (!m.is_alive(e) || findings.hidden().hides(m, e)) continue;
     const auto a = screen.project(places[m.from(halfedge(e)).index]),
                b = screen.project(places[m.to(halfedge(e)).index]);
     if (!a || !b) continue;
     const glm::dvec2 middle = 0.5 * (a->pixel + b->pixel);
-    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < session.view.size.width && middle.y < session.view.size.height))
-      continue;
+    if (!(middle.x >= 0 && middle.y >= 0 && middle.x < view.size.width && middle.y < view.size.height)) continue;
     const double length = glm::length(a->pixel - b->pixel);
-    if (length >= DrawnLinks::least_px * session.preferences.size_scale()) edges.emplace_back(-length, i);
+    if (length >= DrawnLinks::least_px * preferences.size_scale()) edges.emplace_back(-length, i);
   }
   constexpr std::size_t most_edges = DrawnLinks::most / 2;
   if (edges.size() > most_edges) {
@@ -47,21 +47,22 @@ std::vector<Halfedge> halfedges_in_view(const Session& session) {
 
 }  // namespace
 
-std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfedge>& halfedges) {
-  ArrowMaker make(session);
+std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+                                 const std::vector<Halfedge>& halfedges) {
+  ArrowMaker make(mesh, view, gesturing);
   std::vector<LinkArrow> arrows;
   for (const Halfedge h : halfedges)
     if (auto arrow = make.of(h, LinkRole::all)) arrows.push_back(std::move(*arrow));
   return arrows;
 }
 
-bool DrawnLinks::is_on(const Session& session) const {
-  if (shown == LinksShown::off || session.findings().preparing() || session.gesturing.transform()) return false;
-  return shown != LinksShown::in_mode || session.selecting.mode == PickMode::halfedge;
+bool DrawnLinks::is_on(const Findings& findings, const Selecting& selecting, const Gesturing& gesturing) const {
+  if (shown == LinksShown::off || findings.preparing() || gesturing.transform()) return false;
+  return shown != LinksShown::in_mode || selecting.mode == PickMode::halfedge;
 }
 
 const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
-  if (!is_on(session)) {
+  if (!is_on(session.findings(), session.selecting, session.gesturing)) {
     key_.reset();
     arrows_.clear();
     return arrows_;
@@ -80,11 +81,12 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   if (key_ && *key_ == key) return arrows_;
   key_ = key;
   arrows_.clear();
-  ArrowMaker make(session);
+  ArrowMaker make(session.mesh(), session.view, session.gesturing);
   const auto lives = [&](const Element& e) {
     return is_alive(session.mesh(), e) && !session.findings().hidden().hides(session.mesh(), e);
   };
-  if (!selection.empty() && lives(selection.back())) add_links_of(session, make, selection.back(), arrows_);
+  if (!selection.empty() && lives(selection.back()))
+    add_links_of(session.mesh(), session.gesturing, make, selection.back(), arrows_);
   const bool goes_on = !trail_.empty() && selection.size() == 1 && selection[0] == Element(trail_.back());
   std::vector<Halfedge> drawn;
   for (const LinkArrow& arrow : arrows_) drawn.push_back(arrow.halfedge);
@@ -101,7 +103,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
       drawn.push_back(h);
     }
   if (shown == LinksShown::all || shown == LinksShown::faces)
-    for (const Halfedge h : halfedges_in_view(session))
+    for (const Halfedge h : halfedges_in_view(session.findings(), session.view, session.gesturing, session.preferences))
       if (shown == LinksShown::all || session.mesh().face(h)) add(h, LinkRole::all);
   return arrows_;
 }

@@ -17,7 +17,12 @@
 
 namespace ryosen {
 
+class Findings;
+class Gesturing;
+class Selecting;
+class Mesh;
 class Session;
+struct ViewState;
 
 // When they are drawn, in the order of the switch `links`.
 enum class LinksShown : std::uint8_t { in_mode, selection, all, faces, off };
@@ -36,7 +41,8 @@ struct LinkArrow {
 };
 
 // Halfedges as such arrows, without those whose edge has no length.
-std::vector<LinkArrow> arrows_of(const Session& session, const std::vector<Halfedge>& halfedges);
+std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+                                 const std::vector<Halfedge>& halfedges);
 
 // Kept by the session.
 class DrawnLinks {
@@ -47,7 +53,7 @@ class DrawnLinks {
 
   LinksShown shown = LinksShown::in_mode;
 
-  bool is_on(const Session& session) const;
+  bool is_on(const Findings& findings, const Selecting& selecting, const Gesturing& gesturing) const;
   // As the session is now; kept until it changes. Cost: with `all` and `faces` the edges, else those around the selection.
   const std::vector<LinkArrow>& of(const Session& session);
   // The arrow of a halfedge that is drawn within a few pixels of a pixel of the view: neither cut off nor hidden by the

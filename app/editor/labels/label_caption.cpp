@@ -1,6 +1,7 @@
 // Sentences in the upper left corner of the view.
+#include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
 
 namespace ryosen {
 
@@ -36,17 +37,17 @@ std::vector<std::string> broken_lines(std::string_view text, double most_px) {
 
 }  // namespace
 
-double caption_px(const Session& session) {
+double caption_px(const Preferences& preferences) {
   constexpr int usual_rows = 2;
-  return (caption_margin_px + usual_rows * caption_row_px) * session.preferences.label_scale();
+  return (caption_margin_px + usual_rows * caption_row_px) * preferences.label_scale();
 }
 
-void add_caption(const Session& session, std::span<const std::string> sentences, std::vector<Label>& labels) {
+void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
+                 std::vector<Label>& labels) {
   int row = 0;
-  const double scale = session.preferences.label_scale();
-  const double left = session.view.covered_px.x / scale + caption_margin_px;
-  const double room =
-      (session.view.size.width - session.view.covered_px.x - session.view.covered_px.y) / scale - 2 * caption_margin_px;
+  const double scale = preferences.label_scale();
+  const double left = view.covered_px.x / scale + caption_margin_px;
+  const double room = (view.size.width - view.covered_px.x - view.covered_px.y) / scale - 2 * caption_margin_px;
   for (const std::string& sentence : sentences)
     for (std::string& line : broken_lines(sentence, room))
       labels.push_back({.text = std::move(line),

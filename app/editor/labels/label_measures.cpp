@@ -1,18 +1,21 @@
 #include <algorithm>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/analysis/measuring.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 
-void add_measures(Session& session, std::vector<Label>& labels) {
-  const Mesh& mesh = session.mesh();
+void add_measures(const Mesh& mesh, Selecting& selecting, Preferences& preferences, std::vector<Label>& labels) {
   constexpr std::size_t most = 3;  // of more there is no place where it was measured
-  for (const Elements& measured : session.selecting.measures) {
+  for (const Elements& measured : selecting.measures) {
     bool is_there = measured.size() <= most;
     for (const Element& e : measured) is_there = is_there && is_alive(mesh, e);
     if (!is_there || measured.empty()) continue;
@@ -20,7 +23,7 @@ void add_measures(Session& session, std::vector<Label>& labels) {
     if (found.values.empty()) continue;
     const bool has_way = found.path.size() > 1;
     Label label{.at = has_way ? 0.5 * found.path[0] + 0.5 * found.path[1] : middle_of(mesh, measured.front()),
-                .text = short_text_of(found).in(session.preferences.language),
+                .text = short_text_of(found).in(preferences.language),
                 .priority = measure_priority,
                 .moves_aside = true,
                 .through = true};
@@ -28,11 +31,11 @@ void add_measures(Session& session, std::vector<Label>& labels) {
   }
 }
 
-void add_map_legend(Session& session, std::vector<Label>& labels) {
+void add_map_legend(Findings& findings, ViewState& view, Preferences& preferences, std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
-  const auto [map, range] = *session.view.colouring;
-  const MapRange extent = session.findings().map_extent();
-  const glm::dvec2 corner(0, session.view.size.height);
+  const auto [map, range] = *view.colouring;
+  const MapRange extent = findings.map_extent();
+  const glm::dvec2 corner(0, view.size.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),
                       .priority = legend_priority,
@@ -52,8 +55,7 @@ void add_map_legend(Session& session, std::vector<Label>& labels) {
     add(i, sign + numbers[i] + std::string(sign_of(map->unit)),
         colour_at(map->scale, place_on_scale(*map, range, value)));
   }
-  add(steps, std::string(session.preferences.language == Language::japanese ? map->name_ja : map->name_en),
-      std::nullopt);
+  add(steps, std::string(preferences.language == Language::japanese ? map->name_ja : map->name_en), std::nullopt);
 }
 
 }  // namespace ryosen

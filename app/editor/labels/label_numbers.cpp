@@ -3,11 +3,15 @@
 #include <optional>
 #include <set>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/gesturing.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/pick/screen_segment.h"
 
 namespace ryosen {
@@ -16,13 +20,15 @@ namespace {
 
 class NumberLabels {
  public:
-  NumberLabels(Session& session, std::vector<Label>& labels)
-      : session_(session),
-        m_(session.mesh()),
-        places_(session.gesturing.drawn_positions()),
+  NumberLabels(const Findings& findings, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
+               std::vector<Label>& labels)
+      : findings_(findings),
+        view_(view),
+        m_(findings.mesh()),
+        places_(gesturing.drawn_positions()),
         labels_(labels),
-        screen_(session.view.camera, session.view.size),
-        selected_(session.selecting.selection.begin(), session.selecting.selection.end()) {}
+        screen_(view.camera, view.size),
+        selected_(selecting.selection.begin(), selecting.selection.end()) {}
 
   template <class Handle>
   void add(std::uint32_t slots, char letter) {
@@ -30,7 +36,7 @@ class NumberLabels {
     std::vector<std::uint32_t> in_view;
     for (std::uint32_t i = 0; i < slots; ++i) {
       const Handle element(i);
-      if (m_.is_alive(element) && is_own(element) && !session_.findings().hidden().hides(m_, element) &&
+      if (m_.is_alive(element) && is_own(element) && !findings_.hidden().hides(m_, element) &&
           is_in_view(middle(element)))
         in_view.push_back(i);
     }
@@ -52,7 +58,7 @@ class NumberLabels {
     std::uint32_t number = 0;
     for (const Halfedge h : forms::corner_halfedges(m_)) {
       const std::uint32_t n = number++;
-      if (session_.findings().hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
+      if (findings_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
       Label label = label_of(h);
       label.text = std::to_string(n);
       label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;
@@ -71,8 +77,8 @@ class NumberLabels {
 
   bool is_in_view(const glm::dvec3& place) const {
     const auto at = screen_.project(place);
-    return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < session_.view.size.width &&
-           at->pixel.y < session_.view.size.height;
+    return at && at->pixel.x >= 0 && at->pixel.y >= 0 && at->pixel.x < view_.size.width &&
+           at->pixel.y < view_.size.height;
   }
 
   glm::dvec3 middle(Vertex v) const { return places_[v.index]; }
@@ -119,7 +125,8 @@ class NumberLabels {
     return {.at = across ? at - inwards * (middle(across) - at) : at};
   }
 
-  Session& session_;
+  const Findings& findings_;
+  const ViewState& view_;
   const Mesh& m_;
   std::span<const glm::dvec3> places_;
   std::vector<Label>& labels_;
@@ -129,10 +136,11 @@ class NumberLabels {
 
 }  // namespace
 
-void add_numbers(Session& session, std::vector<Label>& labels) {
-  NumberLabels numbers(session, labels);
-  const Mesh& mesh = session.mesh();
-  switch (session.view.settings.numbers) {
+void add_numbers(Findings& findings, ViewState& view, Selecting& selecting, Gesturing& gesturing,
+                 std::vector<Label>& labels) {
+  NumberLabels numbers(findings, view, selecting, gesturing, labels);
+  const Mesh& mesh = findings.mesh();
+  switch (view.settings.numbers) {
     case Numbers::off:
       return;
     case Numbers::vertices:

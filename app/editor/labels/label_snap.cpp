@@ -1,10 +1,10 @@
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
+#include "app/editor/shown/gesturing.h"
 
 namespace ryosen {
 
-void add_snap(Session& session, std::vector<Label>& labels) {
-  const SnapTarget& target = *session.gesturing.transform()->snapped_to();
+void add_snap(Gesturing& gesturing, std::vector<Label>& labels) {
+  const SnapTarget& target = *gesturing.transform()->snapped_to();
   labels.push_back({.at = target.place,
                     .text = target.name,
                     .priority = snap_priority,

@@ -1,21 +1,23 @@
+#include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 
-void add_step(Session& session, std::vector<Label>& labels) {
-  const Player& player = *session.shown.player();
+void add_step(const Mesh& mesh, ViewState& view, Shown& shown, Preferences& preferences, std::vector<Label>& labels) {
+  const Player& player = *shown.player();
   const steps::Step* const step = player.step();
   const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
-  const std::string sentences[] = {number + caption.in(session.preferences.language)};
-  add_caption(session, sentences, labels);
+  const std::string sentences[] = {number + caption.in(preferences.language)};
+  add_caption(view, preferences, sentences, labels);
   if (!step) return;
-  const Mesh& mesh = session.mesh();
   for (const steps::Mark& mark : step->marks) {
     const steps::RoleRow& role = steps::row_of(mark.role);
     if (!role.is_label || !has_slot(mesh.lengths(), mark.element) || !is_alive(mesh, mark.element)) continue;

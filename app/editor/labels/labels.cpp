@@ -12,16 +12,21 @@ namespace ryosen {
 
 namespace {
 
-bool is_step_shown(const Session& session) { return session.shown.shows(ShownBy::step); }
+bool is_step_shown(const Shown& shown) { return shown.shows(ShownBy::step); }
 
-constexpr LabelSource sources[] = {
-    {"numbers", [](const Session& session) { return session.view.settings.numbers != Numbers::off; }, add_numbers},
-    {"links", [](const Session& session) { return session.view.links.is_on(session); }, add_links},
-    {"measures", [](const Session& session) { return !session.selecting.measures.empty(); }, add_measures},
+const LabelSource sources[] = {
+    {"numbers", [](const ViewState& view) { return view.settings.numbers != Numbers::off; }, add_numbers},
+    {"links",
+     [](const Findings& findings, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing) {
+       return view.links.is_on(findings, selecting, gesturing);
+     },
+     add_links},
+    {"measures", [](const Selecting& selecting) { return !selecting.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
-    {"snap", [](const Session& session) { return session.gesturing.transform() && session.gesturing.transform()->snapped_to(); }, add_snap},
+    {"snap", [](const Gesturing& gesturing) { return gesturing.transform() && gesturing.transform()->snapped_to(); },
+     add_snap},
     {"faceless", is_faceless, add_faceless},
-    {"map", [](const Session& session) { return session.view.colouring.has_value(); }, add_map_legend},
+    {"map", [](const ViewState& view) { return view.colouring.has_value(); }, add_map_legend},
 };
 
 // The cells of the view that labels cover, so that to ask for room costs the label and not all of the others.
@@ -83,11 +88,11 @@ std::optional<PixelRect> nearest_room(const HasRoom& has_room, const PixelRect& 
 bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
 
 // What the handles of the gizmo cover, with the room in which they are taken hold of.
-void take_handles(const Session& session, TakenCells& cells) {
-  const std::optional<Gizmo> gizmo = session.pointing.gizmo();
+void take_handles(const ViewState& view, const Pointing& pointing, const Preferences& preferences, TakenCells& cells) {
+  const std::optional<Gizmo> gizmo = pointing.gizmo();
   if (!gizmo) return;
-  const double around = 8 * session.preferences.size_scale();
-  const ScreenProjection screen(session.view.camera, session.view.size);
+  const double around = 8 * preferences.size_scale();
+  const ScreenProjection screen(view.camera, view.size);
   const auto take = [&](const glm::dvec3& place) {
     const auto at = screen.project(place);
     if (!at || !is_near(at->pixel)) return;
@@ -110,9 +115,9 @@ void take_handles(const Session& session, TakenCells& cells) {
 class LabelPlaces {
  public:
   // `margin`: the room around each.
-  LabelPlaces(const Session& session, double scale, int margin)
-      : view_(session.view.size), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
-    take_handles(session, handles_);
+  LabelPlaces(const ViewState& view, const Pointing& pointing, const Preferences& preferences, double scale, int margin)
+      : view_(view.size), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
+    take_handles(view, pointing, preferences, handles_);
   }
 
   // For one of this size at a pixel; none where it has no room.
@@ -166,7 +171,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
   const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.transform();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
-  LabelPlaces places(session, scale, margin);
+  LabelPlaces places(session.view, session.pointing, session.preferences, scale, margin);
   std::vector<PlacedLabel> placed;
   for (const Label& label : labels) {
     if (placed.size() == most_labels) break;

@@ -13,12 +13,22 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/session/owners.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/view/size.h"
 
 namespace ryosen {
 
+class Document;
+class Findings;
+class Gesturing;
+class Mesh;
+class Selecting;
 class Session;
+class Shown;
+struct Frontend;
+struct Preferences;
+struct ViewState;
 
 struct Label {
   glm::dvec3 at{0};                      // in mesh space; the text is centred there
@@ -43,8 +53,8 @@ inline constexpr int number_priority = 0, selected_priority = 1, measure_priorit
 struct LabelSource {
   std::string_view id;
   // Whether it has any now; cheap, asked for each frame.
-  bool (*is_on)(const Session& session);
-  void (*add)(Session& session, std::vector<Label>& labels);
+  OnOwners<bool(const Session&)> is_on;
+  OnOwners<void(Session&, std::vector<Label>& labels)> add;
 };
 std::span<const LabelSource> label_sources();
 
@@ -68,24 +78,26 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
 
 // Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
 // many in view, every so many-th. O(slots of that sort).
-void add_numbers(Session& session, std::vector<Label>& labels);
+void add_numbers(Findings& findings, ViewState& view, Selecting& selecting, Gesturing& gesturing,
+                 std::vector<Label>& labels);
 // Adds what the arrows of the selected element's links are, beside them, away from their edges.
 void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
-void add_measures(Session& session, std::vector<Label>& labels);
+void add_measures(const Mesh& mesh, Selecting& selecting, Preferences& preferences, std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
-void add_step(Session& session, std::vector<Label>& labels);
+void add_step(const Mesh& mesh, ViewState& view, Shown& shown, Preferences& preferences, std::vector<Label>& labels);
 // How high at the top of the view a usual caption reaches, in pixels.
-double caption_px(const Session& session);
+double caption_px(const Preferences& preferences);
 // Adds sentences in the upper left corner, broken into lines that have room.
-void add_caption(const Session& session, std::span<const std::string> sentences, std::vector<Label>& labels);
+void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
+                 std::vector<Label>& labels);
 // Whether a file is open and its mesh has nothing that a picture could show as a surface or as edges.
-bool is_faceless(const Session& session);
+bool is_faceless(const Document& document, const Shown& shown, const Frontend& frontend);
 // Adds how much there is then, and the first warning of the file.
-void add_faceless(Session& session, std::vector<Label>& labels);
+void add_faceless(Document& document, ViewState& view, Preferences& preferences, std::vector<Label>& labels);
 // Adds the name of what is snapped to, beside the place where that is.
-void add_snap(Session& session, std::vector<Label>& labels);
+void add_snap(Gesturing& gesturing, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
-void add_map_legend(Session& session, std::vector<Label>& labels);
+void add_map_legend(Findings& findings, ViewState& view, Preferences& preferences, std::vector<Label>& labels);
 
 }  // namespace ryosen

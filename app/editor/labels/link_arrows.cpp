@@ -1,7 +1,8 @@
 #include "app/editor/labels/link_arrows.h"
 
-#include "app/editor/session/session.h"
+#include "app/editor/shown/gesturing.h"
 #include "ryosen/forms/polygons.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 
 namespace ryosen {
@@ -18,8 +19,8 @@ Text link_text(const char* en, const char* ja, const std::string& name) {
 // The arrows of one selected element.
 class LinksOf {
  public:
-  LinksOf(const Session& session, ArrowMaker& make, std::vector<LinkArrow>& arrows)
-      : m_(session.mesh()), places_(session.gesturing.drawn_positions()), make_(make), arrows_(arrows) {}
+  LinksOf(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, std::vector<LinkArrow>& arrows)
+      : m_(mesh), places_(gesturing.drawn_positions()), make_(make), arrows_(arrows) {}
 
   void add(const Element& e) {
     switch (e.kind) {
@@ -130,8 +131,9 @@ class LinksOf {
 
 }  // namespace
 
-void add_links_of(const Session& session, ArrowMaker& make, const Element& e, std::vector<LinkArrow>& arrows) {
-  LinksOf(session, make, arrows).add(e);
+void add_links_of(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, const Element& e,
+                  std::vector<LinkArrow>& arrows) {
+  LinksOf(mesh, gesturing, make, arrows).add(e);
 }
 
 }  // namespace ryosen

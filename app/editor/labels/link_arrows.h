@@ -10,9 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/editor/camera/view_state.h"
 #include "app/editor/labels/drawn_links.h"
-#include "app/editor/session/session.h"
+#include "app/editor/shown/gesturing.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -24,8 +26,8 @@ inline bool has_finite_length(const glm::dvec3& way) {
 // Lays arrows into the faces of the mesh as it is drawn. The session is needed as long.
 class ArrowMaker {
  public:
-  explicit ArrowMaker(const Session& session)
-      : m_(session.mesh()), places_(session.gesturing.drawn_positions()), forward_(axes(session.view.camera).forward) {}
+  explicit ArrowMaker(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing)
+      : m_(mesh), places_(gesturing.drawn_positions()), forward_(axes(view.camera).forward) {}
 
   // None where the edge has no length.
   std::optional<LinkArrow> of(Halfedge h, LinkRole role, Text label = {}) {
@@ -97,6 +99,7 @@ class ArrowMaker {
 };
 
 // Adds the links of a living element, at most 200.
-void add_links_of(const Session& session, ArrowMaker& make, const Element& e, std::vector<LinkArrow>& arrows);
+void add_links_of(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, const Element& e,
+                  std::vector<LinkArrow>& arrows);
 
 }  // namespace ryosen

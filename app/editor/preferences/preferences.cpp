@@ -7,7 +7,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
 
 namespace ryosen {
 
@@ -40,9 +40,11 @@ const std::vector<PreferenceRow>& own_rows() {
         .help_ja = "画面の言語",
         .initial = "en",
         .choices = {{"en", "English", "English"}, {"ja", "日本語", "日本語"}}},
-       [](const Session& s) { return std::string(s.preferences.language == Language::japanese ? "ja" : "en"); },
-       [](Session& s, const ParameterValue& v) {
-         s.preferences.language = v.number > 0 ? Language::japanese : Language::english;
+       [](const Preferences& preferences) {
+         return std::string(preferences.language == Language::japanese ? "ja" : "en");
+       },
+       [](Preferences& preferences, const ParameterValue& v) {
+         preferences.language = v.number > 0 ? Language::japanese : Language::english;
        }},
       {{.id = "scale",
         .kind = ParameterKind::number,
@@ -53,8 +55,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .initial = "1",
         .smallest = 0.5,
         .largest = 3},
-       [](const Session& s) { return format_double(s.preferences.ui_scale); },
-       [](Session& s, const ParameterValue& v) { s.preferences.ui_scale = v.number; }},
+       [](const Preferences& preferences) { return format_double(preferences.ui_scale); },
+       [](Preferences& preferences, const ParameterValue& v) { preferences.ui_scale = v.number; }},
       {{.id = "font_size",
         .kind = ParameterKind::count,
         .name_en = "Font size",
@@ -66,8 +68,10 @@ const std::vector<PreferenceRow>& own_rows() {
         .largest = 32,
         .unit_en = "pixels",
         .unit_ja = "画素"},
-       [](const Session& s) { return std::to_string(s.preferences.font_size_px); },
-       [](Session& s, const ParameterValue& v) { s.preferences.font_size_px = static_cast<int>(v.number); }},
+       [](const Preferences& preferences) { return std::to_string(preferences.font_size_px); },
+       [](Preferences& preferences, const ParameterValue& v) {
+         preferences.font_size_px = static_cast<int>(v.number);
+       }},
       {{.id = "crease_angle",
         .kind = ParameterKind::number,
         .name_en = "Crease angle",
@@ -79,8 +83,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .largest = 180,
         .unit_en = "degrees",
         .unit_ja = "度"},
-       [](const Session& s) { return format_double(s.preferences.crease_deg); },
-       [](Session& s, const ParameterValue& v) { s.preferences.crease_deg = v.number; }},
+       [](const Preferences& preferences) { return format_double(preferences.crease_deg); },
+       [](Preferences& preferences, const ParameterValue& v) { preferences.crease_deg = v.number; }},
       {{.id = "samples",
         .kind = ParameterKind::count,
         .name_en = "Samples",
@@ -90,8 +94,8 @@ const std::vector<PreferenceRow>& own_rows() {
         .initial = "1",
         .smallest = 1,
         .largest = 4},
-       [](const Session& s) { return std::to_string(s.preferences.samples); },
-       [](Session& s, const ParameterValue& v) { s.preferences.samples = static_cast<int>(v.number); }},
+       [](const Preferences& preferences) { return std::to_string(preferences.samples); },
+       [](Preferences& preferences, const ParameterValue& v) { preferences.samples = static_cast<int>(v.number); }},
   };
   return rows;
 }

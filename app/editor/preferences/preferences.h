@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/editor/input/keys.h"
+#include "app/editor/session/owners.h"
 #include "ryosen/algo/parameters.h"
 
 namespace ryosen {
@@ -18,8 +19,8 @@ class Session;
 
 struct PreferenceRow {
   ParameterRow field;  // its id, texts, kind, range and initial value
-  std::function<std::string(const Session&)> value;
-  std::function<void(Session&, const ParameterValue&)> set;  // one of the field's kind and in its range
+  OnOwners<std::string(const Session&)> value;
+  OnOwners<void(Session&, const ParameterValue&)> set;  // one of the field's kind and in its range
 };
 
 std::vector<PreferenceRow> preference_table();

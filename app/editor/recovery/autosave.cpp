@@ -57,9 +57,10 @@ void Autosave::begin(const Document& document, SessionStart start) {
   has_failed_ = false;
 }
 
-std::optional<Text> Autosave::begin_anew(const Session& session, SessionStart start) {
-  begin(session.document(), std::move(start));
-  return open_script(session);
+std::optional<Text> Autosave::begin_anew(const Document& document, const std::vector<std::string>& log,
+                                         SessionStart start) {
+  begin(document, std::move(start));
+  return open_script(document, log);
 }
 
 void Autosave::go_on(OwnedScript script, const Document& document, const LostSession& lost) {
@@ -136,7 +137,7 @@ void Autosave::keep_start(const Document& document) {
   write_original(document);
 }
 
-std::optional<Text> Autosave::open_script(const Session& session) {
+std::optional<Text> Autosave::open_script(const Document& document, const std::vector<std::string>& log) {
   if (folder_.empty())
     return give_up({"neither XDG_STATE_HOME nor HOME names a folder.",
                     "環境変数 XDG_STATE_HOME も HOME もフォルダを指していません。"});
@@ -147,20 +148,20 @@ std::optional<Text> Autosave::open_script(const Session& session) {
   text += start_.file.empty() ? "new\n" : "open " + file_argument(start_.file.string()) + "\n";
   std::optional<Text> warning;
   if (start_.original.empty())
-    keep_start(session.document());
+    keep_start(document);
   else  // it is a companion of the lost script and would be deleted with it
     warning = keep_original(start_.original);
   if (!start_.original.empty()) text += original_remark(start_.original);
   if (file_ != start_.file) text += saved_remark();
-  text += file_remark(session.document());
+  text += file_remark(document);
   // A recovery may already have applied some edits.
   std::size_t lines = 0;
-  for (const std::string& line : session.log()) {
+  for (const std::string& line : log) {
     if (!is_edit(line)) continue;
     text += line + "\n";
     ++lines;
   }
-  text += remark_behind(lines, session.document());
+  text += remark_behind(lines, document);
   if (!warning) warning = append(text);
   if (has_failed_) finish();
   return warning;
@@ -176,19 +177,20 @@ std::optional<Text> Autosave::note(const Session& session, const std::string& li
     if (!std::exchange(lacked_memory_, false)) return std::nullopt;
     return give_up({"there was not enough memory.", "メモリが足りませんでした。"});
   }
-  if (edits && !script_) return open_script(session);
+  if (edits && !script_) return open_script(session.document(), session.log());
   if (!script_ || !(edits || saves)) return std::nullopt;
   std::string text = (edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, session.document());
   if (saves) text += file_remark(session.document());
   return append(text);
 }
 
-std::optional<Text> Autosave::before_save(const Session& session, const fs::path& target) {
+std::optional<Text> Autosave::before_save(const Document& document, const std::vector<std::string>& log,
+                                          const fs::path& target) {
   std::error_code error;
   std::optional<Text> warning;
   const bool replaces_start = !start_.file.empty() && fs::equivalent(target, start_.file, error);
   if (!has_failed_ && replaces_start && start_.original.empty()) {
-    if (!script_) warning = open_script(session);
+    if (!script_) warning = open_script(document, log);
     if (script_ && !has_failed_ && start_.original.empty()) {
       warning = keep_original(start_.file);
       if (!has_failed_) warning = append(original_remark(start_.original));

@@ -6,11 +6,15 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "app/editor/recovery/owned_script.h"
 #include "app/editor/recovery/recovery.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
+
+class Session;
 
 // Called by the session. An edit costs one short write, the first one behind the opening of a file a copy of that file,
 // and a save that the file is read once more. If writing fails, the edit itself stands: the user is told
@@ -25,7 +29,7 @@ class Autosave {
   // For a partially recovered document; uses a new script, the lost one is kept.
   void begin(const Document& document, SessionStart start);
   // The same at once, with what the session has done to it. Returns a message if that fails.
-  std::optional<Text> begin_anew(const Session& session, SessionStart start);
+  std::optional<Text> begin_anew(const Document& document, const std::vector<std::string>& log, SessionStart start);
   // For a fully recovered document; continues the lost script.
   void go_on(OwnedScript script, const Document& document, const LostSession& lost);
 
@@ -33,7 +37,8 @@ class Autosave {
   std::optional<Text> note(const Session& session, const std::string& line);
   // Before a file is written. If the session started from that file, there is a copy of it first, because the edits refer
   // to its elements.
-  std::optional<Text> before_save(const Session& session, const std::filesystem::path& target);
+  std::optional<Text> before_save(const Document& document, const std::vector<std::string>& log,
+                                  const std::filesystem::path& target);
 
   // The document counts as saved or unsaved, or knows its file as another one, without a line that says so.
   void note_document(const Document& document);
@@ -47,7 +52,7 @@ class Autosave {
   const std::optional<OwnedScript>& script() const { return script_; }
 
  private:
-  std::optional<Text> open_script(const Session& session);
+  std::optional<Text> open_script(const Document& document, const std::vector<std::string>& log);
   std::optional<Text> append(const std::string& text);
   std::error_code copy_as_original(const std::filesystem::path& file);
   void write_original(const Document& document);

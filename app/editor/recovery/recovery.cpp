@@ -203,7 +203,8 @@ void hand_over(Autosave& autosave, Session& session, OwnedScript& script, const 
     return autosave.go_on(std::move(script), session.document(), lost);
   }
   if (!outcome.done()) return autosave.begin(session.document(), std::move(start));
-  if (const auto warning = autosave.begin_anew(session, std::move(start))) outcome.say(*warning);
+  if (const auto warning = autosave.begin_anew(session.document(), session.log(), std::move(start)))
+    outcome.say(*warning);
   if (autosave.script()) script.remove();
 }
 
@@ -288,11 +289,11 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
   return lost;
 }
 
-Status list_lost_sessions(Session& session) {
-  session.lost.clear();
+Status list_lost_sessions(std::vector<LostSession>& lost) {
+  lost.clear();
   Result<std::vector<LostSession>> found = find_lost_sessions(recovery_folder());
   if (!found) return found.failure();
-  session.lost = std::move(found).value();
+  lost = std::move(found).value();
   return success();
 }
 
@@ -357,12 +358,12 @@ Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto) {
   (*document)->mark_unsaved();
   (*document)->know_file_as(is_as_is || change == FileState::Change::none ? now : FileState::of_none_that_is());
   Autosave* const autosave = std::exchange(session.frontend.autosave, nullptr);
-  const bool was_strict = std::exchange(session.strict, false);
+  const bool was_strict = std::exchange(session.frontend.is_strict, false);
   session.set_document(std::move(document).value(), lost.start.file);
   Outcome outcome = replay(session, lost);
-  session.frame_all();
+  session.framing.frame_all();
   session.frontend.autosave = autosave;
-  session.strict = was_strict;
+  session.frontend.is_strict = was_strict;
   session.look_at_disk();
   const SessionStart start = is_as_is ? SessionStart{lost.file, {}, hash, now} : lost.start;
   if (autosave) hand_over(*autosave, session, *script, lost, start, outcome);

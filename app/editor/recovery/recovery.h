@@ -80,7 +80,7 @@ std::optional<LostSession> read_lost_session(std::string_view script);
 // failure.
 Result<std::vector<LostSession>> find_lost_sessions(const std::filesystem::path& folder);
 // Lists them anew in the session; on failure there are none.
-Status list_lost_sessions(Session& session);
+Status list_lost_sessions(std::vector<LostSession>& lost);
 Text nothing_to_recover();
 // "in.obj, 3 edits, 2026-11-21 20:15"
 Text describe(const LostSession& lost);

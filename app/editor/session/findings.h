@@ -22,6 +22,8 @@
 
 namespace ryosen {
 
+class Mesh;
+
 struct EdgeAccount;
 
 class Findings {
@@ -29,6 +31,8 @@ class Findings {
   // Each is found when it is first asked for. The view and the preferences say which highlights, which values and which
   // normals are wanted. All three outlive it.
   Findings(const Document& document, const ViewState& view, const Preferences& preferences);
+
+  const Mesh& mesh() const { return document_.mesh(); }
 
   // Brings what has been found up to date with a change of the document. Cost: of what was touched.
   void follow(const Journal& journal, std::size_t transaction, Document::Change change, const TouchedElements& touched);
@@ -110,7 +114,6 @@ class Findings {
   void note_marks(const TouchedElements& touched);
 
  private:
-  const Mesh& mesh() const { return document_.mesh(); }
   bool needs_corner_normals() const {
     return view_.settings.shading == Shading::smooth || view_.settings.normals == Normals::vertices;
   }

@@ -28,6 +28,9 @@ struct Frontend {
   std::function<void()> quit;
   // Crash recovery; null where there is none.
   Autosave* autosave = nullptr;
+  bool is_strict = false;        // warnings refuse too
+  bool begins_empty = false;     // somebody wants an empty mesh, not the start page
+  bool awaits_file = false;      // that is read just now: nothing is offered meanwhile
   bool asks_in_slices = false;   // verdicts of a tool on all elements are asked a slice at a time, in prepare()
   bool turns_to_solids = false;  // the first camera of a document does (first_camera.h)
 };

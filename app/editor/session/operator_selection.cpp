@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "ryosen/document/outcome.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/ops/each.h"
 #include "ryosen/ops/lines/syntax.h"
 #include "ryosen/selection/selectors.h"
@@ -23,20 +25,21 @@ Offer offer_of(const Mesh& mesh, const std::string& line) {
 }
 
 // All of a kind but what is hidden, points in place of vertices.
-Elements all_seen(const Session& session, Element::Kind kind) {
-  Elements all = find_selector("all")->find(session.mesh(), {}, kind, {});
-  session.findings().drop_hidden(all);
+Elements all_seen(const Findings& findings, Element::Kind kind) {
+  Elements all = find_selector("all")->find(findings.mesh(), {}, kind, {});
+  findings.drop_hidden(all);
   return all;
 }
 
 // Whether that is selected. A look at the numbers where nothing is hidden and no point has copies.
-bool is_all_selected(const Session& session, Element::Kind kind) {
-  const Mesh& mesh = session.mesh();
+bool is_all_selected(const Findings& findings, const Selecting& selecting, Element::Kind kind) {
+  const Mesh& mesh = findings.mesh();
   const ElementCounts live = mesh.live();
-  const std::size_t selected = session.selecting.selection.count(kind);
+  const std::size_t selected = selecting.selection.count(kind);
   if (selected == 0) return false;
   const bool is_vertex = kind == Element::Kind::vertex, is_face = kind == Element::Kind::face;
-  if (!session.findings().hidden().empty() || (is_vertex && mesh.has_copies())) return selected >= all_seen(session, kind).size();
+  if (!findings.hidden().empty() || (is_vertex && mesh.has_copies()))
+    return selected >= all_seen(findings, kind).size();
   return selected == (is_vertex ? live.vertices
                       : is_face ? live.faces
                                 : live.edges) ||
@@ -44,11 +47,11 @@ bool is_all_selected(const Session& session, Element::Kind kind) {
 }
 
 // The kind that an operator takes in place of the selection; none where that stands.
-std::optional<Element::Kind> kind_in_place(const Session& session, const OpInfo& op,
+std::optional<Element::Kind> kind_in_place(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                                            std::span<const std::string_view> arguments) {
   constexpr Element::Kind kinds[] = {Element::Kind::face, Element::Kind::edge, Element::Kind::halfedge,
                                      Element::Kind::vertex};
-  const Selection& selected = session.selecting.selection;
+  const Selection& selected = selecting.selection;
   if (selected.empty() || op.on_selection == OnSelection::none) return std::nullopt;
   std::optional<Element::Kind> taken;
   bool is_all = false;
@@ -58,56 +61,58 @@ std::optional<Element::Kind> kind_in_place(const Session& session, const OpInfo&
       if (!taken) taken = kind;
     }
   }
-  if (!taken || (op.in_place_of && op.in_place_of->elements(session.mesh(), selected).size() >= least_taken(op)))
+  if (!taken || (op.in_place_of && op.in_place_of->elements(findings.mesh(), selected).size() >= least_taken(op)))
     return std::nullopt;
-  for (const Element::Kind kind : kinds) is_all = is_all || is_all_selected(session, kind);
+  for (const Element::Kind kind : kinds) is_all = is_all || is_all_selected(findings, selecting, kind);
   return is_all ? taken : std::nullopt;
 }
 
 }  // namespace
 
-Elements worked_on(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
-  const auto kind = kind_in_place(session, op, arguments);
-  return kind ? all_seen(session, *kind) : static_cast<const Elements&>(session.selecting.selection);
+Elements worked_on(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                   std::span<const std::string_view> arguments) {
+  const auto kind = kind_in_place(findings, selecting, op, arguments);
+  return kind ? all_seen(findings, *kind) : static_cast<const Elements&>(selecting.selection);
 }
 
-std::vector<std::string> names_taken(const Session& session, const OpInfo& op, const Elements& elements,
+std::vector<std::string> names_taken(const Selecting& selecting, const OpInfo& op, const Elements& elements,
                                      std::span<const std::string_view> arguments) {
   Elements taken;
   for (const Element& e : elements)
     if (takes(op, e.kind, arguments)) taken.push_back(e);
-  return session.selecting.names_of(taken.empty() ? elements : taken);
+  return selecting.names_of(taken.empty() ? elements : taken);
 }
 
-bool fits_selection(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments) {
-  if (session.selecting.selection.empty() || op.on_selection == OnSelection::none) return false;
-  const auto kind = kind_in_place(session, op, arguments);
-  if (kind && session.selecting.selection.size() > few) return true;
-  const Elements in_place = kind ? all_seen(session, *kind) : Elements();
-  const Elements& selected = kind ? in_place : static_cast<const Elements&>(session.selecting.selection);
+bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                    std::span<const std::string_view> arguments) {
+  if (selecting.selection.empty() || op.on_selection == OnSelection::none) return false;
+  const auto kind = kind_in_place(findings, selecting, op, arguments);
+  if (kind && selecting.selection.size() > few) return true;
+  const Elements in_place = kind ? all_seen(findings, *kind) : Elements();
+  const Elements& selected = kind ? in_place : static_cast<const Elements&>(selecting.selection);
   const auto is_taken = [&](const Element& e) { return takes(op, e.kind, {}); };
   if (op.on_selection != OnSelection::all)
-    return called_with(session.mesh(), op, selected, arguments).taken.size() >= least_taken(op);
+    return called_with(findings.mesh(), op, selected, arguments).taken.size() >= least_taken(op);
   if (selected.size() > few) return std::any_of(selected.begin(), selected.end(), is_taken);
-  const std::vector<std::string> names = names_taken(session, op, selected, {});
+  const std::vector<std::string> names = names_taken(selecting, op, selected, {});
   return !fault_of_arguments(op.id, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
-Offer offer_on_selection(const Session& session, const OpInfo& op) {
-  if (session.selecting.selection.size() > few || !fits_selection(session, op)) return {};
-  const Elements selected = worked_on(session, op, {});
+Offer offer_on_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op) {
+  if (selecting.selection.size() > few || !fits_selection(findings, selecting, op)) return {};
+  const Elements selected = worked_on(findings, selecting, op, {});
   if (selected.size() > few) return {};
   const std::string id(op.id);
   if (op.on_selection == OnSelection::all) {
     std::string line = id;
-    for (const std::string& name : names_taken(session, op, selected, {})) line += " " + name;
-    return offer_of(session.mesh(), line);
+    for (const std::string& name : names_taken(selecting, op, selected, {})) line += " " + name;
+    return offer_of(findings.mesh(), line);
   }
-  const CalledWith with = called_with(session.mesh(), op, selected, {});
+  const CalledWith with = called_with(findings.mesh(), op, selected, {});
   if (with.is_in_place || (op.on_selection == OnSelection::into_last && selected.size() > 1)) return {};
   std::optional<Offer> first;
-  for (const std::string& name : session.selecting.names_of(with.taken)) {
-    Offer offer = offer_of(session.mesh(), id + " " + name);
+  for (const std::string& name : selecting.names_of(with.taken)) {
+    Offer offer = offer_of(findings.mesh(), id + " " + name);
     if (offer.may_be) return {};
     if (!first) first = std::move(offer);
   }

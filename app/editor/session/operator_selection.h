@@ -11,20 +11,23 @@
 
 namespace ryosen {
 
-class Session;
+class Findings;
+class Selecting;
 
 // The elements that an operator works on where it is told `selected`: the selection; where it takes none of that and all
 // that is seen of some kind is selected, all that is seen of the kind that it takes, faces before edges before vertices.
 // O(selection), and O(mesh) only in the second case.
-Elements worked_on(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments);
+Elements worked_on(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                   std::span<const std::string_view> arguments);
 
 // The names of these elements that it takes with these arguments behind each, in their order; of all of them where
 // one alone is not enough.
-std::vector<std::string> names_taken(const Session& session, const OpInfo& op, const Elements& elements,
+std::vector<std::string> names_taken(const Selecting& selecting, const OpInfo& op, const Elements& elements,
                                      std::span<const std::string_view> arguments);
 
 // Whether what is selected, or a part of it, can be what an operator works on with these arguments behind each.
-bool fits_selection(const Session& session, const OpInfo& op, std::span<const std::string_view> arguments = {});
+bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                    std::span<const std::string_view> arguments = {});
 
 // Whether an operator may be done on a selection that fits it, or any of its calls; else why the first may not. Of a large
 // selection, and of what is united one by one, it is not known before: it may be.
@@ -33,6 +36,6 @@ struct Offer {
   std::vector<Text> why_not = {};
 };
 // Cost: that of at most 64 verdicts.
-Offer offer_on_selection(const Session& session, const OpInfo& op);
+Offer offer_on_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op);
 
 }  // namespace ryosen

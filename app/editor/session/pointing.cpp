@@ -18,8 +18,8 @@ namespace ryosen {
 namespace {
 
 // A click on a mesh that stands beside the open one.
-Outcome only_looked_at(const Session& beside) {
-  const std::string name = beside.document().path().filename().string();
+Outcome only_looked_at(const Document& document) {
+  const std::string name = document.path().filename().string();
   return failed(
       ExitCode::refused,
       {name + " is shown here to be compared with: nothing of it is selected or changed. Open it to work on it.",
@@ -137,7 +137,7 @@ Outcome Pointing::click(glm::dvec2 pixel, const std::string& with_tool, Modifier
   session_.gesturing.cancel();  // what is pointed at is the mesh as it is
   selecting_.release_verdict();
   if (const AxisEnd* const end = axis_end_at(pixel)) return session_.run(line_of(*end, view_.camera));
-  if (const Session& part = session_.part_at(pixel); &part != &session_) return only_looked_at(part);
+  if (const Session& part = session_.part_at(pixel); &part != &session_) return only_looked_at(part.document());
   if (session_.shown.is_replaced()) return session_.shown.refusal();
   if (!selecting_.asked_line.empty() && with_tool.empty()) return answer(session_, pixel);
   const OpInfo* info = find_op(with_tool);

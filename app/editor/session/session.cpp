@@ -20,10 +20,12 @@ Session::Session(std::unique_ptr<Document> document) {
 Session::~Session() { trials.forget(); }  // one that goes on reads the document
 
 bool Session::is_at_start() const {
-  return !begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
+  return !frontend.begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
 }
 
-bool Session::is_empty() const { return !awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts(); }
+bool Session::is_empty() const {
+  return !frontend.awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts();
+}
 
 // What may find no memory comes first.
 void Session::set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from) {
@@ -35,9 +37,9 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
     follow(journal, transaction, change);
   });
   const Camera first = frontend.turns_to_solids ? first_camera_of(document->mesh()) : first_camera();
-  Covered covered = covered_view(*this);
+  Covered covered = framing.covered();
   covered.above = 0;  // what is played ends
-  const Camera camera_then = framing({&document->mesh()}, first, view.size, covered);
+  const Camera camera_then = ryosen::framing({&document->mesh()}, first, view.size, covered);
   document->before_writing = [this] {
     findings_->end_preparation();
     trials.let_write();
@@ -51,7 +53,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   document_ = std::move(document);
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
-  view.camera = framed_ = camera_then;
+  framing.frame(camera_then);
   shown.forget();
   forget_pointed();
   selecting.begin_document();
@@ -121,10 +123,6 @@ std::string Session::document_name() const {
   const std::string name = document_->path().filename().string();
   if (!name.empty() || is_at_start()) return name;
   return preferences.language == Language::japanese ? "（無題）" : "(unnamed)";
-}
-
-void Session::frame_all() {
-  view.camera = framed_ = framing_of(*this, beside_ ? &beside_->mesh() : nullptr, view.camera);
 }
 
 }  // namespace ryosen

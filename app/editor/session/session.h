@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/document/run_files.h"
@@ -27,6 +28,10 @@
 #include "ryosen/document/document.h"
 
 namespace ryosen {
+
+class Input;
+
+class Mesh;
 
 class Autosave;
 
@@ -57,6 +62,7 @@ class Session {
   // State changed by commands.
   // How the mesh is looked at.
   ViewState view;
+  Framing framing{*this, view};
   // Gives the view all of the picture that is not covered by panels: the left half where a mesh stands beside it.
   void place_view(Size whole, glm::dvec2 origin);
   Selecting selecting{*this};
@@ -66,8 +72,6 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Preferences preferences;
   Layout layout;
-  bool begins_empty = false;            // somebody wants an empty mesh, not the start page
-  bool awaits_file = false;             // that is read just now: nothing is offered meanwhile
   std::vector<LostSession> lost;        // as last listed
 
   // Another mesh beside this one in the picture, to be compared with: seen by the same camera in the same way, never
@@ -82,7 +86,6 @@ class Session {
   bool is_at_start() const;
   // There is no mesh, and none is shown or read.
   bool is_empty() const;
-  bool strict = false;           // warnings refuse too
   RunFiles files{
       RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
   Frontend frontend;
@@ -100,9 +103,6 @@ class Session {
   // Replaces the document; resets selection, hover and log.
   // `read_from` is the file that it was read from, where that is not its own: no output of the run takes its place.
   void set_document(std::unique_ptr<Document> document, std::optional<std::filesystem::path> read_from = {});
-  void frame_all();
-  // Whether the camera is where frame_all() has put it last.
-  bool is_framed() const { return framed_ == view.camera; }
   // For titles: the name of the file, or that there is none; empty at the start.
   std::string document_name() const;
 
@@ -122,7 +122,6 @@ class Session {
   std::unique_ptr<Document> document_;
   std::unique_ptr<Findings> findings_;
   FileState::Change change_on_disk_ = FileState::Change::none;
-  Camera framed_;
   std::vector<std::string> log_;
   std::string running_;              // the first word of the line that is carried out
   std::size_t lines_logged_ = 0;     // in logs of earlier documents too

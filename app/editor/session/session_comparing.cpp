@@ -27,7 +27,7 @@ void Session::put_beside(std::unique_ptr<Session> other) {
   findings_->against = beside_ ? &beside_->findings() : nullptr;
   if (beside_) beside_->findings().against = findings_.get();
   place_view(whole, view.origin);
-  frame_all();
+  framing.frame_all();
 }
 
 Session* Session::beside() {

@@ -49,16 +49,16 @@ class ComingPlaces {
 
 }  // namespace
 
-bool AlgorithmPreview::is_offered(const Session& session) const {
-  if (session.shown.by() != ShownBy::document) return session.shown.by() == ShownBy::preview;
-  return !is_dear_to_try(session.mesh()) && session.mesh().live().vertices > 0 && !session.findings().preparing();
+bool AlgorithmPreview::is_offered(const Findings& findings, const Shown& shown) const {
+  if (shown.by() != ShownBy::document) return shown.by() == ShownBy::preview;
+  return !is_dear_to_try(findings.mesh()) && findings.mesh().live().vertices > 0 && !findings.preparing();
 }
 
 void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
   const std::string line = line_of(row, values);
   const Document& document = session.document();
   if (line == line_ && serial_ == document.serial() && revision_ == document.revision()) return;
-  take_back(session);
+  take_back(session.document(), session.view, session.framing, session.shown);
   session.shown.end();
   line_ = line;
   told_ = {};
@@ -77,35 +77,36 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
   }
   serial_ = document.serial();
   revision_ = document.revision();
-  bring_into_view(session, coming.in(session.mesh()));
+  bring_into_view(session.mesh(), session.view, session.framing, coming.in(session.mesh()));
 }
 
 // Where all of the mesh was seen before, all of it: its panel covers a part of the view.
-void AlgorithmPreview::bring_into_view(Session& session, std::span<const glm::dvec3> places) {
+void AlgorithmPreview::bring_into_view(const Mesh& mesh, ViewState& view, Framing& framing,
+                                       std::span<const glm::dvec3> places) {
   bool is_seen = true;
   const auto look_for = [&](std::span<const glm::dvec3> some) {
-    is_seen = is_seen && shows_all(session.view.camera, session.view.size, covered_view(session), some);
+    is_seen = is_seen && shows_all(view.camera, view.size, framing.covered(), some);
   };
   look_for(places);
-  if (session.is_framed()) with_places_to_frame(session.mesh(), look_for);
+  if (framing.is_framed()) with_places_to_frame(mesh, look_for);
   if (is_left_alone_ || is_seen) return;
-  before_ = CameraBefore{session.view.camera, session.is_framed()};
-  session.frame_all();
+  before_ = CameraBefore{view.camera, framing.is_framed()};
+  framing.frame_all();
 }
 
 // With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
-void AlgorithmPreview::take_back(Session& session) {
-  if (session.shown.shows(ShownBy::preview)) session.shown.end();
-  if (serial_ != session.document().serial()) before_.reset();
+void AlgorithmPreview::take_back(Document& document, ViewState& view, Framing& framing, Shown& shown) {
+  if (shown.shows(ShownBy::preview)) shown.end();
+  if (serial_ != document.serial()) before_.reset();
   if (!before_) return;
-  is_left_alone_ = !session.is_framed();
-  if (!is_left_alone_) session.view.camera = before_->camera;
-  if (!is_left_alone_ && before_->was_framed) session.frame_all();
+  is_left_alone_ = !framing.is_framed();
+  if (!is_left_alone_) view.camera = before_->camera;
+  if (!is_left_alone_ && before_->was_framed) framing.frame_all();
   before_.reset();
 }
 
-void AlgorithmPreview::end(Session& session) {
-  take_back(session);
+void AlgorithmPreview::end(Document& document, ViewState& view, Framing& framing, Shown& shown) {
+  take_back(document, view, framing, shown);
   is_left_alone_ = false;
   line_.clear();
   told_ = {};
@@ -114,7 +115,7 @@ void AlgorithmPreview::end(Session& session) {
 
 void AlgorithmPreview::hand_over(Session& session) {
   before_.reset();
-  end(session);
+  end(session.document(), session.view, session.framing, session.shown);
 }
 
 }  // namespace ryosen

@@ -11,26 +11,32 @@
 
 namespace ryosen {
 
+class Findings;
+class Document;
+class Framing;
+class Mesh;
 class Session;
+struct ViewState;
+class Shown;
 
 // The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
 // longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought into
 // view where it is not in it, until it goes or somebody moves the camera.
 class AlgorithmPreview {
  public:
-  bool is_offered(const Session& session) const;
+  bool is_offered(const Findings& findings, const Shown& shown) const;
   // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
   void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
   // Takes it back, where nothing else has taken its place.
-  void end(Session& session);
+  void end(Document& document, ViewState& view, Framing& framing, Shown& shown);
   // As it is about to be done: what was brought into view stays there.
   void hand_over(Session& session);
   // Of what was shown last: what the algorithm says of it, or why nothing is shown. Empty where nothing was.
   const Text& told() const { return told_; }
 
  private:
-  void take_back(Session& session);
-  void bring_into_view(Session& session, std::span<const glm::dvec3> places);
+  void take_back(Document& document, ViewState& view, Framing& framing, Shown& shown);
+  void bring_into_view(const Mesh& mesh, ViewState& view, Framing& framing, std::span<const glm::dvec3> places);
 
   std::string line_;                         // that was shown last
   std::uint64_t serial_ = 0, revision_ = 0;  // of the document then

@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/frontend.h"
+#include "app/editor/shown/shown.h"
 #include "ryosen/algo/algorithms.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -36,36 +39,35 @@ std::string ShownLevels::line() const {
   return "simplify " + values.line();
 }
 
-Outcome leave_level(Session& session) {
-  session.shown.end_levels();
+Outcome leave_level(Shown& shown) {
+  shown.end_levels();
   Outcome outcome;
   outcome.sentence = {"The levels of detail are left; the mesh is as it was before them.",
                       "詳細度の表示を終え、元のメッシュに戻しました。"};
   return outcome;
 }
 
-std::string line_to_account_for(const Session& session) {
-  const Document& document = session.document();
-  if (session.shown.shows(ShownBy::level)) return session.shown.levels()->line();
+std::string line_to_account_for(const Document& document, const Shown& shown) {
+  if (shown.shows(ShownBy::level)) return shown.levels()->line();
   if (document.is_on_trial() || document.position() == 0) return {};
   const std::string& line = document.history()[document.position() - 1].command;
   const AlgorithmRow* const row = find_algorithm(line.substr(0, line.find(' ')));
   return row && row->accounts_for_edges ? line : std::string();
 }
 
-const EdgeAccount* make_account(Session& session) {
-  if (session.findings().account()) return session.findings().account();
-  const std::string line = line_to_account_for(session);
+const EdgeAccount* make_account(Document& document, Findings& findings, Shown& shown, Frontend& frontend) {
+  if (findings.account()) return findings.account();
+  const std::string line = line_to_account_for(document, shown);
   if (line.empty()) return nullptr;
   const std::vector<std::string_view> words = split_words(line);
   const AlgorithmRow& row = *find_algorithm(words[0]);
   const ReadValues given = read_values(row.parameters, std::span(words).subspan(1));
   if (!given.values) return nullptr;
-  auto result = session.document().account_of(row, *given.values, session.frontend.on_progress);
+  auto result = document.account_of(row, *given.values, frontend.on_progress);
   if (!result || !result->account || result->account->rules.empty()) return nullptr;
-  session.findings().keep_account({session.document().serial(), session.document().revision(), std::move(result->account->rules),
-                        std::move(result->account->remaining)});
-  return session.findings().account();
+  findings.keep_account({document.serial(), document.revision(), std::move(result->account->rules),
+                         std::move(result->account->remaining)});
+  return findings.account();
 }
 
 }  // namespace ryosen

@@ -11,7 +11,10 @@
 
 namespace ryosen {
 
-class Session;
+class Document;
+class Findings;
+struct Frontend;
+class Shown;
 
 // What may be said of a simplification to all levels: its parameters but for a number or a share of faces.
 std::span<const ParameterRow> level_parameters();
@@ -42,11 +45,11 @@ class ShownLevels {
 };
 
 // The way back, told.
-Outcome leave_level(Session& session);
+Outcome leave_level(Shown& shown);
 
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
 // one of the history. Empty where there is none.
-std::string line_to_account_for(const Session& session);
+std::string line_to_account_for(const Document& document, const Shown& shown);
 
 // Under which rule each edge stands that it left, until the next change.
 struct EdgeAccount {
@@ -56,6 +59,6 @@ struct EdgeAccount {
 };
 
 // Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
-const EdgeAccount* make_account(Session& session);
+const EdgeAccount* make_account(Document& document, Findings& findings, Shown& shown, Frontend& frontend);
 
 }  // namespace ryosen

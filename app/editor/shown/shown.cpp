@@ -180,7 +180,7 @@ Shown::Passage::Passage(Shown& shown, Effect effect, std::string_view line)
     return;
   }
   if (response == Response::instead) {
-    answered = leave_level(shown.session_);
+    answered = leave_level(shown.session_.shown);
     return;
   }
   if (!shown.has_view && response != Response::keep) shown.end();  // nobody sees it: nothing is told
@@ -209,14 +209,14 @@ void Shown::Passage::bring_back_steps(Outcome& outcome) {
   }
   shown_.player_.reset();
   if (ryosen::response(ShownBy::step, effect_) == Response::anew) return make_anew(outcome);
-  if (shown_.document().serial() == serial_) look_as_before(shown_.session_, *player_);
+  if (shown_.document().serial() == serial_) look_as_before(shown_.session_.view, shown_.session_.framing, *player_);
   outcome.say(end_of(*player_));
 }
 
 // Until the next step, and from where it was looked at before, unless the command looks from elsewhere. So what was taken
 // back or done again is seen.
 void Shown::Passage::show_beneath(Outcome& outcome) {
-  if (shown_.session_.view.camera == camera_) look_as_before(shown_.session_, *player_);
+  if (shown_.session_.view.camera == camera_) look_as_before(shown_.session_.view, shown_.session_.framing, *player_);
   const Text name = player_->name();
   outcome.say({"The view shows the open mesh; the next step shows '" + name.en + "' again.",
                "ビューは開いているメッシュです。次の手順で「" + name.ja + "」に戻ります。"});
@@ -226,8 +226,10 @@ void Shown::Passage::make_anew(Outcome& outcome) {
   Session& session = shown_.session_;
   const std::size_t position = player_->position();
   const Text name = player_->name();
-  if (const Outcome begun = begin_playing(session, player_->words()); !begun.done()) {
-    look_as_before(session, *player_);
+  if (const Outcome begun =
+          begin_playing(session.document(), session.view, session.framing, session.shown, player_->words());
+      !begun.done()) {
+    look_as_before(session.view, session.framing, *player_);
     return outcome.say(Text{"The steps of '" + name.en + "' are left: ", "「" + name.ja + "」の再生を終えました："} +
                        begun.sentence);
   }

@@ -6,7 +6,11 @@
 #include <tuple>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/pointing.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen {
@@ -24,37 +28,37 @@ struct NearPoint {
 
 }  // namespace
 
-Vertex held_point(Session& session, const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
+Vertex held_point(Findings& findings, ViewState& view, Pointing& pointing, Preferences& preferences,
+                  const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
   if (moved.size() == 1) return moved[0].point;
-  const Mesh& mesh = session.mesh();
-  const double radius_px = snap_radius_px * session.preferences.size_scale();
+  const Mesh& mesh = findings.mesh();
+  const double radius_px = snap_radius_px * preferences.size_scale();
   std::vector<NearPoint> near;
   for (const MovedPoint& each : moved) {
-    const auto seen = project(session.view.camera, session.view.size, mesh.position(each.point));
+    const auto seen = project(view.camera, view.size, mesh.position(each.point));
     if (!seen) continue;
     const double distance_px = glm::length(seen->pixel - pixel);
     if (distance_px <= radius_px) near.push_back({distance_px, *seen, each.point});
   }
   std::sort(near.begin(), near.end());
-  const bool is_all_seen = session.pointing.pick_depth() == Picker::Depth::through || session.findings().preparing();
+  const bool is_all_seen = pointing.pick_depth() == Picker::Depth::through || findings.preparing();
   for (const NearPoint& each : near)
-    if (is_all_seen ||
-        session.findings().picker().is_seen(mesh, session.view.camera, session.view.size, each.seen, mesh.position(each.point)))
+    if (is_all_seen || findings.picker().is_seen(mesh, view.camera, view.size, each.seen, mesh.position(each.point)))
       return each.point;
   return {};
 }
 
-std::optional<SnapTarget> snap_target(Session& session, glm::dvec2 pixel, const PassedOver& own) {
-  const Size view = session.view.size;
-  if (session.findings().preparing() || pixel.x < 0 || pixel.y < 0 || pixel.x >= view.width || pixel.y >= view.height)
+std::optional<SnapTarget> snap_target(Findings& findings, ViewState& view, Pointing& pointing, Preferences& preferences,
+                                      glm::dvec2 pixel, const PassedOver& own) {
+  const Size size = view.size;
+  if (findings.preparing() || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
     return std::nullopt;
   constexpr std::pair<PickMode, double> sorts[] = {
       {PickMode::vertex, snap_radius_px}, {PickMode::edge, pick_radius_px}, {PickMode::face, 0}};
   for (const auto& [what, radius_px] : sorts)
-    if (const auto picked =
-            session.findings().picker().pick(session.mesh(), session.view.camera, view, pixel, what, session.pointing.pick_depth(),
-                                  radius_px * session.preferences.size_scale(), &own))
-      return SnapTarget{picked->element, picked->place, name_to_select(session.mesh(), picked->element)};
+    if (const auto picked = findings.picker().pick(findings.mesh(), view.camera, size, pixel, what,
+                                                   pointing.pick_depth(), radius_px * preferences.size_scale(), &own))
+      return SnapTarget{picked->element, picked->place, name_to_select(findings.mesh(), picked->element)};
   return std::nullopt;
 }
 

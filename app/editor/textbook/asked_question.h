@@ -8,7 +8,8 @@
 
 namespace ryosen {
 
-class Session;
+class Document;
+struct Layout;
 
 struct AskedQuestion {
   Element about;
@@ -17,6 +18,7 @@ struct AskedQuestion {
 };
 
 // What it names, to be marked; none where its panel is not shown or the mesh is another.
-std::optional<Element> asked_element(const Session& session);
+std::optional<Element> asked_element(const Document& document, const Layout& layout,
+                                     const std::optional<AskedQuestion>& asked_question);
 
 }  // namespace ryosen

@@ -4,13 +4,16 @@
 #include <utility>
 
 #include "app/editor/camera/framing.h"
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
+#include "ryosen/document/document.h"
 #include "ryosen/io/input_file.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/steps/players.h"
 
 namespace ryosen {
@@ -100,10 +103,10 @@ Text name_of_played(std::span<const std::string> words) {
   return name;
 }
 
-void look_as_before(Session& session, const Player& player) {
+void look_as_before(ViewState& view, Framing& framing, const Player& player) {
   if (!player.camera_before) return;
-  session.view.camera = *player.camera_before;
-  if (player.was_framed) session.frame_all();
+  view.camera = *player.camera_before;
+  if (player.was_framed) framing.frame_all();
 }
 
 Text end_of(const Player& player) {
@@ -131,37 +134,38 @@ const Mesh* Player::other_mesh() const {
   return mesh.hash() == hash_ ? nullptr : &mesh;
 }
 
-Outcome begin_playing(Session& session, std::span<const std::string> words) {
-  end_playing(session);
-  session.shown.end();
-  Result<std::unique_ptr<steps::Sequence>> sequence = make_played(session.document(), words);
+Outcome begin_playing(Document& document, ViewState& view, Framing& framing, Shown& shown,
+                      std::span<const std::string> words) {
+  end_playing(view, framing, shown);
+  shown.end();
+  Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
   if (!sequence) return failed(sequence.failure());
-  const auto player = std::make_shared<Player>(std::vector(words.begin(), words.end()), std::move(sequence).value(),
-                                               session.mesh());
-  session.shown.begin(player);
+  const auto player =
+      std::make_shared<Player>(std::vector(words.begin(), words.end()), std::move(sequence).value(), document.mesh());
+  shown.begin(player);
   if (player->begins_with_nothing()) {
-    if (session.mesh().live().vertices > 0) player->camera_before = session.view.camera;
-    player->was_framed = session.is_framed();
-    session.shown.go_to_step(player->size());
-    with_places_to_frame(session.mesh(), [&](std::span<const glm::dvec3> places) {
+    if (document.mesh().live().vertices > 0) player->camera_before = view.camera;
+    player->was_framed = framing.is_framed();
+    shown.go_to_step(player->size());
+    with_places_to_frame(document.mesh(), [&](std::span<const glm::dvec3> places) {
       player->places_at_end.assign(places.begin(), places.end());
     });
-    session.frame_all();
-  } else if (session.is_framed() && session.view.covered_px != glm::dvec2(0)) {
-    session.frame_all();
+    framing.frame_all();
+  } else if (framing.is_framed() && view.covered_px != glm::dvec2(0)) {
+    framing.frame_all();
   }
-  session.shown.go_to_step(0);
+  shown.go_to_step(0);
   return {};
 }
 
-void end_playing(Session& session) {
-  if (const std::shared_ptr<Player> player = session.shown.end_steps()) look_as_before(session, *player);
+void end_playing(ViewState& view, Framing& framing, Shown& shown) {
+  if (const std::shared_ptr<Player> player = shown.end_steps()) look_as_before(view, framing, *player);
 }
 
-Outcome leave_playing(Session& session) {
+Outcome leave_playing(ViewState& view, Framing& framing, Shown& shown) {
   Outcome outcome;
-  outcome.sentence = end_of(*session.shown.player());
-  end_playing(session);
+  outcome.sentence = end_of(*shown.player());
+  end_playing(view, framing, shown);
   return outcome;
 }
 

@@ -14,7 +14,12 @@
 
 namespace ryosen {
 
-class Session;
+class Mesh;
+
+class Document;
+class Framing;
+class Shown;
+struct ViewState;
 
 // Its row; a failure names those that there are.
 Result<const steps::StepsRow*> find_played(std::string_view word);
@@ -81,13 +86,14 @@ class Player {
 };
 
 // Begins to play in place of what is played.
-Outcome begin_playing(Session& session, std::span<const std::string> words);
-void end_playing(Session& session);
+Outcome begin_playing(Document& document, ViewState& view, Framing& framing, Shown& shown,
+                      std::span<const std::string> words);
+void end_playing(ViewState& view, Framing& framing, Shown& shown);
 // The same as somebody asks for it, told.
-Outcome leave_playing(Session& session);
+Outcome leave_playing(ViewState& view, Framing& framing, Shown& shown);
 
 // Looks from where somebody looked before it was played.
-void look_as_before(Session& session, const Player& player);
+void look_as_before(ViewState& view, Framing& framing, const Player& player);
 Text end_of(const Player& player);
 
 }  // namespace ryosen

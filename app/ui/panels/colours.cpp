@@ -4,10 +4,14 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -30,7 +34,7 @@ class ColoursPanel : public Panel {
   double edge_of(std::size_t bar) const;
   MapRange held_by(std::size_t first, std::size_t last) const;
   void draw_measures(PanelContext& context);
-  void count_again(Session& session);
+  void count_again(Document& document, Findings& findings, ViewState& view);
 
   std::optional<Colouring> counted_;  // of these bars, at this revision of this document
   std::uint64_t counted_serial_ = 0, counted_revision_ = 0;
@@ -46,11 +50,11 @@ ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
   return to_imgui32(rgb(colour_at(map.scale, place_on_scale(map, range, value))));
 }
 
-void ColoursPanel::count_again(Session& session) {
-  const std::uint64_t serial = session.document().serial(), revision = session.document().revision();
-  if (counted_ == session.view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
-  const MapValues& values = session.findings().map_values();
-  span_ = session.view.colouring->range;
+void ColoursPanel::count_again(Document& document, Findings& findings, ViewState& view) {
+  const std::uint64_t serial = document.serial(), revision = document.revision();
+  if (counted_ == view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
+  const MapValues& values = findings.map_values();
+  span_ = view.colouring->range;
   double bars = most_bars;
   if (values.map().is_count) {  // a bar for each value, as far as they have room
     span_ = {std::floor(span_.low) - 0.5, std::ceil(span_.high) + 0.5};
@@ -59,13 +63,13 @@ void ColoursPanel::count_again(Session& session) {
   bars_ = histogram(values.all(), span_, static_cast<std::size_t>(bars), Outside::at_the_ends);
   figures_ = figures_of(values.all());
   if (grabbed_ && *grabbed_ >= bars_.size()) grabbed_.reset();
-  counted_ = session.view.colouring;
+  counted_ = view.colouring;
   counted_serial_ = serial;
   counted_revision_ = revision;
 }
 
 void ColoursPanel::draw_choice(PanelContext& context) {
-  const ColourMap* const map = context.session.view.colouring ? context.session.view.colouring->map : nullptr;
+  const ColourMap* const map = context.view.colouring ? context.view.colouring->map : nullptr;
   const char* const off = context.text("No colour map", "色分けなし");
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##map", map ? context.text(map->name_en, map->name_ja) : off)) return;
@@ -80,8 +84,8 @@ void ColoursPanel::draw_choice(PanelContext& context) {
 
 // The colours from the low end to the high one, with a value below each end and the middle.
 void ColoursPanel::draw_legend(PanelContext& context) {
-  const ColourMap* const map = context.session.view.colouring->map;
-  const MapRange range = context.session.view.colouring->range;
+  const ColourMap* const map = context.view.colouring->map;
+  const MapRange range = context.view.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 12 * context.scale;
   ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -97,7 +101,7 @@ void ColoursPanel::draw_legend(PanelContext& context) {
 }
 
 void ColoursPanel::draw_ticks(PanelContext& context, ImVec2 at, float width) {
-  const auto [map, range] = *context.session.view.colouring;
+  const auto [map, range] = *context.view.colouring;
   const std::vector<double> values = legend_values(*map, range, 3);
   const std::vector<std::string> numbers = numbers_of(*map, values);
   struct Tick {
@@ -139,7 +143,7 @@ MapRange ColoursPanel::held_by(std::size_t first, std::size_t last) const {
 }
 
 void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
-  const ColourMap* const map = context.session.view.colouring->map;
+  const ColourMap* const map = context.view.colouring->map;
   const float share = std::clamp((ImGui::GetIO().MousePos.x - left) / width, 0.f, 0.9999f);
   const auto bar = static_cast<std::size_t>(share * static_cast<float>(bars_.size()));
   if (ImGui::IsItemActivated()) grabbed_ = bar;
@@ -162,8 +166,8 @@ void ColoursPanel::follow_drag(PanelContext& context, float left, float width) {
 }
 
 void ColoursPanel::draw_histogram(PanelContext& context) {
-  const ColourMap* const map = context.session.view.colouring->map;
-  const MapRange range = context.session.view.colouring->range;
+  const ColourMap* const map = context.view.colouring->map;
+  const MapRange range = context.view.colouring->range;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = 64 * context.scale;
   ImGui::InvisibleButton("histogram", {width, height});
@@ -192,8 +196,8 @@ void ColoursPanel::draw_histogram(PanelContext& context) {
 
 // Which part of the values the colours are spread over, and the other choice.
 void ColoursPanel::draw_range(PanelContext& context) {
-  const ColourMap* const map = context.session.view.colouring->map;
-  const MapRange range = context.session.view.colouring->range;
+  const ColourMap* const map = context.view.colouring->map;
+  const MapRange range = context.view.colouring->range;
   const MapRange whole = whole_range(*map, figures_), first = first_range(*map, figures_);
   if (whole == first) return;
   const std::string line = "colours " + std::string(map->id);
@@ -209,18 +213,17 @@ void ColoursPanel::draw_range(PanelContext& context) {
 }
 
 void ColoursPanel::draw_measures(PanelContext& context) {
-  const Session& session = context.session;
-  if (session.selecting.measures.empty()) return;
+  if (context.selecting.measures.empty()) return;
   ImGui::Separator();
-  for (const Elements& measured : session.selecting.measures)
-    labelled(context, names_of_measured(session.mesh(), measured).c_str(),
-             measured_text(session.mesh(), measured).in(context.language()));
+  for (const Elements& measured : context.selecting.measures)
+    labelled(context, names_of_measured(context.mesh(), measured).c_str(),
+             measured_text(context.mesh(), measured).in(context.language()));
   if (ImGui::Button(context.text("Clear measures", "計測を消す"))) context.run("measure clear");
 }
 
 // In as much room as it has taken so far: what is below, as the slider that changes the values, does not jump with them.
 void ColoursPanel::draw_figures(PanelContext& context) {
-  const ColourMap* const map = context.session.view.colouring->map;
+  const ColourMap* const map = context.view.colouring->map;
   const std::pair<const ColourMap*, float> place(map, ImGui::GetContentRegionAvail().x);
   const float top = ImGui::GetCursorPosY();
   dim_text(context, short_text_of(*map, figures_).in(context.language()).c_str());
@@ -230,16 +233,15 @@ void ColoursPanel::draw_figures(PanelContext& context) {
 }
 
 void ColoursPanel::draw(PanelContext& context) {
-  Session& session = context.session;
   draw_choice(context);
-  if (session.view.colouring) {
-    count_again(session);
+  if (context.view.colouring) {
+    count_again(context.document(), context.findings(), context.view);
     draw_histogram(context);
     draw_legend(context);
     draw_figures(context);
     draw_range(context);
   }
-  ImGui::BeginDisabled(session.selecting.selection.empty());
+  ImGui::BeginDisabled(context.selecting.selection.empty());
   if (ImGui::Button(context.text("Measure the selection", "選択を計測"))) context.run("measure selected");
   ImGui::EndDisabled();
   draw_measures(context);

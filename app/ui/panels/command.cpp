@@ -7,7 +7,10 @@
 #include "app/editor/commands/palette.h"
 #include "app/editor/commands/path_completion.h"
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
@@ -132,7 +135,7 @@ WrittenEntry write_entry(const PanelContext& context, const PaletteEntry& entry,
   const auto fits = [&](const std::string& label, const std::string& right) {
     return row_width(context, label, right) <= width;
   };
-  WrittenEntry written{is_named ? name : beside, is_named ? beside : chord_of(context.session, entry.line), {}};
+  WrittenEntry written{is_named ? name : beside, is_named ? beside : chord_of(context.preferences, entry.line), {}};
   std::string usage_below = is_whole && !entry.syntax.empty() ? usage : "";
   if (!fits(written.label, written.right)) {
     written.label = is_named && fits(name, "") ? name : entry.line;
@@ -180,8 +183,8 @@ void CommandPanel::draw_found(PanelContext& context) {
 void CommandPanel::draw_refusal(PanelContext& context) {
   const bool is_other = refused_ && (chosen_ != refused_->chosen || command() != refused_->command);
   if (is_other) refused_.reset();
-  const Text& outcome = context.state.last_outcome;
-  if (!refused_ || context.state.last_kind == Outcome::Kind::done || outcome.en.empty()) return;
+  const Text& outcome = context.state.last.sentence;
+  if (!refused_ || context.state.last.kind == Outcome::Kind::done || outcome.en.empty()) return;
   ImGui::PushTextWrapPos(0);
   coloured_text(context.colours().warning, outcome.in(context.language()).c_str());
   ImGui::PopTextWrapPos();
@@ -190,7 +193,7 @@ void CommandPanel::draw_refusal(PanelContext& context) {
 // Empty, but for a line that took long, was refused, and has opened this again.
 void CommandPanel::begin(PanelContext& context) {
   const std::optional<Refused> sent = std::exchange(sent_, std::nullopt);
-  const bool is_refused = sent && context.state.last_kind != Outcome::Kind::done;
+  const bool is_refused = sent && context.state.last.kind != Outcome::Kind::done;
   type(is_refused ? typed_ : "");
   if (is_refused) {
     chosen_ = sent->chosen;
@@ -246,13 +249,13 @@ void CommandPanel::enter(PanelContext& context) {
 }
 
 void CommandPanel::take(PanelContext& context, const PaletteEntry& entry) {
-  const PaletteChoice choice = choice_of(context.session, entry);
+  const PaletteChoice choice = choice_of(context.findings(), context.selecting, entry);
   if (choice.kind == PaletteChoice::Kind::begin) return type(choice.line);
   run(context, choice.line);
 }
 
 void CommandPanel::run(PanelContext& context, const std::string& line) {
-  const std::string own = context.session.layout.open_panel;
+  const std::string own = context.layout.open_panel;
   sent_ = Refused{command(), chosen_};
   if (!context.run(line, own).done()) {
     takes_keys_ = true;
@@ -261,7 +264,7 @@ void CommandPanel::run(PanelContext& context, const std::string& line) {
   }
   std::erase(lines_, line);
   lines_.push_back(line);
-  if (context.session.layout.open_panel == own) context.session.layout.open_panel.clear();
+  if (context.layout.open_panel == own) context.layout.open_panel.clear();
 }
 
 }  // namespace

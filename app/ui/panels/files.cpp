@@ -3,9 +3,10 @@
 
 #include "app/editor/commands/path_completion.h"
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 #include "ryosen/io/formats.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -210,7 +211,7 @@ void FileBrowser::carry_out(PanelContext& context, const std::string& line) {
   failed_ = outcome.done() ? fs::path() : chosen();
   why_failed_ = outcome.sentence;
   if (!outcome.done()) return;
-  context.session.layout.open_panel.clear();
+  context.layout.open_panel.clear();
   if (is_awaited(context)) context.go(*context.state.pending);
 }
 
@@ -227,10 +228,10 @@ void FileBrowser::accept(PanelContext& context) {
     name_.clear();
     return enter(path);
   }
-  if (use_.replaces && context.session.document().is_modified() && fs::exists(path, ignored))
+  if (use_.replaces && context.document().is_modified() && fs::exists(path, ignored))
     return context.leave({false, path});
   if (use_.writes && path.extension().empty()) {  // as the file that is open
-    const std::string usual = context.session.document().path().extension().string();
+    const std::string usual = context.document().path().extension().string();
     name_ += usual.empty() ? ".obj" : usual;
     return accept(context);
   }
@@ -240,7 +241,7 @@ void FileBrowser::accept(PanelContext& context) {
   if (replaces) replaces_ = path;
   bool loses = false;
   if (use_.is_whole && path != loses_) {
-    losses_ = context.session.document().losses(path);
+    losses_ = context.document().losses(path);
     loses = !losses_.empty();
     loses_ = path;
   }
@@ -249,7 +250,7 @@ void FileBrowser::accept(PanelContext& context) {
 }
 
 void FileBrowser::draw(PanelContext& context) {
-  if (ImGui::IsWindowAppearing()) begin(context.session.document());
+  if (ImGui::IsWindowAppearing()) begin(context.document());
   if (ImGui::Button(context.text(UiText::folder_up))) {
     go_to(folder_.parent_path());
     takes_keys_ = true;

@@ -1,7 +1,8 @@
-#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 #include "ryosen/forms/comparison.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -115,16 +116,15 @@ class FormsPanel : public Panel {
 };
 
 void FormsPanel::draw(PanelContext& context) {
-  const Session& session = context.session;
-  if (measured_ && measured_->document != session.document().serial()) measured_.reset();
+  if (measured_ && measured_->document != context.document().serial()) measured_.reset();
   const char* const label = measured_ ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
   if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0}))
-    measured_ = {forms::compare_forms(session.mesh(), effort), session.document().serial(),
-                 session.document().revision()};
+    measured_ = {forms::compare_forms(context.mesh(), effort), context.document().serial(),
+                 context.document().revision()};
   tip(context.text("Builds every form of this mesh and times what it is asked.",
                    "このメッシュのすべての表現を作り、問い合わせにかかる時間を測ります。"));
   if (!measured_) return;
-  if (measured_->revision != session.document().revision())
+  if (measured_->revision != context.document().revision())
     coloured_text(context.colours().warning,
                   context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
   choose_relation(context, relation_);

@@ -1,8 +1,9 @@
-#include "app/editor/session/session.h"
+#include "app/editor/document/repair_trials.h"
 #include "app/editor/textbook/growth_work.h"
 #include "app/ui/growth_plots.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -33,7 +34,7 @@ class GrowthPanel : public Panel {
 void GrowthPanel::begin(PanelContext& context, const Mesh* mesh) {
   work_.begin(mesh);
   // A picture is not drawn again when it is there.
-  if (!context.session.trials.in_background) work_.wait();
+  if (!context.trials.in_background) work_.wait();
 }
 
 void GrowthPanel::draw_buttons(PanelContext& context) {
@@ -42,7 +43,7 @@ void GrowthPanel::draw_buttons(PanelContext& context) {
   tip(context.text("Measures on tori of growing size, as text 000's figure 11.",
                    "テキスト 000 の図 11 のようなトーラスを大きくしながら測ります。"));
   ImGui::SameLine();
-  const Mesh& mesh = context.session.mesh();
+  const Mesh& mesh = context.mesh();
   ImGui::BeginDisabled(mesh.live().faces == 0);
   if (ImGui::Button(context.text("This mesh", "このメッシュ"), {width, 0})) begin(context, &mesh);
   ImGui::EndDisabled();

@@ -1,4 +1,5 @@
-#include "app/editor/session/session.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/session/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/swatch.h"
 #include "app/ui/widgets.h"
@@ -9,7 +10,7 @@ namespace {
 
 void draw_highlight(PanelContext& context, const HighlightRow& row) {
   const std::string id(row.id);
-  bool is_shown = context.session.view.highlights.contains(id);
+  bool is_shown = context.view.highlights.contains(id);
   ImGui::PushID(id.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {3 * context.scale, 0});
   if (ImGui::Checkbox("##shown", &is_shown)) context.run("show " + id + (is_shown ? " on" : " off"));
@@ -20,7 +21,7 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
   tip(legend);
   ImGui::SameLine();
   // What nobody looks at is not searched for, so it has no count.
-  const HighlightSets& sets = context.session.findings().highlights();
+  const HighlightSets& sets = context.findings().highlights();
   const bool is_counted = sets.keeps(row);
   const auto n = is_counted ? static_cast<std::int64_t>(sets.count(row)) : 0;
   const char* const name = context.text(row.name_en, row.name_ja);
@@ -36,10 +37,10 @@ void draw_highlight(PanelContext& context, const HighlightRow& row) {
 }
 
 // Problems first, then what is none.
-std::vector<const HighlightRow*> rows_that_are_there(Session& session) {
+std::vector<const HighlightRow*> rows_that_are_there(Findings& findings) {
   std::vector<const HighlightRow*> rows;
   for (const HighlightRow& row : highlight_table())
-    if (!row.kinds.empty() && (!row.is_on_request() || session.findings().highlights().count(row) > 0)) rows.push_back(&row);
+    if (!row.kinds.empty() && (!row.is_on_request() || findings.highlights().count(row) > 0)) rows.push_back(&row);
   for (const HighlightRow& row : highlight_table())
     if (row.kinds.empty()) rows.push_back(&row);
   return rows;
@@ -50,15 +51,14 @@ std::vector<const HighlightRow*> rows_that_are_there(Session& session) {
 class HighlightsPanel : public Panel {
  public:
   void draw(PanelContext& context) override {
-    Session& session = context.session;
-    const HighlightSets& sets = session.findings().highlights();
+    const HighlightSets& sets = context.findings().highlights();
     const auto says_something = [&](const HighlightRow& row) {
       return (sets.keeps(row) && sets.count(row) > 0) ||
-             session.view.highlights.contains(std::string(row.id)) != row.is_shown_at_first();
+             context.view.highlights.contains(std::string(row.id)) != row.is_shown_at_first();
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * context.scale});
     int left_out = 0;
-    for (const HighlightRow* row : rows_that_are_there(session))
+    for (const HighlightRow* row : rows_that_are_there(context.findings()))
       if (context.state.is_tight && !shows_all_ && !says_something(*row))
         ++left_out;
       else

@@ -1,8 +1,9 @@
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
+#include "app/editor/shown/shown.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -23,10 +24,9 @@ class HistoryPanel : public Panel {
 };
 
 void HistoryPanel::draw(PanelContext& context) {
-  Session& session = context.session;
-  const std::size_t position = session.document().position(), size = session.document().history().size();
+  const std::size_t position = context.document().position(), size = context.document().history().size();
   const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  ImGui::BeginDisabled(position == 0 && session.shown.response(Effect::steps) != Response::instead);
+  ImGui::BeginDisabled(position == 0 && context.shown.response(Effect::steps) != Response::instead);
   if (ImGui::Button(context.text(UiText::undo), {width, 0})) context.run("undo");
   tip(context.text("Takes the last edit back, exactly.", "最後の編集を完全に元に戻します。"),
       ImGuiHoveredFlags_AllowWhenDisabled);
@@ -45,7 +45,7 @@ void HistoryPanel::draw(PanelContext& context) {
       "entries", size + 1, 7,
       [&](std::size_t place) {
         const std::string label =
-            place == 0 ? context.text(UiText::as_read) : session.document().history()[place - 1].command;
+            place == 0 ? context.text(UiText::as_read) : context.document().history()[place - 1].command;
         const std::string shown = fitted(with_short_numbers(label), ImGui::GetContentRegionAvail().x);
         if (place > position) ImGui::PushStyleColor(ImGuiCol_Text, context.colours().dim);
         if (ImGui::Selectable((shown + "###entry").c_str(), place == position)) target = place;

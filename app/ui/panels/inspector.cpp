@@ -2,15 +2,18 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/document/document.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -28,7 +31,7 @@ glm::dvec3 area_vector(const Mesh& m, Face f) { return vector_area(FacePolygon(m
 
 class Inspector {
  public:
-  explicit Inspector(PanelContext& context) : context_(context), m_(context.session.mesh()) {}
+  explicit Inspector(PanelContext& context) : context_(context), m_(context.mesh()) {}
 
   // One of so many that are selected.
   void draw(const Element& element, std::size_t selected) {
@@ -87,7 +90,7 @@ class Inspector {
       links(UiText::copies, copies);
     }
     if (m_.is_isolated(v)) {
-      const IndexSet& isolated = context_.session.findings().highlights().of(ProblemKind::isolated_vertex);
+      const IndexSet& isolated = context_.findings().highlights().of(ProblemKind::isolated_vertex);
       if (isolated.contains(point(m_, v).index)) note(UiText::isolated);
       return;
     }
@@ -121,7 +124,7 @@ class Inspector {
 
   // Why a simplification left it, where that is known.
   void tell_rule(Edge e) {
-    const EdgeAccount* const account = context_.session.findings().account();
+    const EdgeAccount* const account = context_.findings().account();
     if (!account || account->rules[e.index] == no_rule) return;
     const EdgeRuleRow& rule = edge_rules[account->rules[e.index]];
     labelled(context_, context_.text("left by", "残る理由"), context_.text(rule.name_en.data(), rule.name_ja.data()));
@@ -157,7 +160,7 @@ class Inspector {
     for (Vertex v : vertices_around(m_, f)) corners.push_back(v);
     for (Face g : neighbour_faces(m_, f))
       if (!g.is_none()) around.push_back(g);
-    const std::vector<std::uint32_t>& lines = context_.session.document().tables().face_lines;
+    const std::vector<std::uint32_t>& lines = context_.document().tables().face_lines;
     if (f.index < lines.size() && lines[f.index] > 0) value(UiText::line_in_file, std::to_string(lines[f.index]));
     links(UiText::corners, corners);
     links(UiText::neighbours, around);
@@ -169,10 +172,11 @@ class Inspector {
 
 // The element that was selected last, or else the one under the pointer.
 void draw_inspector(PanelContext& context) {
-  const Session& session = context.session;
-  if (session.selecting.selection.empty() && !session.selecting.hover()) return dim_text(context, context.text(UiText::nothing_picked));
-  const Element element = session.selecting.selection.empty() ? session.selecting.hover()->picked.element : session.selecting.selection.back();
-  Inspector(context).draw(element, session.selecting.selection.size());
+  if (context.selecting.selection.empty() && !context.selecting.hover())
+    return dim_text(context, context.text(UiText::nothing_picked));
+  const Element element = context.selecting.selection.empty() ? context.selecting.hover()->picked.element
+                                                              : context.selecting.selection.back();
+  Inspector(context).draw(element, context.selecting.selection.size());
 }
 
 }  // namespace

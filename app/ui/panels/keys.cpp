@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/editor/commands/words.h"
+#include "app/editor/preferences/preference_values.h"
 #include "app/editor/preferences/preferences.h"
-#include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 
@@ -45,9 +45,7 @@ void pair_row(PanelContext& context, const char* chord, const char* help) {
   wrapped_text(help);
 }
 
-const InputPreset& preset_of(const PanelContext& context) {
-  return input_presets()[context.session.preferences.input_preset];
-}
+const InputPreset& preset_of(const PanelContext& context) { return input_presets()[context.preferences.input_preset]; }
 
 void draw_mouse(PanelContext& context, const std::vector<MouseRow>& rows) {
   for (const MouseRow& row : rows)
@@ -59,9 +57,8 @@ bool KeysPanel::is_sought(std::string_view input, const Text& does) const {
 }
 
 std::vector<KeyRow> KeysPanel::sought_keys(const PanelContext& context) const {
-  std::vector<KeyRow> rows = rows_without_key(preset_of(context), context.session.preferences.bindings);
-  for (KeyRow& row : key_table(preset_of(context), context.session.preferences.bindings))
-    rows.push_back(std::move(row));
+  std::vector<KeyRow> rows = rows_without_key(preset_of(context), context.preferences.bindings);
+  for (KeyRow& row : key_table(preset_of(context), context.preferences.bindings)) rows.push_back(std::move(row));
   std::erase_if(rows, [&](const KeyRow& row) { return !is_sought(row.chord, help_of_key(row)); });
   return rows;
 }
@@ -84,7 +81,7 @@ void KeysPanel::draw_presets(PanelContext& context) {
     ImGui::EndCombo();
   }
   ImGui::SameLine();
-  ImGui::BeginDisabled(context.session.preferences.bindings.empty());
+  ImGui::BeginDisabled(context.preferences.bindings.empty());
   if (ImGui::Button(context.text("Reset keys", "キーを戻す"))) context.run("bind all initial");
   ImGui::EndDisabled();
   tip(context.text("Every key does again what the preset says.", "すべてのキーを最初の割り当てに戻します。"),
@@ -98,9 +95,8 @@ void KeysPanel::draw_keys(PanelContext& context, const std::vector<KeyRow>& rows
     ImGui::PushID(static_cast<int>(i));
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const bool is_own =
-        std::any_of(context.session.preferences.bindings.begin(), context.session.preferences.bindings.end(),
-                    [&](const KeyBinding& binding) { return binding.chord == row.chord; });
+    const bool is_own = std::any_of(context.preferences.bindings.begin(), context.preferences.bindings.end(),
+                                    [&](const KeyBinding& binding) { return binding.chord == row.chord; });
     const ImVec4& colour = row.chord.empty() ? context.colours().warning : context.colours().accent;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     const std::string chord = row.chord.empty() ? context.text("no key", "なし") : row.chord + (is_own ? " *" : "");
@@ -122,12 +118,12 @@ void KeysPanel::take(PanelContext& context, const std::string& chord) {
   is_asking_ = chord != "Escape" && chord != asked_.chord;
   if (!is_asking_) return;
   wanted_ = chord;
-  if (!conflict_of(context.session.preferences, chord, asked_.command)) rebind(context, false);
+  if (!conflict_of(context.preferences, chord, asked_.command)) rebind(context, false);
 }
 
 // The other command gets the key that this had, or none.
 void KeysPanel::rebind(PanelContext& context, bool swaps) {
-  const auto other = conflict_of(context.session.preferences, wanted_, asked_.command);
+  const auto other = conflict_of(context.preferences, wanted_, asked_.command);
   if (!asked_.chord.empty()) context.run("bind " + asked_.chord + " none");
   if (swaps && other && !asked_.chord.empty()) context.run("bind " + asked_.chord + " " + other->command);
   context.run("bind " + wanted_ + " " + asked_.command);
@@ -142,7 +138,7 @@ void KeysPanel::draw_question(PanelContext& context) {
   if (context.state.asks_for_key)
     return coloured_text(context.colours().accent,
                          (context.text("Press the new key for: ", "新しいキーを押してください：") + what).c_str());
-  const auto other = conflict_of(context.session.preferences, wanted_, asked_.command);
+  const auto other = conflict_of(context.preferences, wanted_, asked_.command);
   if (!other) return;
   const std::string in_use = help_of_key(*other).in(context.language());
   coloured_text(context.colours().warning,

@@ -1,11 +1,13 @@
 #include <algorithm>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
 #include "app/editor/shown/levels.h"
+#include "app/editor/shown/shown.h"
 #include "app/ui/overlays.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -16,7 +18,7 @@ void draw_slider(PanelContext& context, const ShownLevels& levels) {
   const auto least = static_cast<int>(levels.faces(levels.levels().last()));
   const auto most = static_cast<int>(levels.faces(0));
   auto faces = static_cast<int>(levels.faces());
-  const bool is_shown = context.session.shown.shows(ShownBy::level);
+  const bool is_shown = context.shown.shows(ShownBy::level);
   ImGui::TextUnformatted(
       (grouped(faces) + context.text(" faces", " 面") + (is_shown ? "" : context.text(", not shown", "（非表示）")))
           .c_str());
@@ -63,7 +65,7 @@ void draw_rule(PanelContext& context, const EdgeRuleRow& rule, std::size_t count
 
 // It costs as much as the simplification.
 void draw_asking(PanelContext& context) {
-  if (line_to_account_for(context.session).empty()) return;
+  if (line_to_account_for(context.document(), context.shown).empty()) return;
   ImGui::Separator();
   if (ImGui::Button(context.text("What holds the edges left?", "残った稜線の理由"), {-1, 0})) context.run("account");
   tip(context.text("Finds for each edge that is left the first rule that holds it, and counts them.",
@@ -72,8 +74,8 @@ void draw_asking(PanelContext& context) {
 }
 
 void draw_levels(PanelContext& context) {
-  const std::shared_ptr<ShownLevels> levels = context.session.shown.levels();  // a press may take it away
-  if (levels && context.session.shown.fits()) {
+  const std::shared_ptr<ShownLevels> levels = context.shown.levels();  // a press may take it away
+  if (levels && context.shown.fits()) {
     draw_slider(context, *levels);
   } else {
     if (ImGui::Button(context.text("All levels of this mesh", "全段階を作る"), {-1, 0})) context.run("levels");
@@ -81,7 +83,7 @@ void draw_levels(PanelContext& context) {
                      "コピーを限界まで簡略化し、すべての手順を残します。") +
         std::string("\nlevels"));
   }
-  const EdgeAccount* const account = context.session.findings().account();
+  const EdgeAccount* const account = context.findings().account();
   if (!account) return draw_asking(context);
   ImGui::Separator();
   dim_text(context, context.text("What holds the edges that are left", "残った稜線とその理由"));

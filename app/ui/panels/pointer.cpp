@@ -33,7 +33,7 @@ void draw_change(PanelContext& context, UiText word, const std::vector<Element>&
 }
 
 void draw_remedy(PanelContext& context, const Verdict& verdict) {
-  const std::vector<std::string> remedy = context.session.selecting.hover_remedy();
+  const std::vector<std::string> remedy = context.selecting.hover_remedy();
   dim_text(context, context.text(UiText::remedy));
   if (remedy.empty()) {
     wrapped_text(without_remedy(verdict).in(context.language()).c_str());
@@ -46,7 +46,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
       const float wide = ImGui::CalcTextSize(line.c_str()).x + 4 * ImGui::GetFontSize();
       if (label + wide < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
     }
-    const bool names_key = context.session.selecting.is_verdict_held() && &line == remedy.data();
+    const bool names_key = context.selecting.is_verdict_held() && &line == remedy.data();
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x -
                        (names_key ? 3.5f * ImGui::GetFontSize() : 0);
     const std::string shown = fitted(line, room);
@@ -72,14 +72,14 @@ bool draw_beside(PanelContext& context) {
 // What a click would do, or why it would not.
 void draw_verdict(PanelContext& context) {
   if (draw_beside(context)) return;
-  if (!context.session.selecting.hover()) {
-    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.session.selecting.pointed_sort())];
+  if (!context.selecting.hover()) {
+    const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.selecting.pointed_sort())];
     return dim_text(context, context.text(sort.point_en, sort.point_ja));
   }
-  const Hover hover = *context.session.selecting.hover();
+  const Hover hover = *context.selecting.hover();
   const OpInfo* const op = hover.op ? &info_of(*hover.op) : nullptr;
   const std::string line =
-      op ? command_of(context.session.mesh(), *hover.op) : name_and_slot(context.session.mesh(), hover.picked.element);
+      op ? command_of(context.mesh(), *hover.op) : name_and_slot(context.mesh(), hover.picked.element);
   if (!op) {
     wrapped_text(line.c_str());
     return;

@@ -29,16 +29,16 @@ class PracticePanel : public Panel {
   // False while what it takes is not there.
   bool ask(PanelContext& context);
   // The next one is asked in the next frame.
-  void go_on(Session& session);
+  void go_on(std::optional<AskedQuestion>& asked_question);
   void choose_kind(PanelContext& context);
   void draw_question(PanelContext& context);
-  void judge(const Session& session, std::string_view word);
+  void judge(const Mesh& mesh, std::string_view word);
   // An answer as it is chosen from, where it is one of those; else as it was given.
   Text says(std::string_view word) const;
-  float room_for_choices(const Session& session) const;
+  float room_for_choices(const ViewState& view) const;
   void draw_choices(PanelContext& context);
   void draw_answer_field(PanelContext& context);
-  void take_click(const Session& session);
+  void take_click(const Mesh& mesh, const Selecting& selecting);
   void draw_judgement(PanelContext& context);
 
   std::uint64_t seed_ = 1;
@@ -58,20 +58,19 @@ class PracticePanel : public Panel {
 };
 
 bool PracticePanel::ask(PanelContext& context) {
-  Session& session = context.session;
   const QuestionKind kind = kind_.value_or(kind_of_seed(seed_));
   const RecordBook* const book = kind == QuestionKind::record ? records_of_mesh(context) : nullptr;
   if (kind == QuestionKind::record && !book) return false;
   const AllRecords records = book ? book->records() : AllRecords();
-  const Question question = make_question(session.mesh(), kind, seed_, records);
+  const Question question = make_question(context.mesh(), kind, seed_, records);
   asked_ = {question,
-            solve(session.mesh(), question, records),
+            solve(context.mesh(), question, records),
             {},
-            session.selecting.selection,
-            session.document().serial(),
-            session.document().revision()};
+            context.selecting.selection,
+            context.document().serial(),
+            context.document().revision()};
   asked_->choices = answer_choices(question, asked_->solution);
-  session.asked_question = {question.about, asked_->serial, asked_->revision};
+  context.session.asked_question = {question.about, asked_->serial, asked_->revision};
   rows_.go_to_top();
   word_.fill(0);
   doubt_ = {};
@@ -79,9 +78,9 @@ bool PracticePanel::ask(PanelContext& context) {
   return true;
 }
 
-void PracticePanel::go_on(Session& session) {
+void PracticePanel::go_on(std::optional<AskedQuestion>& asked_question) {
   asked_.reset();
-  session.asked_question.reset();
+  asked_question.reset();
   is_left_ = false;
 }
 
@@ -96,7 +95,7 @@ void PracticePanel::choose_kind(PanelContext& context) {
   const auto choice = [&](std::optional<QuestionKind> kind) {
     if (!ImGui::Selectable(name(kind), kind == kind_)) return;
     kind_ = kind;
-    go_on(context.session);
+    go_on(context.session.asked_question);
   };
   choice({});
   for (const QuestionKindRow& row : question_kinds()) choice(row.kind);
@@ -109,15 +108,15 @@ Text PracticePanel::says(std::string_view word) const {
   return choice == choices.end() ? Text{std::string(word), std::string(word)} : choice->says;
 }
 
-void PracticePanel::judge(const Session& session, std::string_view word) {
-  judged_ = {says(word), is_right(session.mesh(), asked_->solution, word)};
+void PracticePanel::judge(const Mesh& mesh, std::string_view word) {
+  judged_ = {says(word), is_right(mesh, asked_->solution, word)};
 }
 
 // So that all of the panel is seen at once, with its header above and what goes on from it below.
-float PracticePanel::room_for_choices(const Session& session) const {
+float PracticePanel::room_for_choices(const ViewState& view) const {
   const float above = ImGui::GetFrameHeightWithSpacing() + ImGui::GetCursorPosY() - top_;
   const float below = 2 * ImGui::GetFrameHeightWithSpacing();
-  return static_cast<float>(session.view.size.height) - above - below - 2 * ImGui::GetStyle().WindowPadding.y;
+  return static_cast<float>(view.size.height) - above - below - 2 * ImGui::GetStyle().WindowPadding.y;
 }
 
 // A click on a row answers: numbers side by side, rules with their sentences.
@@ -128,7 +127,7 @@ void PracticePanel::draw_choices(PanelContext& context) {
     const float gap = 3 * context.scale, width = (ImGui::GetContentRegionAvail().x - 6 * gap) / 7;
     for (std::size_t i = 0; i < choices.size(); ++i) {
       if (i % 7 != 0) ImGui::SameLine(0, gap);
-      if (ImGui::Button(choices[i].word.c_str(), {width, 0})) judge(context.session, choices[i].word);
+      if (ImGui::Button(choices[i].word.c_str(), {width, 0})) judge(context.mesh(), choices[i].word);
     }
     return;
   }
@@ -139,12 +138,12 @@ void PracticePanel::draw_choices(PanelContext& context) {
   for (const AnswerChoice& choice : choices)
     lines += lines_of_wrapped_row(context, choice.says.in(context.language()), width);
   const float line = ImGui::GetTextLineHeightWithSpacing();
-  const float room = std::max(room_for_choices(context.session) / line, least_lines);
+  const float room = std::max(room_for_choices(context.view) / line, least_lines);
   rows_.begin("choices", std::min({lines, most_lines, room}) * line);
   for (const AnswerChoice& choice : choices) {
     ImGui::PushID(choice.word.c_str());
     rows_.row_of_text();
-    if (wrapped_row(context, choice.says.in(context.language()), false, width)) judge(context.session, choice.word);
+    if (wrapped_row(context, choice.says.in(context.language()), false, width)) judge(context.mesh(), choice.word);
     tip(choice.word);
     ImGui::PopID();
   }
@@ -160,22 +159,22 @@ void PracticePanel::draw_answer_field(PanelContext& context) {
                    "h3、1-2、v4、数、「なし」、「はい」、または禁じる規則。画面で要素をクリックしても答えられます。"));
   ImGui::SameLine();
   if (ImGui::Button(context.text("Answer", "答える"), {button, 0}) || entered) {
-    doubt_ = doubt_about(context.session.mesh(), asked_->solution, word_.data());
-    if (doubt_.en.empty())
-      doubt_ = why_no_answer(context.session.mesh(), asked_->question, asked_->solution, word_.data());
-    if (doubt_.en.empty()) judge(context.session, word_.data());
+    doubt_ = doubt_about(context.mesh(), asked_->solution, word_.data());
+    if (doubt_.en.empty()) doubt_ = why_no_answer(context.mesh(), asked_->question, asked_->solution, word_.data());
+    if (doubt_.en.empty()) judge(context.mesh(), word_.data());
     takes_keys_ = !doubt_.en.empty();  // for another word
   }
   if (!doubt_.en.empty()) wrapped_text(doubt_.in(context.language()).c_str());
 }
 
 // What is selected since the question was asked is an answer, if it is of the kind that is asked for.
-void PracticePanel::take_click(const Session& session) {
-  if (judged_ || !asked_->solution.element || session.selecting.selection == asked_->selected || session.selecting.selection.size() != 1)
+void PracticePanel::take_click(const Mesh& mesh, const Selecting& selecting) {
+  if (judged_ || !asked_->solution.element || selecting.selection == asked_->selected ||
+      selecting.selection.size() != 1)
     return;
-  const Element given = session.selecting.selection[0];
+  const Element given = selecting.selection[0];
   if (given == asked_->question.about || given.kind != asked_->solution.element->kind) return;
-  const std::string name = name_of(session.mesh(), given);
+  const std::string name = name_of(mesh, given);
   judged_ = {{name, name}, given == *asked_->solution.element};
 }
 
@@ -186,7 +185,7 @@ void PracticePanel::draw_judgement(PanelContext& context) {
   const Text& why = asked_->solution.why;
   const bool tells = why.en.starts_with(right.en);  // as a rule does, with its elements
   if (const auto& element = asked_->solution.element) {  // as a click in the view is told, too
-    const std::string name = name_of(context.session.mesh(), *element);
+    const std::string name = name_of(context.mesh(), *element);
     if (name != right.en) right = right + Text{" (" + name + ")", "（" + name + "）"};
   }
   const auto show = [&](const ImVec4& colour, const Text& text) {
@@ -205,16 +204,15 @@ void PracticePanel::draw_judgement(PanelContext& context) {
 }
 
 void PracticePanel::draw(PanelContext& context) {
-  Session& session = context.session;
-  if (session.mesh().live().faces == 0 || session.mesh().live().edges == 0)
+  if (context.mesh().live().faces == 0 || context.mesh().live().edges == 0)
     return dim_text(context, context.text("Open a mesh first: the start page has the figures of the source texts.",
                                           "先にメッシュを開いてください。開始画面にテキストの図があります。"));
   top_ = ImGui::GetCursorPosY();
   choose_kind(context);
-  is_left_ |= asked_ && !session.asked_question;
+  is_left_ |= asked_ && !context.session.asked_question;
   if (is_left_) asked_.reset();
   const bool is_stale =
-      asked_ && (asked_->serial != session.document().serial() || asked_->revision != session.document().revision());
+      asked_ && (asked_->serial != context.document().serial() || asked_->revision != context.document().revision());
   if (is_stale) asked_.reset();
   context.state.wants_records |= asked_ && asked_->question.kind == QuestionKind::record;
   const bool was_judged = judged_.has_value();
@@ -222,7 +220,7 @@ void PracticePanel::draw(PanelContext& context) {
   context.state.asks_to_be_seen = judged_ && !was_judged;
   if (ImGui::Button(context.text("Next question", "次の問題"), {ImGui::GetContentRegionAvail().x, 0})) {
     ++seed_;
-    go_on(session);
+    go_on(context.session.asked_question);
     context.state.asks_to_be_seen = true;  // what there is to choose from is higher than the judgement
   }
 }
@@ -232,7 +230,7 @@ void PracticePanel::draw_question(PanelContext& context) {
   ImGui::PushID("about");
   element_links(context, {asked_->question.about});
   ImGui::PopID();
-  take_click(context.session);
+  take_click(context.mesh(), context.selecting);
   if (judged_) return draw_judgement(context);
   draw_choices(context);
   draw_answer_field(context);

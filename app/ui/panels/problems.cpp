@@ -21,11 +21,11 @@ namespace {
 // nth() when the edit has changed loops.
 class ProblemFindings {
  public:
-  std::size_t count(Session& session, const ProblemRow& row);
-  Element nth(Session& session, const ProblemRow& row, std::size_t n);
+  std::size_t count(Document& document, Findings& findings, const ProblemRow& row);
+  Element nth(Document& document, Findings& findings, const ProblemRow& row, std::size_t n);
 
  private:
-  void know(const Session& session);
+  void know(const Document& document);
 
   std::uint64_t known_document_ = 0;   // its serial number
   std::size_t known_quarantined_ = 0;  // how many faces; a repair may drop them
@@ -34,8 +34,7 @@ class ProblemFindings {
   std::optional<std::uint64_t> known_loops_;
 };
 
-void ProblemFindings::know(const Session& session) {
-  const Document& document = session.document();
+void ProblemFindings::know(const Document& document) {
   if (known_document_ == document.serial() && known_quarantined_ == document.tables().quarantine.size()) return;
   known_quarantined_ = document.tables().quarantine.size();
   known_document_ = document.serial();
@@ -45,51 +44,50 @@ void ProblemFindings::know(const Session& session) {
     faces.clear();
     if (!row.quarantined) continue;
     for (const QuarantinedFace& face : document.tables().quarantine)
-      if (row.quarantined(face, session.mesh().file_vertices())) faces.emplace_back(Face(face.face));
+      if (row.quarantined(face, document.mesh().file_vertices())) faces.emplace_back(Face(face.face));
   }
 }
 
-std::size_t ProblemFindings::count(Session& session, const ProblemRow& row) {
-  know(session);
+std::size_t ProblemFindings::count(Document& document, Findings& findings, const ProblemRow& row) {
+  know(document);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
-  if (row.kind == ProblemKind::boundary_loop) return session.findings().boundary_loops().count();
-  if (row.kind == ProblemKind::ring) return session.mesh().live().rings;
-  return session.findings().highlights().count(row.kind);
+  if (row.kind == ProblemKind::boundary_loop) return findings.boundary_loops().count();
+  if (row.kind == ProblemKind::ring) return document.mesh().live().rings;
+  return findings.highlights().count(row.kind);
 }
 
 // The face of the n-th ring, face by face.
-Face face_of_ring(Session& session, std::size_t n) {
-  const Mesh& mesh = session.mesh();
+Face face_of_ring(Findings& findings, std::size_t n) {
+  const Mesh& mesh = findings.mesh();
   Face found;
-  session.findings().highlights().of(ProblemKind::ring).for_each([&](std::uint32_t i) {
+  findings.highlights().of(ProblemKind::ring).for_each([&](std::uint32_t i) {
     for (std::uint32_t r = mesh.first_ring(Face(i)); r != no_index && !found; r = mesh.ring(r).next)
       if (n-- == 0) found = Face(i);
   });
   return found;
 }
 
-Element ProblemFindings::nth(Session& session, const ProblemRow& row, std::size_t n) {
-  know(session);
+Element ProblemFindings::nth(Document& document, Findings& findings, const ProblemRow& row, std::size_t n) {
+  know(document);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
-  if (row.kind == ProblemKind::ring) return face_of_ring(session, n);
+  if (row.kind == ProblemKind::ring) return face_of_ring(findings, n);
   if (row.kind != ProblemKind::boundary_loop) {
-    const std::uint32_t i = session.findings().highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
+    const std::uint32_t i = findings.highlights().of(row.kind).nth(static_cast<std::uint32_t>(n));
     return row.element(i);
   }
-  if (known_loops_ != session.findings().boundary_loops().revision()) {
-    Neighbourhood around(session.mesh());
-    const BoundaryLoops loops = find_boundary_loops(around, session.findings().highlights().of(row.kind));
+  if (known_loops_ != findings.boundary_loops().revision()) {
+    Neighbourhood around(document.mesh());
+    const BoundaryLoops loops = find_boundary_loops(around, findings.highlights().of(row.kind));
     loops_.clear();
     for (std::size_t i = 0; i < loops.size(); ++i) loops_.emplace_back(edge(loops[i].front()));
-    known_loops_ = session.findings().boundary_loops().revision();
+    known_loops_ = findings.boundary_loops().revision();
   }
   return loops_[n];
 }
 
 // Why a face is quarantined, and where in the file it stands.
 Text why_quarantined(const PanelContext& context, Element face) {
-  return quarantine_text(context.session.document().tables().quarantine, name_on_points(context.session.mesh(), face))
-      .value_or(Text());
+  return quarantine_text(context.document().tables().quarantine, name_on_points(context.mesh(), face)).value_or(Text());
 }
 
 // Selects what the problem is about and flies there. Quarantined faces exist only in the file: they are told about.
@@ -100,8 +98,8 @@ void go_to(PanelContext& context, const ProblemRow& row, Element element) {
     context.keep(std::move(told));
     return;
   }
-  context.run(select_line(row, name_to_select(context.session.mesh(), element)));
-  if (!context.session.selecting.selection.empty()) context.run("frame selected");
+  context.run(select_line(row, name_to_select(context.mesh(), element)));
+  if (!context.selecting.selection.empty()) context.run("frame selected");
 }
 
 // What a kind keeps while the pointer stays in the panel after a repair, so that no row moves under it.
@@ -123,10 +121,10 @@ class ProblemsPanel : public Panel {
   void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_left(PanelContext& context);
   void draw_loose(PanelContext& context);
-  bool is_only_degenerate(Session& session);
+  bool is_only_degenerate(Document& document, Findings& findings);
   void draw_searches(PanelContext& context);
   const HeldKind* held(ProblemKind kind) const;
-  void hold(Session& session);
+  void hold(Document& document, Findings& findings);
 
   ProblemFindings findings_;
   RepairRows repairs_;
@@ -138,13 +136,12 @@ class ProblemsPanel : public Panel {
 
 // Only visible rows are looked up and named.
 void ProblemsPanel::draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count) {
-  Session& session = context.session;
   const std::size_t rows = std::min(count, most_rows);
   if (rows > 0)
     list_of_rows("elements", count, most_rows, [&](std::size_t i) {
-      const Element element = findings_.nth(session, row, i);
-      const bool is_selected = !session.selecting.selection.empty() && session.selecting.selection[0] == element;
-      const std::string name = fitted(name_on_points(session.mesh(), element), ImGui::GetContentRegionAvail().x);
+      const Element element = findings_.nth(context.document(), context.findings(), row, i);
+      const bool is_selected = !context.selecting.selection.empty() && context.selecting.selection[0] == element;
+      const std::string name = fitted(name_on_points(context.mesh(), element), ImGui::GetContentRegionAvail().x);
       if (ImGui::Selectable(name.c_str(), is_selected)) go_to(context, row, element);
       if (row.quarantined) tip(why_quarantined(context, element).in(context.language()));
     });
@@ -159,10 +156,10 @@ const HeldKind* ProblemsPanel::held(ProblemKind kind) const {
   return at == held_.end() ? nullptr : &*at;
 }
 
-void ProblemsPanel::hold(Session& session) {
-  held_document_ = session.document().serial();
+void ProblemsPanel::hold(Document& document, Findings& findings) {
+  held_document_ = document.serial();
   for (const ProblemRow& row : problem_table())
-    if (const std::size_t count = findings_.count(session, row); count > 0 && !held(row.kind))
+    if (const std::size_t count = findings_.count(document, findings, row); count > 0 && !held(row.kind))
       held_.push_back({row.kind, std::min(count, most_rows)});
 }
 
@@ -181,7 +178,7 @@ void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std:
   tip(row.sentence(count).in(context.language()));
   if (is_open) {
     // Carried out behind this frame.
-    if (repairs_.draw(context, row.kind, is_mended)) hold(context.session);
+    if (repairs_.draw(context, row.kind, is_mended)) hold(context.document(), context.findings());
     if (!row.by_hand_en.empty() && !is_mended) dim_text(context, context.text(row.by_hand_en, row.by_hand_ja));
     draw_elements(context, row, count);
     ImGui::TreePop();
@@ -191,7 +188,7 @@ void ProblemsPanel::draw_kind(PanelContext& context, const ProblemRow& row, std:
 
 // What the last repair left, and why: below all rows, so that it moves none of them.
 void ProblemsPanel::draw_left(PanelContext& context) {
-  const RepairReport* const report = context.session.findings().last_repair();
+  const RepairReport* const report = context.findings().last_repair();
   if (!report || report->left.empty()) return;
   ImGui::Separator();
   ImGui::TextUnformatted(context.text("Not mended", "直せなかったもの"));
@@ -202,9 +199,9 @@ void ProblemsPanel::draw_left(PanelContext& context) {
     std::vector<Element> there;
     constexpr std::size_t most = 24;
     for (const Element& element : all[i].elements)
-      if (there.size() < most && is_alive(context.session.mesh(), element)) there.push_back(element);
-    const std::uint64_t revision = context.session.document().revision();
-    if (!there.empty() && element_links(context, there) && revision == context.session.document().revision())
+      if (there.size() < most && is_alive(context.mesh(), element)) there.push_back(element);
+    const std::uint64_t revision = context.document().revision();
+    if (!there.empty() && element_links(context, there) && revision == context.document().revision())
       context.run("frame selected");
     ImGui::PopID();
   }
@@ -212,7 +209,7 @@ void ProblemsPanel::draw_left(PanelContext& context) {
 
 // Offers to delete the loose pieces of the last repair.
 void ProblemsPanel::draw_loose(PanelContext& context) {
-  const RepairReport* const report = context.session.findings().last_repair();
+  const RepairReport* const report = context.findings().last_repair();
   if (!report) return;
   const auto loose = std::find_if(report->left.begin(), report->left.end(), tells_of_loose_pieces);
   if (loose == report->left.end()) return;
@@ -231,16 +228,16 @@ void ProblemsPanel::draw_loose(PanelContext& context) {
 }
 
 // Whether nothing is wrong but faces without area, for which no repair is that keeps geometry.
-bool ProblemsPanel::is_only_degenerate(Session& session) {
+bool ProblemsPanel::is_only_degenerate(Document& document, Findings& findings) {
   return std::all_of(problem_table().begin(), problem_table().end(), [&](const ProblemRow& row) {
     const bool is_degenerate = row.kind == ProblemKind::degenerate_area;
-    return row.severity != ProblemSeverity::problem || (findings_.count(session, row) > 0) == is_degenerate;
+    return row.severity != ProblemSeverity::problem || (findings_.count(document, findings, row) > 0) == is_degenerate;
   });
 }
 
 // What nobody searches for unasked, until it is asked for.
 void ProblemsPanel::draw_searches(PanelContext& context) {
-  if (context.session.mesh().live().faces == 0 || context.session.findings().has_searched(ProblemKind::self_intersection)) return;
+  if (context.mesh().live().faces == 0 || context.findings().has_searched(ProblemKind::self_intersection)) return;
   if (link(context, context.text("Search for self-intersections", "自己交差を探す"))) context.run("self_intersections");
   tip(context.text("Faces that meet others elsewhere than in common vertices and edges. It may take a moment.",
                    "共有する頂点・稜線以外で他の面と交わる面を探します。少し時間がかかることがあります。"));
@@ -251,26 +248,29 @@ void ProblemsPanel::draw_kinds(PanelContext& context) {
   std::vector<ProblemKind> kinds;
   for (const HeldKind& held : held_) kinds.push_back(held.kind);
   for (const ProblemRow& row : problem_table())
-    if (!held(row.kind) && findings_.count(context.session, row) > 0) kinds.push_back(row.kind);
-  for (const ProblemKind kind : kinds) draw_kind(context, row_of(kind), findings_.count(context.session, row_of(kind)));
+    if (!held(row.kind) && findings_.count(context.document(), context.findings(), row) > 0) kinds.push_back(row.kind);
+  for (const ProblemKind kind : kinds)
+    draw_kind(context, row_of(kind), findings_.count(context.document(), context.findings(), row_of(kind)));
 }
 
 void ProblemsPanel::draw(PanelContext& context) {
-  Session& session = context.session;
   const ImVec2 pointer = ImGui::GetIO().MousePos, first = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool is_inside = pointer.x >= first_.x && pointer.x < last_.x && pointer.y >= first_.y && pointer.y < last_.y;
-  if (!is_inside || held_document_ != session.document().serial()) held_.clear();
+  if (!is_inside || held_document_ != context.document().serial()) held_.clear();
   bool has_finding = false;
-  for (const ProblemRow& row : problem_table()) has_finding |= findings_.count(session, row) > 0;
-  if ((session.begins_empty || session.awaits_file) && session.mesh().live() == ElementCounts()) {
+  for (const ProblemRow& row : problem_table())
+    has_finding |= findings_.count(context.document(), context.findings(), row) > 0;
+  if ((context.session.frontend.begins_empty || context.session.frontend.awaits_file) &&
+      context.mesh().live() == ElementCounts()) {
     dim_text(context, context.text("There is no mesh yet.", "まだメッシュがありません。"));
   } else if (!has_finding && held_.empty()) {
     coloured_text(context.colours().legal, context.text(UiText::no_problems));
   } else {
-    if (held_.empty()) offers_more_ = is_only_degenerate(session);
-    if (repairs_.draw_all(context, !has_finding)) hold(session);
-    if (offers_more_ && repairs_.draw_beyond_all(context, ProblemKind::degenerate_area, !has_finding)) hold(session);
+    if (held_.empty()) offers_more_ = is_only_degenerate(context.document(), context.findings());
+    if (repairs_.draw_all(context, !has_finding)) hold(context.document(), context.findings());
+    if (offers_more_ && repairs_.draw_beyond_all(context, ProblemKind::degenerate_area, !has_finding))
+      hold(context.document(), context.findings());
     draw_kinds(context);
   }
   draw_left(context);

@@ -1,11 +1,13 @@
 #include <utility>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/textbook/record_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 #include "ryosen/forms/all.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -17,7 +19,7 @@ class RecordsPanel : public Panel {
   void draw(PanelContext& context) override;
 
  private:
-  std::optional<Element> element(const Session& session);
+  std::optional<Element> element(const Selecting& selecting);
   void choose_form(PanelContext& context);
   void draw_record(PanelContext& context, const forms::Records& records, Element element);
   void draw_line(PanelContext& context, const RecordLine& line);
@@ -27,9 +29,9 @@ class RecordsPanel : public Panel {
   std::string chosen_;                     // the line of a link that was clicked in this frame
 };
 
-std::optional<Element> RecordsPanel::element(const Session& session) {
-  if (!session.selecting.selection.empty()) return session.selecting.selection.back();
-  return session.selecting.hover() ? std::optional(session.selecting.hover()->picked.element) : std::nullopt;
+std::optional<Element> RecordsPanel::element(const Selecting& selecting) {
+  if (!selecting.selection.empty()) return selecting.selection.back();
+  return selecting.hover() ? std::optional(selecting.hover()->picked.element) : std::nullopt;
 }
 
 void RecordsPanel::choose_form(PanelContext& context) {
@@ -45,7 +47,7 @@ void RecordsPanel::choose_form(PanelContext& context) {
 void RecordsPanel::draw_value(PanelContext& context, const RecordLine& line, std::size_t i) {
   const bool leads = !line.links.empty() && line.links[i].index != no_index;
   if (!leads) return wrapped_text(line.values[i].c_str());
-  const Mesh& mesh = context.session.mesh();
+  const Mesh& mesh = context.mesh();
   ImGui::PushID(static_cast<int>(i));
   if (link(context, line.values[i].c_str())) {
     const Element to = line.links[i];
@@ -95,12 +97,12 @@ void RecordsPanel::draw_record(PanelContext& context, const forms::Records& reco
 
 void RecordsPanel::draw(PanelContext& context) {
   // Those of an older mesh are given back, also while nothing is pointed at.
-  context.state.wants_records |= context.state.records.is_of(context.session.document());
-  const std::optional<Element> asked = element(context.session);
-  if (!asked || !is_alive(context.session.mesh(), *asked))
+  context.state.wants_records |= context.state.records.is_of(context.document());
+  const std::optional<Element> asked = element(context.selecting);
+  if (!asked || !is_alive(context.mesh(), *asked))
     return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));
   ImGui::PushFont(context.fonts.bold);
-  wrapped_text(name_and_slot(context.session.mesh(), *asked).c_str());
+  wrapped_text(name_and_slot(context.mesh(), *asked).c_str());
   ImGui::PopFont();
   const RecordBook* const book = records_of_mesh(context);
   if (!book) return;

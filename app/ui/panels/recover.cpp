@@ -53,7 +53,7 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
 // What a crash left unsaved.
 void draw_recover(PanelContext& context) {
   // Where the folder cannot be read, the command says why.
-  if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session)) context.run("recover list");
+  if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session.lost)) context.run("recover list");
   const std::vector<LostSession>& lost = context.session.lost;
   dim_text(context,
            lost.empty() ? nothing_to_recover().in(context.language()).c_str() : context.text(UiText::recover_question));
@@ -71,7 +71,7 @@ void draw_recover(PanelContext& context) {
     return context.leave({.command = chosen, .asks_again = own});
   }
   context.run(chosen);
-  if (lost.empty()) context.session.layout.open_panel.clear();
+  if (lost.empty()) context.layout.open_panel.clear();
 }
 
 }  // namespace

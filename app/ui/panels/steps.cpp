@@ -2,12 +2,15 @@
 #include <iterator>
 
 #include "app/editor/commands/words.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/selecting.h"
+#include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -26,7 +29,7 @@ class StepsPanel : public Panel {
   std::vector<Offered> offers(PanelContext& context);
   void draw_choice(PanelContext& context);
   // What the rows of the table offer, asked once for a revision and selection.
-  const std::vector<steps::Choices>& choices(const Session& session);
+  const std::vector<steps::Choices>& choices(const Document& document, const Selecting& selecting);
   void draw_ways(PanelContext& context, const Player& player);
   void draw_step(PanelContext& context, Player& player);
 
@@ -36,17 +39,16 @@ class StepsPanel : public Panel {
   std::uint64_t selection_ = 0;              // by its stamp
 };
 
-const std::vector<steps::Choices>& StepsPanel::choices(const Session& session) {
-  const Document& document = session.document();
+const std::vector<steps::Choices>& StepsPanel::choices(const Document& document, const Selecting& selecting) {
   if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
-      selection_ == session.selecting.selection.stamp())
+      selection_ == selecting.selection.stamp())
     return choices_;
   serial_ = document.serial();
   revision_ = document.revision();
-  selection_ = session.selecting.selection.stamp();
+  selection_ = selecting.selection.stamp();
   choices_.clear();
   for (const steps::StepsRow& row : steps::all_steps())
-    choices_.push_back(row.choices(session.mesh(), session.selecting.selection));
+    choices_.push_back(row.choices(document.mesh(), selecting.selection));
   return choices_;
 }
 
@@ -67,12 +69,13 @@ std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
     if (steps_row.plays_script) {
       for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
         for (const ExerciseScript& script : scripts) add_script(script.id);
-      if (!context.session.document().history().empty()) add_script(history_word);
+      if (!context.document().history().empty()) add_script(history_word);
       continue;
     }
     const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
-    for (const std::vector<std::string>& arguments : choices(context.session)[row_number]) add(arguments);
-    if (choices(context.session)[row_number].empty())
+    for (const std::vector<std::string>& arguments : choices(context.document(), context.selecting)[row_number])
+      add(arguments);
+    if (choices(context.document(), context.selecting)[row_number].empty())
       all.push_back({context.text("  not on this mesh", "  このメッシュでは再生できません"), "", help});
   }
   return all;
@@ -124,7 +127,7 @@ void StepsPanel::draw_ways(PanelContext& context, const Player& player) {
     ImGui::BeginDisabled(button.is_off);
     if (ImGui::Button(button.label, {width, 0})) context.run(button.line);
     ImGui::EndDisabled();
-    const std::string chord = chord_of(context.session, button.line);
+    const std::string chord = chord_of(context.preferences, button.line);
     tip(std::string(context.text(button.help_en, button.help_ja)) + (chord.empty() ? "" : " (" + chord + ")"),
         ImGuiHoveredFlags_AllowWhenDisabled);
     ImGui::PopID();
@@ -227,7 +230,7 @@ void StepsPanel::draw_step(PanelContext& context, Player& player) {
 }
 
 void StepsPanel::draw(PanelContext& context) {
-  const std::shared_ptr<Player> player = context.session.shown.player();
+  const std::shared_ptr<Player> player = context.shown.player();
   if (!player) return draw_choice(context);
   const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
   const std::string name = player->name().in(context.language());
@@ -235,7 +238,7 @@ void StepsPanel::draw(PanelContext& context) {
   tip(name + "\n" +
       context.text("A click ends it, and shows what else there is to play.",
                    "クリックすると終わり、ほかに再生できるものを表示します。"));
-  if (!context.session.shown.fits())
+  if (!context.shown.fits())
     coloured_text(context.colours().warning,
                   context.text("The mesh has changed since; play it again.",
                                "再生を始めた後にメッシュが変わりました。再生し直してください。"));

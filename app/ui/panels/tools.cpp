@@ -3,7 +3,8 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/preference_values.h"
+#include "app/editor/session/selecting.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/ops/groups.h"
@@ -16,9 +17,9 @@ namespace {
 // opens the command line for its arguments.
 enum class Press { takes_tool, acts, asks };
 
-Press press_of(const Session& session, const OpInfo& op) {
+Press press_of(const Selecting& selecting, const OpInfo& op) {
   if (is_tool(op)) return Press::takes_tool;
-  const bool has_all = op.syntax.empty() || (op.target == OpTargetKind::selection && !session.selecting.selection.empty());
+  const bool has_all = op.syntax.empty() || (op.target == OpTargetKind::selection && !selecting.selection.empty());
   return has_all ? Press::acts : Press::asks;
 }
 
@@ -51,9 +52,9 @@ static_assert(rows_are_in_order(presses, &PressRow::press));
 
 void press(PanelContext& context, const OpInfo& op) {
   const std::string id(op.id);
-  switch (press_of(context.session, op)) {
+  switch (press_of(context.selecting, op)) {
     case Press::takes_tool:
-      context.run(context.session.selecting.tool == id ? "tool none" : "tool " + id);
+      context.run(context.selecting.tool == id ? "tool none" : "tool " + id);
       return;
     case Press::acts:
       context.run(op.syntax.empty() ? id : id + " selected");
@@ -78,8 +79,8 @@ bool marked_row(PanelContext& context, const char* name, const char* key, bool i
 void draw_operator(PanelContext& context, const OpInfo& op, std::span<const KeyRow> keys) {
   ImGui::PushID(op.id.data());
   const std::string key = chord_of(keys, line_of_key(op));
-  const PressRow& kind = presses[static_cast<std::size_t>(press_of(context.session, op))];
-  if (marked_row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.session.selecting.tool == op.id, kind))
+  const PressRow& kind = presses[static_cast<std::size_t>(press_of(context.selecting, op))];
+  if (marked_row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.selecting.tool == op.id, kind))
     press(context, op);
   tip(std::string(op.id) + " " + std::string(op.syntax) + "\n" + context.text(op.help_en, op.help_ja) + "\n" +
       context.text(kind.help));
@@ -88,7 +89,7 @@ void draw_operator(PanelContext& context, const OpInfo& op, std::span<const KeyR
 
 // The operators of a group that have a key, and the tool; the others when it is unfolded.
 void draw_group(PanelContext& context, const OpGroupRow& group, std::span<const KeyRow> keys) {
-  const auto is_always_there = [&](const OpInfo& op) { return op.key != '\0' || context.session.selecting.tool == op.id; };
+  const auto is_always_there = [&](const OpInfo& op) { return op.key != '\0' || context.selecting.tool == op.id; };
   std::size_t others = 0;
   for (const OpInfo& op : all_ops()) others += op.group == group.group && !is_always_there(op);
   const std::string more = others > 0 ? "+" + std::to_string(others) : "";
@@ -133,7 +134,7 @@ void draw_modes(PanelContext& context) {
   const bool is_one_line = beside >= 3 * context.scale;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, 1 * context.scale});
   for (std::size_t i = 0; i < n; ++i) {
-    const bool is_active = context.session.selecting.mode == modes[i].mode;
+    const bool is_active = context.selecting.mode == modes[i].mode;
     const float width = is_one_line ? std::floor(width_of(i) + beside) : (room - gap) / 2;
     if (is_one_line ? i > 0 : i % 2 == 1) ImGui::SameLine(0, gap);
     if (is_active) {
@@ -153,16 +154,16 @@ void draw_tools(PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1 * context.scale});
   ImGui::PushID("select");
   const PressRow& tool = presses[static_cast<std::size_t>(Press::takes_tool)];
-  if (marked_row(context, context.text(UiText::select_tool), "Esc", context.session.selecting.tool.empty(), tool))
+  if (marked_row(context, context.text(UiText::select_tool), "Esc", context.selecting.tool.empty(), tool))
     context.run("tool none");
   tip(context.text(tool.help));
   ImGui::PopID();
   // The pick mode applies only without a tool: a tool determines what it picks.
-  ImGui::BeginDisabled(!context.session.selecting.tool.empty());
+  ImGui::BeginDisabled(!context.selecting.tool.empty());
   draw_modes(context);
   ImGui::EndDisabled();
   const std::vector<KeyRow> keys =
-      key_table(input_presets()[context.session.preferences.input_preset], context.session.preferences.bindings);
+      key_table(input_presets()[context.preferences.input_preset], context.preferences.bindings);
   for (const OpGroupRow& group : op_groups) draw_group(context, group, keys);
   ImGui::PopStyleVar();
 }

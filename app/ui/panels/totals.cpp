@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/analysis/boundary_loops.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -35,7 +36,7 @@ void draw_term(PanelContext& context, const EulerTerm& term, const EulerPoincare
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize(figure.c_str()).x);
   ImGui::TextUnformatted(figure.c_str());
-  const Text why_none = why_no_value(context.session.mesh(), terms, term);
+  const Text why_none = why_no_value(context.mesh(), terms, term);
   std::string tip = context.text(term.help_en, term.help_ja);
   if (!why_none.en.empty()) tip += "\n" + why_none.in(context.language());
   tip_of_row(tip.c_str(), top);
@@ -77,17 +78,17 @@ void draw_sum(PanelContext& context, const EulerPoincare& terms) {
     sum.add(holds ? "\u2713" : "\u2717", holds ? context.colours().legal : context.colours().refused);
     return;
   }
-  const std::string reason = std::string(context.text(UiText::no_genus)) + ": " +
-                             why_no_genus(context.session.mesh(), terms).in(context.language());
+  const std::string reason =
+      std::string(context.text(UiText::no_genus)) + ": " + why_no_genus(context.mesh(), terms).in(context.language());
   coloured_text(context.colours().warning, reason.c_str());
   if (terms.open_chain) coloured_text(context.colours().warning, no_loop_count.in(context.language()).c_str());
 }
 
 // What the mesh is, in the word of `check`; the reason is its tooltip.
 void draw_kind_of_mesh(PanelContext& context) {
-  const KindOfMesh& kind = context.session.findings().kind();
+  const KindOfMesh& kind = context.findings().kind();
   const MeshKindRow& row = row_of(kind.kind);
-  const bool is_stale = context.session.findings().is_kind_stale();
+  const bool is_stale = context.findings().is_kind_stale();
   dim_text(context, context.text(UiText::kind));
   ImGui::SameLine();
   const ImVec4 colour = is_stale ? context.colours().dim : ImGui::GetStyleColorVec4(ImGuiCol_Text);
@@ -96,13 +97,13 @@ void draw_kind_of_mesh(PanelContext& context) {
   ImGui::PopFont();
   tip(kind.reason.in(context.language()));
   if (!is_stale) return;
-  if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.session.findings().kind(true);
+  if (ImGui::SmallButton(context.text(UiText::kind_anew))) context.findings().kind(true);
   tip(context.text(UiText::kind_is_stale));
 }
 
 // Why there are more vertices and edges in the mesh than the terms say.
 void draw_copies(PanelContext& context, const EulerPoincare& terms) {
-  const Mesh& mesh = context.session.mesh();
+  const Mesh& mesh = context.mesh();
   const auto held = static_cast<std::int64_t>(mesh.live().vertices);
   if (held == terms.vertices) return;
   const std::string points = grouped(terms.vertices), vertices = grouped(held);
@@ -120,7 +121,7 @@ void draw_copies(PanelContext& context, const EulerPoincare& terms) {
 
 // The terms of V - E + F + (B + W + I) - H = 2(S - G).
 void draw_totals(PanelContext& context) {
-  const EulerPoincare& terms = context.session.findings().euler_terms();
+  const EulerPoincare& terms = context.findings().euler_terms();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4 * context.scale, 1 * context.scale});
   float widest = 0;
   for (const EulerTerm& term : euler_letters())

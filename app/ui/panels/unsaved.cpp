@@ -36,7 +36,7 @@ bool unsaved_button(PanelContext& context, const std::string& label) {
 
 void UnsavedPanel::save(PanelContext& context, const PendingLeave& where) {
   if (is_changed_) context.run("keep_mine");
-  if (context.session.document().path().empty()) {
+  if (context.document().path().empty()) {
     context.state.pending->awaits_name = true;
     context.open(PanelOpener::unnamed_save);
     return;
@@ -64,7 +64,7 @@ void UnsavedPanel::draw_leaving(PanelContext& context, const PendingLeave& where
 }
 
 void UnsavedPanel::draw_reading_again(PanelContext& context, const PendingLeave& where) {
-  const std::size_t edits = context.session.document().unsaved_edits().value_or(0);
+  const std::size_t edits = context.document().unsaved_edits().value_or(0);
   const std::string n = std::to_string(edits);
   const std::string en = edits == 0 ? "mine" : edits == 1 ? "1 edit" : n + " edits";
   const std::string ja = edits == 0 ? "こちら" : n + " 件の編集";
@@ -81,7 +81,7 @@ void UnsavedPanel::draw_reading_again(PanelContext& context, const PendingLeave&
 }
 
 void UnsavedPanel::ask(PanelContext& context) {
-  const std::string name = context.session.document().path().filename().string();
+  const std::string name = context.document().path().filename().string();
   const std::string of_file = name.empty() ? "" : name + context.text(": ", "：");
   ImGui::TextWrapped("%s%s", of_file.c_str(), context.text(UiText::unsaved_question));
   is_changed_ = context.session.change_on_disk() == FileState::Change::changed;

@@ -5,13 +5,20 @@
 #include <span>
 #include <utility>
 
+#include "app/editor/camera/framing.h"
+#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/session/session.h"
+#include "app/editor/preferences/layout.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/shown/algorithm_preview.h"
+#include "app/editor/shown/shown.h"
 #include "app/ui/panels.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
+#include "ryosen/document/document.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -39,7 +46,9 @@ std::optional<std::size_t> lacking(std::span<const ParameterRow> rows, std::span
 class ValuesPanel : public Panel {
  public:
   void draw(PanelContext& context) override;
-  void closed(PanelContext& context) override { preview_.end(context.session); }
+  void closed(PanelContext& context) override {
+    preview_.end(context.document(), context.view, context.framing, context.shown);
+  }
   bool leaves_view() const override { return true; }
   ImVec2 size() const override;
 
@@ -91,13 +100,13 @@ void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
   algorithm_ = row.id;
   const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
   selected_.clear();
-  context.session.shown.end();  // what another one shows has no selection, and is another mesh
+  context.shown.end();  // what another one shows has no selection, and is another mesh
   if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
-    selected_ = context.session.selecting.selected_names();
+    selected_ = context.selecting.selected_names();
   texts_.clear();
   for (const ParameterRow& parameter : row.parameters)
     texts_.push_back(parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)
-                                                                  : first_text(parameter, context.session.mesh()));
+                                                                  : first_text(parameter, context.mesh()));
 }
 
 // What the fields say; the word for the selection stays a word, however much is selected.
@@ -153,11 +162,11 @@ std::optional<std::size_t> ValuesPanel::draw_fields(PanelContext& context, const
 
 // Whether what the fields say is shown in the view, and what it would come to.
 void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read) {
-  const bool is_offered = preview_.is_offered(context.session);
+  const bool is_offered = preview_.is_offered(context.findings(), context.shown);
   bool none = false;
   ImGui::BeginDisabled(!is_offered);
   ImGui::SameLine();
-  ImGui::Checkbox(is_dear_to_try(context.session.mesh())
+  ImGui::Checkbox(is_dear_to_try(context.mesh())
                       ? context.text("Preview (up to 20,000 faces)", "プレビュー（20,000 面まで）")
                       : context.text("Preview", "プレビュー"),
                   is_offered ? &has_preview_ : &none);
@@ -168,7 +177,7 @@ void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, c
   if (has_preview_ && read.values && is_offered)
     preview_.show(context.session, row, with_names(*read.values, selected_));
   else
-    preview_.end(context.session);
+    preview_.end(context.document(), context.view, context.framing, context.shown);
 }
 
 void ValuesPanel::draw_algorithms(PanelContext& context) {
@@ -177,9 +186,9 @@ void ValuesPanel::draw_algorithms(PanelContext& context) {
 }
 
 void ValuesPanel::draw(PanelContext& context) {
-  const AlgorithmRow* const row = find_algorithm(context.session.layout.asked_algorithm);
+  const AlgorithmRow* const row = find_algorithm(context.layout.asked_algorithm);
   if (!row) return draw_algorithms(context);
-  const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last_kind != Outcome::Kind::done;
+  const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last.kind != Outcome::Kind::done;
   const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
   if (begins && !has_failed) begin(context, *row);
   ImGui::PushFont(context.fonts.bold);
@@ -189,7 +198,7 @@ void ValuesPanel::draw(PanelContext& context) {
   ImGui::Separator();
   ReadValues read = this->read(*row);
   const std::string fault = !read.values ? read.sentence.in(context.language())
-                            : has_failed ? context.state.last_outcome.in(context.language())
+                            : has_failed ? context.state.last.sentence.in(context.language())
                                          : "";
   const ImGuiStyle& style = ImGui::GetStyle();
   const std::string& told = fault.empty() ? preview_.told().in(context.language()) : fault;
@@ -209,7 +218,7 @@ void ValuesPanel::draw(PanelContext& context) {
   has_run_ = true;
   to_keys_ = 0;
   preview_.hand_over(context.session);
-  context.run_from(line_of(*row, *read.values), context.session.layout.open_panel);
+  context.run_from(line_of(*row, *read.values), context.layout.open_panel);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Laid {
     ASSERT_TRUE(document) << asset_name;
     session.set_document(std::move(document).value());
     gui.place_view(session, size_);
-    session.frame_all();
+    session.framing.frame_all();
     frames(3);
   }
   void frames(int n) {

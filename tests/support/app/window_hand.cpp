@@ -34,7 +34,7 @@ void WindowHand::open_file() {
   session().frontend.turns_to_solids = session().view.shows_axes = true;
   ASSERT_TRUE(session().run("open " + file_argument(file_)).done());
   laid_->gui.place_view(session(), hand_window);
-  session().frame_all();
+  session().framing.frame_all();
 }
 
 Camera WindowHand::camera() const {

@@ -20,14 +20,15 @@ Drawn ghost_of(const std::string& tool) {
   auto document = Document::open(test::asset("torus.off"));
   EXPECT_TRUE(document);
   Session session(std::move(document).value());
-  session.frame_all();
+  session.framing.frame_all();
   const auto picked = session.pointing.pick({478, 488}, PickMode::edge);
   const auto [a, b] = ends(session.mesh(), picked->element.edge());
   const glm::dvec3 middle = (session.mesh().position(a) + session.mesh().position(b)) / 2.0;
   session.selecting.tool = tool;
   session.pointing.point_at(project(session.view.camera, session.view.size, middle)->pixel);
   EXPECT_TRUE(session.selecting.hover() && session.selecting.hover()->preview.verdict.legal()) << tool;
-  const Overlay overlay = hover_overlay(session, Theme::dark);
+  const Overlay overlay =
+      hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, Theme::dark);
   Drawn drawn;
   const float thick = style(Role::legal, Theme::dark).width_px;
   for (const Line& line : overlay.lines) {
@@ -66,7 +67,8 @@ TEST(overlays, the_last_of_several_selected_has_a_ring_at_its_middle) {
   const auto rings = [&](const char* line) {
     EXPECT_TRUE(session.run(line).done());
     std::vector<glm::dvec3> places;
-    for (const Point& point : selection_overlay(session, Theme::dark).points)
+    for (const Point& point :
+         selection_overlay(session.findings(), session.view, session.selecting, session.gesturing, Theme::dark).points)
       if (point.shape == PointShape::ring) places.push_back(point.at);
     return places;
   };
@@ -88,11 +90,11 @@ TEST(overlays, the_ends_of_highlighted_edges_are_dots_where_vertices_are_drawn) 
   for_each_mark(row, [&](Mark mark) {
     ViewSettings settings = session.view.settings;
     settings.dots = Dots::always;
-    const Overlay overlay = highlight_overlay(session, row, mark, 0, 100000, settings, 0);
+    const Overlay overlay = highlight_overlay(session.findings(), session.gesturing, row, mark, 0, 100000, settings, 0);
     lines += overlay.lines.size();
     points += overlay.points.size();
     settings.dots = Dots::never;
-    plain += highlight_overlay(session, row, mark, 0, 100000, settings, 0).points.size();
+    plain += highlight_overlay(session.findings(), session.gesturing, row, mark, 0, 100000, settings, 0).points.size();
   });
   EXPECT_GT(lines, 0u);
   EXPECT_EQ(points, lines) << "on loops as many";
@@ -104,9 +106,10 @@ TEST(overlays, many_faces_that_a_gesture_turns_over_are_drawn_thin) {
     Session session(std::make_unique<Document>());
     EXPECT_TRUE(session.run(std::string("sphere segments=") + segments).done());
     EXPECT_TRUE(session.run("select all").done());
-    session.frame_all();
+    session.framing.frame_all();
     for (const char* const line : {"gesture scale x", "key -", "key 1"}) EXPECT_TRUE(session.run(line).done()) << line;
-    const Overlay overlay = hover_overlay(session, Theme::dark);
+    const Overlay overlay =
+        hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, Theme::dark);
     EXPECT_GT(session.gesturing.spoilt().size(), 0u);
     return std::pair(session.gesturing.spoilt().size(), overlay);
   };

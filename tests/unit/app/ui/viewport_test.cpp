@@ -29,7 +29,7 @@ class ViewportTest : public testing::Test {
   static std::unique_ptr<Session> opened(const std::string& asset, Size size = {320, 240}) {
     auto session = std::make_unique<Session>(Document::open(test::asset(asset)).value());
     session->view.size = size;
-    session->frame_all();
+    session->framing.frame_all();
     return session;
   }
   // What follows the session from the last picture.
@@ -55,7 +55,7 @@ TEST_F(ViewportTest, each_of_the_problems_at_one_edge_is_seen) {
                                        ".3 .3 .3\n0 0 0\n3 0 1 2\n3 0 0 3\n3 0 1 3\n3 5 6 7\n3 0 8 3\n");
   Session session(Document::open(mix).value());
   session.view.size = {640, 480};
-  session.frame_all();
+  session.framing.frame_all();
   for (const Theme theme : {Theme::dark, Theme::light}) {
     session.view.settings.theme = theme;
     const std::vector<Rgba> pixels = picture(session).pixels;

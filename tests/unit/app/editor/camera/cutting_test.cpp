@@ -16,7 +16,7 @@ namespace {
 class CuttingTest : public testing::Test {
  protected:
   explicit CuttingTest(const std::string& name = "cube.obj") : session_(Document::open(test::asset(name)).value()) {
-    session_.frame_all();
+    session_.framing.frame_all();
   }
   void run(const std::string& line) {
     const Outcome outcome = session_.run(line);

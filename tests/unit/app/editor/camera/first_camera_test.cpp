@@ -30,7 +30,7 @@ TEST(first_camera, turns_where_a_solid_would_look_like_a_face) {
   session.frontend.turns_to_solids = true;
   session.set_document(seen_first("tetrahedron.off"));
   EXPECT_NE(session.view.camera, usual);
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_TRUE(session.framing.is_framed());
   const glm::dvec3 to_eye = -axes(session.view.camera).forward;
   EXPECT_GT(glm::dot(to_eye, -axes(usual).forward), 0.5) << "as little as it takes";
   EXPECT_GT(glm::dot(to_eye, glm::dvec3(1)), 0.2) << "the slanted side is seen,";

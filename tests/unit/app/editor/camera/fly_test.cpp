@@ -18,7 +18,7 @@ std::unique_ptr<Session> session_of(const std::string& name) {
   auto document = Document::open(test::asset(name));
   EXPECT_TRUE(document) << name;
   auto session = std::make_unique<Session>(std::move(document).value());
-  session->frame_all();
+  session->framing.frame_all();
   return session;
 }
 
@@ -49,7 +49,7 @@ TEST(fly, shows_a_face_from_a_side_from_which_it_is_seen_with_all_around_it) {
     for (int i = 0; i < asked; ++i) {
       const Face f(static_cast<std::uint32_t>(random() % m.face_slots()));
       session->selecting.selection = {f};
-      fly_to(*session, session->selecting.selection);
+      fly_to(session->findings(), session->view, session->framing, session->selecting.selection);
       for (Vertex v : vertices_around(m, f))
         for (Vertex w : neighbours(m, v)) EXPECT_TRUE(is_in_view(*session, m.position(w))) << name << " f" << f.index;
       glm::dvec3 middle{0};
@@ -141,13 +141,13 @@ TEST(fly, copes_with_what_has_no_place_and_with_nothing) {
   auto document = Document::open(folder.write("n.off", "OFF\n4 2 0\n0 0 0\n1 0 0\nnan 1 0\n1 1 1\n3 0 1 2\n3 1 0 3\n"));
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
-  session.frame_all();
+  session.framing.frame_all();
   for (const char* line : {"select h0", "walk next", "walk twin", "walk next", "walk next", "select v2",
                            "frame selected", "select f0 f1", "frame selected", "frame all"})
     ASSERT_TRUE(session.run(line).done()) << line;
   EXPECT_TRUE(is_finite(session.view.camera.eye) && is_finite(session.view.camera.target));
   Session empty(std::make_unique<Document>());
-  fly_to(empty, {});
+  fly_to(empty.findings(), empty.view, empty.framing, {});
   EXPECT_TRUE(is_finite(empty.view.camera.eye));
 }
 
@@ -163,7 +163,7 @@ TEST(fly, costs_no_square_of_the_valence) {
   ASSERT_TRUE(document);
   Session session(std::move(document).value());
   for (std::uint32_t f = 0; f < 20000; ++f) session.selecting.selection.changed().emplace_back(Face(f));
-  fly_to(session, session.selecting.selection);  // else 40 GB
+  fly_to(session.findings(), session.view, session.framing, session.selecting.selection);  // else 40 GB
 }
 
 TEST(fly, selects_what_a_problem_is_about) {

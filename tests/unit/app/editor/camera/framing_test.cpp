@@ -112,8 +112,8 @@ TEST(framing, named_views_show_what_all_is_framed_by) {
   ASSERT_TRUE(playing.run("steps script cube").done() && playing.run("steps at 1").done());
   ASSERT_FALSE(playing.shown.player()->places_at_end.empty());
   ASSERT_TRUE(playing.run("view front").done());
-  EXPECT_TRUE(
-      shows_all(playing.view.camera, playing.view.size, covered_view(playing), playing.shown.player()->places_at_end));
+  EXPECT_TRUE(shows_all(playing.view.camera, playing.view.size, playing.framing.covered(),
+                        playing.shown.player()->places_at_end));
 
   const test::TemporaryFolder folder;
   Session far_off(std::make_unique<Document>());
@@ -137,10 +137,10 @@ TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_th
       const glm::dvec2 middle(corner.x0 + 0.5 * corner.width(), 0.5 * corner.height());
       return at && glm::length(at->pixel - middle) < 0.5 * corner.width();
     };
-    session.frame_all();
+    session.framing.frame_all();
     EXPECT_TRUE(is_under());
     session.view.shows_axes = true;
-    session.frame_all();
+    session.framing.frame_all();
     EXPECT_FALSE(is_under()) << size.width;
     ASSERT_TRUE(session.run("view front").done());
     EXPECT_FALSE(is_under()) << size.width;
@@ -150,17 +150,17 @@ TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_th
   Session session(std::move(Document::open(test::asset("torus.off"))).value());
   const Camera before = session.view.camera;
   session.view.shows_axes = true;
-  session.frame_all();
+  session.framing.frame_all();
   EXPECT_LT(glm::length(session.view.camera.eye - before.eye), 1e-9) << "nothing lies there";
 }
 
 TEST(framing, counts_until_the_camera_moves) {
   Session session(std::move(Document::open(test::asset("cube.obj"))).value());
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_TRUE(session.framing.is_framed());
   ASSERT_TRUE(session.run("wheel 1 300,200").done());
-  EXPECT_FALSE(session.is_framed());
-  session.frame_all();
-  EXPECT_TRUE(session.is_framed());
+  EXPECT_FALSE(session.framing.is_framed());
+  session.framing.frame_all();
+  EXPECT_TRUE(session.framing.is_framed());
 }
 
 }  // namespace

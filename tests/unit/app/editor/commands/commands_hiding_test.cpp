@@ -13,7 +13,7 @@ std::unique_ptr<Session> laid_out(const char* asset) {
   EXPECT_TRUE(document);
   auto session = std::make_unique<Session>(std::move(document).value());
   session->view.size = {640, 480};
-  session->frame_all();
+  session->framing.frame_all();
   return session;
 }
 

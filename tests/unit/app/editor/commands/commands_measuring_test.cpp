@@ -52,12 +52,12 @@ TEST(commands_measuring, a_legend_of_equal_values_says_the_value_once) {
   const auto session = measured_cube();
   ASSERT_TRUE(session->run("colours edge_length").done());
   std::vector<Label> labels;
-  add_map_legend(*session, labels);
+  add_map_legend(session->findings(), session->view, session->preferences, labels);
   ASSERT_EQ(labels.size(), 2u);
   EXPECT_EQ(labels[0].text, "1");
   ASSERT_TRUE(session->run("colours edge_length 0 2").done());
   labels.clear();
-  add_map_legend(*session, labels);
+  add_map_legend(session->findings(), session->view, session->preferences, labels);
   EXPECT_EQ(labels.size(), 8u);
 }
 
@@ -65,7 +65,7 @@ TEST(commands_measuring, a_legend_of_counts_names_none_that_there_cannot_be) {
   Session session(std::move(Document::open(test::asset("ball.off"))).value());  // 4, and 16 at the poles
   ASSERT_TRUE(session.run("colours valence all").done());
   std::vector<Label> labels;
-  add_map_legend(session, labels);
+  add_map_legend(session.findings(), session.view, session.preferences, labels);
   ASSERT_EQ(labels.size(), 8u);
   EXPECT_EQ(labels[0].text, "4");
   EXPECT_EQ(labels[6].text, "16");
@@ -79,7 +79,7 @@ TEST(commands_measuring, a_measure_is_told_with_the_same_digits_everywhere) {
   const std::string said = session->run("measure v0 v2").sentence.en;
   EXPECT_GT(said.size(), 16u) << "scripts have all digits";
   std::vector<Label> labels;
-  add_measures(*session, labels);
+  add_measures(session->mesh(), session->selecting, session->preferences, labels);
   ASSERT_EQ(labels.size(), 1u);
   EXPECT_EQ(labels[0].text, with_short_numbers(said));
   EXPECT_EQ(measured_text(session->mesh(), session->selecting.measures[0]).en, with_short_numbers(said));

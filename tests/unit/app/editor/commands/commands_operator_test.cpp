@@ -327,7 +327,7 @@ TEST(on_each, both_sides_of_a_wire_are_cycles_of_their_own) {
 
 TEST(on_each, what_is_strict_is_logged_so_that_it_is_done_again_without) {
   const auto session = session_opened("cube.obj");
-  session->strict = true;
+  session->frontend.is_strict = true;
   session->run("triangulate f0");
   session->run("select all");
   const std::string before = session->selecting.select_line();

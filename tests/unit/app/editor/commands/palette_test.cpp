@@ -124,23 +124,24 @@ TEST(palette, shows_the_syntax_of_what_is_begun) {
 
 TEST(palette, works_on_what_is_selected_or_asks_for_it) {
   const auto session = session_with_cube();
-  EXPECT_EQ(choice_of(*session, entry_of("poke")).line, "tool poke");
-  EXPECT_EQ(choice_of(*session, entry_of("make_edge")).line, "ask make_edge");
-  EXPECT_EQ(choice_of(*session, entry_of("undo")).line, "undo");
-  EXPECT_EQ(choice_of(*session, entry_of("translate")).line, "values translate");
-  const PaletteChoice open = choice_of(*session, entry_of("open"));
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("poke")).line, "tool poke");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("make_edge")).line, "ask make_edge");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("undo")).line, "undo");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("translate")).line, "values translate");
+  const PaletteChoice open = choice_of(session->findings(), session->selecting, entry_of("open"));
   EXPECT_EQ(open.kind, PaletteChoice::Kind::begin);
   EXPECT_EQ(open.line, "open ");
   session->run("select f0 f1");
-  EXPECT_EQ(choice_of(*session, entry_of("poke")).line, "poke selected");
-  EXPECT_EQ(choice_of(*session, entry_of("make_edge")).line, "ask make_edge") << "faces are no ends of an edge";
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("poke")).line, "poke selected");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("make_edge")).line, "ask make_edge")
+      << "faces are no ends of an edge";
 }
 
 TEST(palette, measures_what_is_selected_or_asks_for_it_and_keeps_what_goes_on_as_it_was_typed) {
   const auto session = session_with_cube();
-  EXPECT_EQ(choice_of(*session, entry_of("measure")).line, "ask measure");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("measure")).line, "ask measure");
   session->run("select 0-1");
-  EXPECT_EQ(choice_of(*session, entry_of("measure")).line, "measure selected");
+  EXPECT_EQ(choice_of(session->findings(), session->selecting, entry_of("measure")).line, "measure selected");
   const std::vector<PaletteEntry> found = find_in_palette("measure sel");
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].line, "measure");
@@ -153,7 +154,7 @@ TEST(palette, every_choice_is_a_line) {
   for (const char* selected : {"select none", "select f0", "select v0 v1", "select 0-1"}) {
     session->run(selected);
     for (const PaletteEntry& entry : palette_entries()) {
-      const PaletteChoice choice = choice_of(*session, entry);
+      const PaletteChoice choice = choice_of(session->findings(), session->selecting, entry);
       if (choice.kind == PaletteChoice::Kind::run)
         EXPECT_FALSE(fault_of_command(choice.line)) << choice.line;
       else

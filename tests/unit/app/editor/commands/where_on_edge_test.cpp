@@ -16,7 +16,7 @@ class WhereOnEdge : public testing::Test {
     auto document = Document::open(test::asset("torus.off"));
     ASSERT_TRUE(document);
     session_.set_document(std::move(document).value());
-    session_.frame_all();
+    session_.framing.frame_all();
     const auto picked = session_.pointing.pick({478, 488}, PickMode::edge);
     ASSERT_TRUE(picked);
     half_ = picked->halfedge;

@@ -33,7 +33,7 @@ TEST(repair_trials, would_says_what_the_repair_then_does_and_changes_nothing) {
       EXPECT_EQ(session->document().position(), 0u);
       EXPECT_TRUE(session->log().empty());
       ASSERT_TRUE(would.sentence.en.starts_with(said_before));
-      const RepairReport* const tried_report = tried(*session, line);
+      const RepairReport* const tried_report = tried(session->document(), session->trials, line);
       ASSERT_NE(tried_report, nullptr) << "at once without a window";
       const RepairReport expected = *tried_report;
       ASSERT_TRUE(session->run(line).done());
@@ -94,18 +94,18 @@ TEST(repair_trials, wrong_lists_say_what_is_wrong) {
 TEST(repair_trials, in_the_background_it_is_there_later_and_edits_meanwhile_are_safe) {
   const auto session = repair_session("stanford_bunny.obj");
   session->trials.in_background = true;
-  ASSERT_EQ(tried(*session, "repair fill_holes"), nullptr);
+  ASSERT_EQ(tried(session->document(), session->trials, "repair fill_holes"), nullptr);
   ASSERT_TRUE(session->trials.share());
   for (int i = 0; i < 6000 && session->trials.share(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     session->prepare();
   }
-  const RepairReport* const report = tried(*session, "repair fill_holes");
+  const RepairReport* const report = tried(session->document(), session->trials, "repair fill_holes");
   ASSERT_NE(report, nullptr);
   EXPECT_EQ(report->changed, 5u);
-  EXPECT_EQ(tried(*session, "repair default"), nullptr);
+  EXPECT_EQ(tried(session->document(), session->trials, "repair default"), nullptr);
   ASSERT_TRUE(session->run("delete f0").done()) << "while the mesh may be copied";
-  EXPECT_EQ(tried(*session, "repair fill_holes"), nullptr) << "of another revision";
+  EXPECT_EQ(tried(session->document(), session->trials, "repair fill_holes"), nullptr) << "of another revision";
   EXPECT_TRUE(session->trials.share());
   session->trials.cancel();
   EXPECT_FALSE(session->trials.share());

@@ -14,7 +14,7 @@ namespace {
 class CornerAxesTest : public testing::Test {
  protected:
   CornerAxesTest() : session_(Document::open(test::asset("cube.obj")).value()) {
-    session_.frame_all();
+    session_.framing.frame_all();
     run("axes on");
     run("view iso");
   }

@@ -197,7 +197,7 @@ TEST_F(RecoveryTest, edits_that_are_in_the_file_are_not_counted_behind_an_undo) 
     const std::uint64_t hash = crashed->session.mesh().hash();
     crashed.reset();
     auto again = open_nothing();
-    ASSERT_TRUE(list_lost_sessions(again->session));
+    ASSERT_TRUE(list_lost_sessions(again->session.lost));
     ASSERT_EQ(again->session.lost.size(), 1u);
     EXPECT_NE(describe(again->session.lost[0]).en.find("b.off, " + way.listed + ", 2"), std::string::npos)
         << describe(again->session.lost[0]).en;
@@ -210,7 +210,7 @@ TEST_F(RecoveryTest, edits_that_are_in_the_file_are_not_counted_behind_an_undo) 
     EXPECT_EQ(later.edits, unsaved.edits + 1);
     again.reset();
     auto third = open_nothing();
-    ASSERT_TRUE(list_lost_sessions(third->session));
+    ASSERT_TRUE(list_lost_sessions(third->session.lost));
     EXPECT_EQ(third->session.lost[0].unsaved, later);
     ASSERT_TRUE(third->session.run("recover 1").done());
     third->autosave.finish();

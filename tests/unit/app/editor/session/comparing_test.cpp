@@ -68,7 +68,7 @@ TEST(comparing, points_at_either_mesh_and_works_on_the_open_one_alone) {
   const auto middle = [](const Session& one) {
     return one.view.origin + 0.5 * glm::dvec2(one.view.size.width, one.view.size.height);
   };
-  session.frame_all();
+  session.framing.frame_all();
   // The torus has a hole in the middle; beside it there is a face.
   glm::dvec2 over_other = middle(*session.beside());
   while (!session.part_at(over_other).pointing.pick(over_other, PickMode::face) && over_other.x < 890) over_other.x += 5;

@@ -16,7 +16,7 @@ class HeldVerdict : public testing::Test {
     auto document = Document::open(test::asset("tetrahedron.off"));
     ASSERT_TRUE(document);
     session_.set_document(std::move(document).value());
-    session_.frame_all();
+    session_.framing.frame_all();
     ASSERT_TRUE(session_.run("tool collapse").done());
   }
   // The middle of an edge that is seen.

@@ -21,8 +21,8 @@ class OperatorSelection : public testing::Test {
     ASSERT_TRUE(document) << asset_name;
     session_.set_document(std::move(document).value());
   }
-  Offer offer(std::string_view op) { return offer_on_selection(session_, *find_op(op)); }
-  bool fits(std::string_view op) { return fits_selection(session_, *find_op(op)); }
+  Offer offer(std::string_view op) { return offer_on_selection(session_.findings(), session_.selecting, *find_op(op)); }
+  bool fits(std::string_view op) { return fits_selection(session_.findings(), session_.selecting, *find_op(op)); }
 
   Session session_{std::make_unique<Document>()};
 };
@@ -64,7 +64,8 @@ TEST_F(OperatorSelection, agrees_with_what_running_it_comes_to) {
       ASSERT_TRUE(session_.run(line).done()) << line;
       for (const OpInfo& op : all_ops()) {
         if (op.on_selection == OnSelection::none) continue;
-        const bool does_fit = fits_selection(session_, op), may_be = offer_on_selection(session_, op).may_be;
+        const bool does_fit = fits_selection(session_.findings(), session_.selecting, op),
+                   may_be = offer_on_selection(session_.findings(), session_.selecting, op).may_be;
         const CalledWith with = called_with(session_.mesh(), op, session_.selecting.selection, {});
         const Outcome outcome = session_.run(std::string(op.id) + " selected");
         const bool is_known = op.on_selection == OnSelection::all || op.on_selection == OnSelection::each;

@@ -626,7 +626,7 @@ TEST_F(GestureTest, a_part_that_is_drawn_again_equals_the_whole) {
   for (const char* line : {"make_vertex -9,-9,-9", "make_vertex 9,9,9"}) session_->run(line);
   auto headless = Headless::make({.backend = Backend::osmesa, .size = {640, 480}}).value();
   headless->place_view(*session_);
-  session_->frame_all();
+  session_->framing.frame_all();
   const auto is_as_drawn_anew = [&] {
     const Image followed = headless->picture(*session_);
     return followed == headless->view_drawn_again();

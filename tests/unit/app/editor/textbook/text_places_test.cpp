@@ -89,7 +89,7 @@ TEST(text_places, select_what_faces_the_viewer_with_all_its_labels) {
     if (element.kind == Element::Kind::halfedge && session->mesh().live().faces > 1) {
       EXPECT_TRUE(session->mesh().face(twin(element.halfedge()))) << place.lines << ": its pair is shown, too";
     }
-    if (!session->view.links.is_on(*session)) continue;
+    if (!session->view.links.is_on(session->findings(), session->selecting, session->gesturing)) continue;
     const auto size_of = [](const std::string& text) { return Size{static_cast<int>(8 * text.size()), 16}; };
     std::multiset<std::string> wanted, placed;
     for (const LinkArrow& arrow : session->view.links.of(*session))

@@ -173,14 +173,17 @@ void DissolveSeries::give_corners(Face from, Face to) {
   }
 }
 
-void DissolveSeries::settle() {
+bool DissolveSeries::settle() {
+  bool renumbers = false;
   for (const auto& [slot, stays] : numbers_) {
     if (slot == stays) continue;
+    renumbers = true;
     give_corners(slot, stays);
     edit_.set_halfedge(stays, mesh().halfedge(slot));
     edit_.remove(slot);
   }
   forget_all();
+  return renumbers;
 }
 
 void DissolveSeries::forget_all() {
@@ -210,7 +213,10 @@ class Dissolves : public OpSeries {
   void apply(const AnyOp& any) override {
     const Dissolve& op = std::get<Dissolve>(any);
     if (is_two_edged(op)) {
-      of_edges_.settle();
+      if (of_edges_.settle()) {  // what is known of faces is known by their numbers
+        of_vertices_ = UniteSeries(edit_);
+        of_vertices_.broken_rule(op.vertex);
+      }
       of_vertices_.apply(op.vertex);
     } else {
       of_edges_.apply(op);

@@ -31,8 +31,8 @@ class DissolveSeries {
   std::optional<Rule> doubt(const Dissolve& op);
   // Of a legal one.
   void apply(const Dissolve& op);
-  // Gives the faces their numbers. Until then the mesh has others; afterwards it may change in other ways too.
-  void settle();
+  // Gives the faces their numbers, and returns whether one had another. Afterwards the mesh may change in other ways too.
+  bool settle();
 
   // Corners that were looked at and renumbered: what the work is measured by.
   std::uint64_t looks() const { return looks_; }

@@ -18,7 +18,8 @@ std::uint32_t UniteSeries::corner_count(Face f) {
   return count;
 }
 
-// A simple loop keeps being one. Only a face of one corner less at both neighbours may lie on the points that are left.
+// A simple loop keeps being one. On the points that are left may lie another face at both neighbours: of one corner less,
+// or of more where it meets a point twice.
 UniteSeries::Answer UniteSeries::answer_of_face(Face f, Face beyond, Vertex a, Vertex b) {
   if (!known_.is_one_simple_loop(mesh(), f)) return Answer::unsure;
   const std::uint32_t corners = corner_count(f);
@@ -27,7 +28,8 @@ UniteSeries::Answer UniteSeries::answer_of_face(Face f, Face beyond, Vertex a, V
   const bool is_unsure = any_of_copies(mesh(), loneliest_point(mesh(), both), [&](Vertex copy) {
     for (const Face other : faces_around(mesh(), copy)) {
       ++looks_;
-      if (other && other != f && other != beyond && corner_count(other) + 1 == corners) return true;
+      if (!other || other == f || other == beyond || corner_count(other) + 1 < corners) continue;
+      if (corner_count(other) + 1 == corners || !known_.is_one_simple_loop(mesh(), other)) return true;
     }
     return false;
   });

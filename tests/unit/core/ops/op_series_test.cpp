@@ -111,14 +111,21 @@ Mesh heap(int faces, int points, Dice& dice) {
   return make_mesh(lists, points);
 }
 
+void expect_same_of_seed(std::uint64_t seed) {
+  SCOPED_TRACE(seed);
+  Dice dice(seed);
+  const SeededMesh seeded = seeded_mesh(seed);
+  expect_same_of_all(seed % 3 == 0 ? make_mesh(seeded.faces, seeded.points) : random_complex(seed), dice);
+}
+
 TEST(op_series, on_surfaces_and_complexes) {
-  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 20'000u : 250u); ++seed) {
-    SCOPED_TRACE(seed);
-    Dice dice(seed);
-    const SeededMesh seeded = seeded_mesh(seed);
-    expect_same_of_all(seed % 3 == 0 ? make_mesh(seeded.faces, seeded.points) : random_complex(seed), dice);
-    if (HasFailure()) return;
-  }
+  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 20'000u : 250u) && !HasFailure(); ++seed)
+    expect_same_of_seed(seed);
+}
+
+// A copy without a face; a face that lies on the points of another and meets two of them twice.
+TEST(op_series, of_long_runs_that_failed) {
+  for (const std::uint64_t seed : {763u, 19039u}) expect_same_of_seed(seed);
 }
 
 TEST(op_series, on_points_with_many_copies) {
@@ -126,6 +133,23 @@ TEST(op_series, on_points_with_many_copies) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     expect_same_of_all(heap(10 + dice.below(70), 4 + dice.below(6), dice), dice);
+    if (HasFailure()) return;
+  }
+}
+
+// Vertices with two edges are taken out between others, at which faces get other numbers.
+TEST(op_series, dissolves_vertices_on_split_edges) {
+  const OpInfo& dissolve = *find_op("dissolve");
+  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 5000u : 100u); ++seed) {
+    SCOPED_TRACE(seed);
+    Dice dice(seed);
+    const auto size = static_cast<std::uint32_t>(3 + dice.below(3));
+    Mesh start = seed % 2 == 0 ? random_complex(seed) : make_mesh(torus_grid(size, 3));
+    for (int i = 0; i < 30; ++i) try_apply(start, nullptr, SplitEdge{random_halfedge(start, dice), 0.5});
+    std::vector<Element> vertices = some_of(start, Element::Kind::vertex, dice);
+    for (std::size_t i = vertices.size(); i > 1; --i)
+      std::swap(vertices[i - 1], vertices[static_cast<std::size_t>(dice.below(static_cast<int>(i)))]);
+    expect_same(start, dissolve, vertices, {}, dice.one_in(3));
     if (HasFailure()) return;
   }
 }

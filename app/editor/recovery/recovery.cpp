@@ -111,6 +111,7 @@ Text count_edits(std::size_t n) {
 
 // What the file lacks, and what it has too much.
 Text difference_from_file(const Document::Unsaved& unsaved) {
+  if (unsaved == Document::Unsaved{}) return {"all edits undone", "編集はすべて取り消し済み"};
   if (unsaved.undone == 0) return count_edits(unsaved.edits);
   const std::string undone = std::to_string(unsaved.undone), many = unsaved.undone == 1 ? "" : "s";
   const std::string ja = "保存済みの " + undone + " 件の取り消し";
@@ -125,7 +126,10 @@ Text what_is_recovered(std::size_t entries, const Document::Unsaved& unsaved) {
   const std::string last = std::to_string(unsaved.edits), undone = std::to_string(unsaved.undone);
   const std::string are = entries == 1 ? " is" : " are";
   Text text{count.en + are + " recovered and not saved yet.", count.ja + "を復元しました。まだ保存していません。"};
-  if (unsaved.edits == 0)
+  if (entries == 0)
+    text = {"The edits are recovered, and are undone as they were: redo does them again.",
+            "編集を復元しました。すべて取り消した状態のままで、redo でやり直せます。"};
+  else if (unsaved.edits == 0)
     text = {count.en + are + " recovered.", count.ja + "を復元しました。"};
   else if (unsaved.edits < entries)
     text = {count.en + " are recovered, of which the last " + last + (last == "1" ? " was" : " were") + " not saved.",

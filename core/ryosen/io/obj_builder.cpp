@@ -140,6 +140,7 @@ void ObjBuilder::vertex(std::string_view values) {
   if (has_colour) {
     mesh_.vertex_colours.emplace_back(v[3], v[4], v[5], count == 7 ? v[6] : 1.0);
     if (count == 7) mesh_.colour_components = 4;
+    some_lack_alpha_ = some_lack_alpha_ || count == 6;
   } else if (!mesh_.vertex_colours.empty()) {
     mesh_.vertex_colours.emplace_back(no_colour, no_colour, no_colour, 1);
   }

@@ -113,6 +113,7 @@ class ObjBuilder {
   std::unordered_set<std::string> libraries_;
   bool in_head_ = true;
   bool has_known_line_ = false;
+  bool some_lack_alpha_ = false;  // of the colours
   const bool is_later_piece_;
   bool has_given_up_ = false;
 };

@@ -18,19 +18,26 @@ void drop_if_all_none(std::vector<std::uint32_t>& indices) {
     indices = std::vector<std::uint32_t>();
 }
 
-// Colours of red, green and blue are bytes where all their numbers are, and one is above 1.
-void scale_bytes(MeshFile& file) {
+// Colours are bytes where all their numbers are, and one is above 1: of those with alpha an alpha, since one of at most 1
+// is a share. An alpha of 1 beside colours without alpha is that of such a colour.
+void scale_bytes(MeshFile& file, bool some_lack_alpha) {
   std::vector<glm::dvec4>& colours = file.mesh.vertex_colours;
-  if (file.mesh.colour_components != 3) return;
+  const int components = file.mesh.colour_components;
+  const auto is_number = [&](const glm::dvec4& colour, int i) {
+    return !std::isnan(colour.x) && i < components && !(i == 3 && some_lack_alpha && colour.w == 1);
+  };
   bool is_large = false;
   for (const glm::dvec4& colour : colours)
-    for (int i = 0; i < 3 && !std::isnan(colour.x); ++i) {
+    for (int i = 0; i < 4; ++i) {
+      if (!is_number(colour, i)) continue;
       if (!(colour[i] >= 0 && colour[i] <= byte_scale && std::trunc(colour[i]) == colour[i])) return;
-      is_large = is_large || colour[i] > 1;
+      is_large = is_large || (colour[i] > 1 && (components == 3 || i == 3));
     }
   if (!is_large) return;
   file.byte_colours = true;
-  for (glm::dvec4& colour : colours) colour = glm::dvec4(glm::dvec3(colour) / byte_scale, colour.w);
+  for (glm::dvec4& colour : colours)
+    for (int i = 0; i < 4; ++i)
+      if (is_number(colour, i)) colour[i] /= byte_scale;
 }
 
 }  // namespace
@@ -170,7 +177,7 @@ Result<MeshFile> ObjBuilder::finish() {
   report_unknown();
   report_whole_file();
   if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;
-  scale_bytes(file_);
+  scale_bytes(file_, some_lack_alpha_);
   file_.left_out = reporter_.left_out();
   file_.messages = reporter_.take();
   return std::move(file_);

@@ -56,6 +56,7 @@ std::uint64_t ObjBuilder::append(std::span<ObjBuilder* const> run, std::uint64_t
     if (in_head_) append_all(next->file_.head_comments, file_.head_comments);
     in_head_ = in_head_ && next->in_head_;
     has_known_line_ = has_known_line_ || next->has_known_line_;
+    some_lack_alpha_ = some_lack_alpha_ || next->some_lack_alpha_;
   }
   return lines_after;
 }

@@ -52,16 +52,17 @@ class NameWriter {
   std::uint32_t current_ = no_index;
 };
 
-// Whether the file had its colours as bytes in this format, and they still are.
+// Whether the file had its colours as bytes in this format, and they still are and are read as such.
 bool writes_bytes(const MeshFile& file) {
   const std::vector<glm::dvec4>& colours = file.mesh.vertex_colours;
-  if (!file.byte_colours || !file.format || file.format->id != "obj" || file.mesh.colour_components != 3) return false;
+  const int components = file.mesh.colour_components;
+  if (!file.byte_colours || !file.format || file.format->id != "obj" || components < 3) return false;
   bool is_large = false;
   for (const glm::dvec4& colour : colours)
-    for (int i = 0; i < 3 && !std::isnan(colour.x); ++i) {
+    for (int i = 0; i < components && !std::isnan(colour.x); ++i) {
       const double byte = as_byte(colour[i]);
       if (!(byte >= 0 && byte <= byte_scale && std::trunc(byte) == byte)) return false;
-      is_large = is_large || byte > 1;
+      is_large = is_large || (byte > 1 && (components == 3 || i == 3));
     }
   return is_large;
 }
@@ -107,7 +108,7 @@ class ObjWriter {
       if (v < mesh_.vertex_colours.size() && !std::isnan(mesh_.vertex_colours[v].x)) {
         const glm::dvec4& colour = mesh_.vertex_colours[v];
         for (int i = 0; i < 3; ++i) out_ << ' ' << (are_bytes_ ? as_byte(colour[i]) : colour[i]);
-        if (mesh_.colour_components == 4) out_ << ' ' << colour.w;
+        if (mesh_.colour_components == 4) out_ << ' ' << (are_bytes_ ? as_byte(colour.w) : colour.w);
       } else if (v < mesh_.vertex_weights.size() && !std::isnan(mesh_.vertex_weights[v])) {
         out_ << ' ' << mesh_.vertex_weights[v];
       }

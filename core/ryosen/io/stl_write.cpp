@@ -4,6 +4,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "ryosen/geometry/single_precision.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/losses.h"
 #include "ryosen/io/stl.h"
@@ -136,7 +137,9 @@ std::string write_binary(const MeshFile& file) {
     for (int i = 0; i < 3; ++i) put_little(out, static_cast<float>(p[i]));
   };
   for_each_facet(mesh, false, [&](std::size_t face, std::span<const std::uint32_t> corners) {
-    const glm::dvec3 &a = mesh.positions[corners[0]], &b = mesh.positions[corners[1]], &c = mesh.positions[corners[2]];
+    // The normal is that of the places as they are written, so that a file read and written again is the same.
+    const auto place = [&](std::size_t i) { return to_single(mesh.positions[corners[i]]); };
+    const glm::dvec3 a = place(0), b = place(1), c = place(2);
     for (const glm::dvec3& p : {facet_normal(a, b, c), a, b, c}) put(p);
     put_little(out, attributes ? static_cast<std::uint16_t>(attributes->integer(face)) : std::uint16_t{0});
   });

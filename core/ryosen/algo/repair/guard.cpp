@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/pockets.h"
 #include "ryosen/analysis/problem_sets.h"
 
 namespace ryosen {
@@ -37,13 +38,20 @@ bool must_not_grow(const ProblemRow& row) {
 AlgorithmResult run_guarded(Edit& edit, const AlgorithmRow& row, const AlgorithmInput& input, Progress& progress,
                             FindingCounts& counts) {
   FaceComponents components;
-  if (row.is_repair()) components = components_of(edit.mesh());
+  std::size_t pockets = 0;
+  if (row.is_repair()) {
+    components = components_of(edit.mesh());
+    pockets = pockets_of(edit.mesh()).size();
+  }
   AlgorithmResult result = row.run(edit, input, progress);
   if (!row.is_repair() || progress.is_cancelled() || result.changed == 0) return result;
   const FindingCounts after = count_findings(edit.mesh(), input.on_lines);
   for (const ProblemRow& kind : problem_table()) {
     const auto k = static_cast<std::size_t>(kind.kind);
-    if (must_not_grow(kind) && after[k] > counts[k]) return refusal(row, result, kind, after[k] - counts[k]);
+    if (!must_not_grow(kind) || after[k] <= counts[k]) continue;
+    const std::size_t more = after[k] - counts[k];
+    if (kind.kind == ProblemKind::duplicate_face && pockets + more <= pockets_of(edit.mesh()).size()) continue;
+    return refusal(row, result, kind, more);
   }
   counts = after;
   add_loose_pieces(components, edit.mesh(), result);

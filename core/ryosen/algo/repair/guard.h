@@ -15,7 +15,7 @@ FindingCounts count_findings(const Mesh& mesh, std::span<const Vertex> on_lines 
 
 // Whether no repair may add to the kind: non-manifold and misoriented edges, non-manifold vertices, duplicates and
 // faces without area. Boundary loops and isolated vertices may become more; so may hanging pairs among the duplicates,
-// where other faces come off their edges.
+// where other faces come off their edges; and duplicates by the pockets that close (pockets.h).
 bool must_not_grow(const ProblemRow& row);
 
 // Runs an algorithm. A repair that nevertheless adds to such a kind has `changed` 0, and in `left` what it changed: the

@@ -78,12 +78,20 @@ PointEdge PointMerger::edge(Vertex a, Vertex b) const {
   return a < b ? faces : PointEdge{faces.backward, faces.forward};
 }
 
+// Whether the face would be a new duplicate with this shape.
+bool PointMerger::is_taken(Face f, Key shape) const {
+  const auto known = shapes_.find(shape);
+  if (known == shapes_.end()) return false;
+  const auto beyond = beyond_pocket_.find(f);
+  return known->second > 1 || beyond == beyond_pocket_.end() || shape_of_.at(beyond->second) != shape;
+}
+
 bool PointMerger::may_join(Vertex goes, Vertex stays) const {
   const Class& at = classes_.at(goes);
   for (Face f : at.faces) {
     if (visits_.contains(key(f.index, stays.index))) return false;
-    // Faces of the class that are equal stay equal; any other with this shape would be a new duplicate.
-    if (shapes_.contains(shape_of_.at(f) - number_of(goes) + number_of(stays))) return false;
+    // Faces of the class that are equal stay equal.
+    if (is_taken(f, shape_of_.at(f) - number_of(goes) + number_of(stays))) return false;
   }
   for (Vertex n : at.neighbours) {
     const Vertex end = root(n);

@@ -15,9 +15,9 @@ namespace ryosen {
 std::vector<Vertex> points_by_slot(const Mesh& mesh);
 
 // Classes of points that are to be one. A merge is refused where a face would visit a point twice, an edge would get a
-// third face or a second in the same direction, or two faces would be on the same set of points. All this stays so
-// whatever is merged afterwards, so that a refused merge need not be tried again. Whether the faces at a class form one
-// fan is the caller's affair. The mesh must outlive it and not change.
+// third face or a second in the same direction, or two faces would be on the same set of points, but for two that are
+// told to be a pocket. All this stays so whatever is merged afterwards, so that a refused merge need not be tried again.
+// Whether the faces at a class form one fan is the caller's affair. The mesh must outlive it and not change.
 //
 // Cost: O(k log n) for k merges with n sides of faces at the points, however many meet at one of them: the smaller of two
 // classes is renamed.
@@ -25,6 +25,12 @@ class PointMerger {
  public:
   // `points`: those that may be merged; manifold or isolated ones. `point_of` is points_by_slot().
   PointMerger(const Mesh& mesh, const std::vector<Vertex>& point_of, std::span<const Vertex> points);
+
+  // Lets two faces be on the same set of points. Each is in one pocket at most.
+  void let_be_pocket(Face f, Face g) {
+    beyond_pocket_[f] = g;
+    beyond_pocket_[g] = f;
+  }
 
   // The point that stands for the class of one.
   Vertex root(Vertex point) const;
@@ -54,6 +60,7 @@ class PointMerger {
   static Key key_of_pair(Vertex a, Vertex b) { return key(std::min(a, b).index, std::max(a, b).index); }
   void add_face(Face f, std::vector<Vertex>& corners, const std::vector<Vertex>& point_of);
   bool may_join(Vertex goes, Vertex stays) const;
+  bool is_taken(Face f, Key shape) const;
   void rename_face(Face f, Vertex from, Vertex to);
 
   const Mesh& mesh_;
@@ -62,6 +69,7 @@ class PointMerger {
   std::unordered_map<Key, PointEdge> edges_;       // by roots; forward: from the lower number to the higher
   std::unordered_map<Face, Key> shape_of_;         // a sum over the face's points
   std::unordered_map<Key, std::uint32_t> shapes_;  // how many faces have it
+  std::unordered_map<Face, Face> beyond_pocket_;
   std::unordered_set<Key> visits_;                 // a face and the root of a class at it
   std::vector<Undo> undo_;
 };

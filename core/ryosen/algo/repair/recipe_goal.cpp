@@ -1,6 +1,10 @@
 #include "ryosen/algo/repair/recipe_goal.h"
 
+#include <algorithm>
+
 #include "ryosen/algo/repair/orient_faces.h"
+#include "ryosen/algo/repair/pockets.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 
@@ -9,6 +13,18 @@ RecipeGoal::RecipeGoal(std::span<const RecipeStep> steps) {
     for (const ProblemKind kind : step.row->solves) is_for_[static_cast<std::size_t>(kind)] = true;
     is_for_orientation_ = is_for_orientation_ || step.row->run == orient_faces;
   }
+}
+
+// The second face of each is a duplicate, and that of two triangles closes a hanging pair.
+std::size_t RecipeGoal::problems_of_pockets(const FoundInMesh& found) const {
+  const bool may_have_any = found.counts[static_cast<std::size_t>(ProblemKind::duplicate_face)] > 0;
+  if (!may_have_any) return 0;
+  std::size_t problems = 0;
+  for (const auto& [first, second] : pockets_of(*found.mesh)) {
+    problems += is_for(ProblemKind::duplicate_face);
+    problems += is_for(ProblemKind::hanging_pair) && corner_count(*found.mesh, second) == 3;
+  }
+  return problems;
 }
 
 std::pair<std::size_t, std::size_t> RecipeGoal::measure(const FoundInMesh& found) const {
@@ -21,6 +37,7 @@ std::pair<std::size_t, std::size_t> RecipeGoal::measure(const FoundInMesh& found
       problems += found.quarantined;
   }
   const std::size_t edges = found.counts[static_cast<std::size_t>(ProblemKind::boundary_loop)];
+  problems -= std::min(problems, problems_of_pockets(found));
   return {problems, is_for(ProblemKind::boundary_loop) ? edges : 0};
 }
 

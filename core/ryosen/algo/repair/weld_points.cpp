@@ -10,6 +10,7 @@
 #include "ryosen/algo/repair/join_points.h"
 #include "ryosen/algo/repair/new_crossings.h"
 #include "ryosen/algo/repair/pair_faces.h"
+#include "ryosen/algo/repair/pockets.h"
 #include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/neighbourhood.h"
@@ -47,7 +48,9 @@ class Welding {
     Welded welded;
     PointMerger merger(m_, point_of_, points_to_merge());
     merger_ = &merger;
-    const std::vector<SidePair> all = pairs();
+    const std::vector<Halfedge> across = pair_at_places(m_, place_by_slot()).across;
+    for (const auto& [f, g] : find_pockets(m_, across)) merger.let_be_pocket(f, g);
+    const std::vector<SidePair> all = pairs(across);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!progress.go_on(i, all.size())) return welded;
       if (join(all[i]))
@@ -69,15 +72,19 @@ class Welding {
   }
 
  private:
-  // The sides that are paired across points, in the order of their places.
-  std::vector<SidePair> pairs() const {
+  std::vector<Vertex> place_by_slot() const {
     std::vector<Vertex> place(m_.vertex_slots());
     for (std::uint32_t i = 0; i < place.size(); ++i)
       if (m_.is_alive(Vertex(i))) place[i] = place_[point_of_[i].index];
+    return place;
+  }
+
+  // The sides that are paired across points, in the order of their places.
+  std::vector<SidePair> pairs(const std::vector<Halfedge>& across) const {
+    const std::vector<Vertex> place = place_by_slot();
     const auto ends = [&](Halfedge h, const std::vector<Vertex>& of) {
       return std::minmax({of[m_.from(h).index], of[m_.to(h).index]});
     };
-    const std::vector<Halfedge> across = pair_at_places(m_, place).across;
     std::vector<SidePair> found;
     for (std::uint32_t i = 0; i < across.size(); ++i) {
       const Halfedge h(i), other = across[i];

@@ -14,7 +14,7 @@ namespace ryosen {
 // one part of the surface are turned round then, the smaller part, where that makes all agree. Nothing is done that would
 // tear a surface with non-manifold edges (is_torn). A pair is left as a seam if one of its ends is
 // non-manifold, or if a face would visit a point twice, an edge get a third face, or two faces the same points
-// (point_merger.h): so no new findings. Points that no such side joins stay apart, so that no bow-tie is made; isolated
+// (point_merger.h): so no new findings but pockets (pockets.h), which close. Points that no such side joins stay apart, so that no bow-tie is made; isolated
 // ones at a place of others are removed, but for those that something beside the mesh uses and that stay in the file for
 // it. The lowest number stays, -0 = 0. `left` counts the places that still have several points. Cost: O(n log n),
 // however many points are at one place.

@@ -367,5 +367,49 @@ TEST(obj_write, the_bunny_comes_back_to_the_bit) {
   EXPECT_EQ(difference_after_round_trip(*file, "off"), "");
 }
 
+// Seven numbers of which the last four are bytes, as those of three are; what is written is what was read.
+TEST(obj_read, colours_with_alpha_as_bytes) {
+  struct Case {
+    const char *first, *second;
+    bool are_bytes;
+    glm::dvec4 colour;  // of the first
+  };
+  const Case cases[] = {
+      {"255 128 0 255", "0 0 0 51", true, {1, 128 / 255.0, 0, 1}},
+      {"0 0 0 255", "0 0 0 0", true, {0, 0, 0, 1}},
+      {"255 0 0 2", "0 1 0 1", true, {1, 0, 0, 2 / 255.0}},
+      {"255 0 0 51", "0 255 0", true, {1, 0, 0, 0.2}},
+      {"255 0 0 1", "0 255 0 0", false, {255, 0, 0, 1}},
+      {"255 0 0 0.5", "0 255 0 200", false, {255, 0, 0, 0.5}},
+      {"255 0 0 256", "0 255 0 200", false, {255, 0, 0, 256}},
+      {"1 0 0 1", "0 0.5 0 1", false, {1, 0, 0, 1}},
+  };
+  for (const Case& one : cases) {
+    const std::string text =
+        "v 0 0 0 " + std::string(one.first) + "\nv 1 0 0 " + one.second + "\nv 0 1 0\nf 1 2 3\n";
+    const MeshFile file = read_sound("obj", text);
+    EXPECT_EQ(file.byte_colours, one.are_bytes) << text;
+    EXPECT_EQ(file.mesh.vertex_colours[0], one.colour) << text;
+    const std::string written = bytes_of(file, *find_format("obj"));
+    if (std::string(one.second) == "0 255 0") {
+      EXPECT_EQ(file.mesh.vertex_colours[1], glm::dvec4(0, 1, 0, 1)) << "one without alpha is opaque";
+      EXPECT_NE(written.find("0 255 0 255\n"), std::string::npos) << written;
+    } else {
+      EXPECT_EQ(written, text);
+    }
+    EXPECT_EQ(read_sound("obj", written).mesh.vertex_colours[0], one.colour) << written;
+  }
+}
+
+// Alphas that are all at most 1 as bytes would be read as shares.
+TEST(obj_read, colours_with_alpha_are_written_so_that_they_are_read_again) {
+  MeshFile file = read_sound("obj", "v 0 0 0 255 0 0 255\nv 1 0 0 0 255 0 51\nv 0 1 0 0 0 255 0\nf 1 2 3\n");
+  for (const double alpha : {0.0, 1 / 255.0, 0.5, 0.2, 1.0}) {
+    for (glm::dvec4& colour : file.mesh.vertex_colours) colour.w = alpha;
+    const std::string written = bytes_of(file, *find_format("obj"));
+    EXPECT_EQ(read_sound("obj", written).mesh.vertex_colours, file.mesh.vertex_colours) << written;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

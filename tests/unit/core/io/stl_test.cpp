@@ -229,5 +229,29 @@ TEST(stl_write, names_what_it_cannot_hold) {
   EXPECT_EQ(again.mesh.quarantine[0].face, 3u);
 }
 
+// Normals are those of the places that are written, whatever they were before they became floats.
+TEST(stl_write, what_is_read_and_written_again_is_the_same) {
+  for (const char* places : {"0.1 0.2 0.3 1.7 0.9 0.123456789 0.333333333333 2.1 0.7", "0 0 0 1 0 0 0 1e-30 1e-31",
+                             "16777217 0.1 0 16777219 0.3 0 16777221 0.7 1e-9", "1e-46 0 0 0 1e-46 0 0 0 1",
+                             "1e30 0 0 0 1e30 1 3e38 1e20 7", "0.1 0.1 0.1 0.2 0.2 0.2 0.3 0.3 0.3000000000001"}) {
+    std::istringstream words(places);
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+      std::string x, y, z;
+      words >> x >> y >> z;
+      text.append("v ").append(x).append(" ").append(y).append(" ").append(z).append("\n");
+    }
+    const MeshFile file = read_sound("obj", text + "f 1 2 3\n");
+    for (const char* const id : {"stl", "obj"}) {
+      const std::string once = bytes_of(file, *find_format(id));
+      EXPECT_EQ(bytes_of(read_sound(id, once), *find_format(id)), once) << id << " of " << places;
+    }
+    const std::string binary = write_stl(file, Encoding::binary_little), text_form = write_stl(file, Encoding::ascii);
+    EXPECT_EQ(write_stl(read_sound("stl", binary), Encoding::binary_little), binary) << places;
+    EXPECT_EQ(write_stl(read_sound("stl", text_form), Encoding::ascii), text_form) << places;
+    EXPECT_EQ(write_stl(read_sound("stl", text_form), Encoding::binary_little), binary) << places;
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

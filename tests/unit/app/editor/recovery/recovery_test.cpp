@@ -527,5 +527,44 @@ TEST_F(RecoveryTest, a_folder_that_cannot_be_read_is_not_an_empty_one) {
   }
 }
 
+// A recovered session is unsaved wherever its history stands, so its script stays when all is undone.
+TEST_F(RecoveryTest, edits_that_are_all_undone_are_not_called_none) {
+  struct Case {
+    std::vector<std::string> behind_the_recovery;
+    std::string listed, recovered;
+    std::size_t position;
+  };
+  const std::string all_undone = "The edits are recovered, and are undone as they were: redo does them again.";
+  const Case cases[] = {
+      {{"undo 2"}, "all edits undone", all_undone, 0},
+      {{"undo", "undo"}, "all edits undone", all_undone, 0},
+      {{"split 2-3", "undo 3"}, "all edits undone", all_undone, 0},
+      {{"undo 2", "redo", "undo"}, "all edits undone", all_undone, 0},
+      {{"undo"}, "1 edit", "1 edit is recovered and not saved yet.", 1},
+      {{"undo 2", "redo 2"}, "2 edits", "2 edits are recovered and not saved yet.", 2},
+  };
+  const std::string path = files_.copy(test::asset("torus.off"), "a.off");
+  for (const Case& one : cases) {
+    auto first = open(path);
+    first->run("split 0-1");
+    first->run("poke f3");
+    first.reset();
+    auto second = open_nothing();
+    ASSERT_TRUE(list_lost_sessions(second->session));
+    ASSERT_TRUE(second->session.run("recover 1").done());
+    for (const std::string& line : one.behind_the_recovery) second->run(line);
+    second.reset();
+    auto third = open_nothing();
+    ASSERT_TRUE(list_lost_sessions(third->session));
+    ASSERT_EQ(third->session.lost.size(), 1u);
+    const Text listed = describe(third->session.lost[0]);
+    EXPECT_NE(listed.en.find("a.off, " + one.listed + ", 2"), std::string::npos) << listed.en;
+    EXPECT_EQ(listed.ja.find("0 件"), std::string::npos) << listed.ja;
+    EXPECT_EQ(third->session.run("recover 1").sentence.en, one.recovered);
+    EXPECT_EQ(third->session.document().position(), one.position);
+    third->autosave.finish();
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

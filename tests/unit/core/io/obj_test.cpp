@@ -385,8 +385,7 @@ TEST(obj_read, colours_with_alpha_as_bytes) {
       {"1 0 0 1", "0 0.5 0 1", false, {1, 0, 0, 1}},
   };
   for (const Case& one : cases) {
-    const std::string text =
-        "v 0 0 0 " + std::string(one.first) + "\nv 1 0 0 " + one.second + "\nv 0 1 0\nf 1 2 3\n";
+    const std::string text = "v 0 0 0 " + std::string(one.first) + "\nv 1 0 0 " + one.second + "\nv 0 1 0\nf 1 2 3\n";
     const MeshFile file = read_sound("obj", text);
     EXPECT_EQ(file.byte_colours, one.are_bytes) << text;
     EXPECT_EQ(file.mesh.vertex_colours[0], one.colour) << text;

@@ -151,6 +151,7 @@ inline constexpr CodeRow table[] = {
     {"normal_index_out_of_range", warning, "A corner names a normal that does not exist.",
      "角が、存在しない法線を参照しています。"},
     {"number_out_of_type", error, "A number does not fit its type.", "数が型に収まりません。"},
+    {"points_without_z", info, "The vertices of a file have no z; it is 0.", "頂点に z がないため、0 としました。"},
     {"read_by_words", warning, "Numbers do not stand line by line; they were read word by word.",
      "数が行ごとに並んでいないため、語の並びとして読みました。"},
     {"repeated_corner", warning, "A face visits a vertex twice; it is set aside.",

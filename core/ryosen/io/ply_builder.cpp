@@ -64,6 +64,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
     if (mesh.positions.empty()) touch_pages(mesh.positions.data(), table.rows * sizeof(glm::dvec3));
     mesh.positions.resize(table.rows);
   }
+  if (table.kind == TableKind::vertices && table.rows > 0) inform_of_missing_z(table, place);
   if (table.kind == TableKind::faces) reserve_large(mesh.face_offsets, table.rows + 1);
   for (const Property& property : table.properties) {
     if (property.role == PropertyRole::normal) mesh.normals.pool.resize(table.rows);
@@ -85,6 +86,15 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
     if (property.is_kept() && !property.is_list) property.data.reserve(table.rows * size_of(property.type));
   }
   return targets;
+}
+
+void PlyBuilder::inform_of_missing_z(const PropertyTable& table, FilePlace place) {
+  const auto coordinates = std::count_if(table.properties.begin(), table.properties.end(),
+                                         [](const Property& p) { return p.role == PropertyRole::position; });
+  if (coordinates != 2) return;
+  reporter_.inform(
+      "points_without_z", place,
+      {"The vertices have x and y and no z; it is 0.", "頂点に x と y はありますが z がないため、z を 0 としました。"});
 }
 
 void PlyBuilder::warn_non_finite(FilePlace place) { warn_of_non_finite_vertex(reporter_, place); }

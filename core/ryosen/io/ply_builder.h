@@ -47,6 +47,7 @@ class PlyBuilder {
   void take_corner_texcoords();
   void widen_odd_colours();
   void warn_of_kept_lists();
+  void inform_of_missing_z(const PropertyTable& table, FilePlace place);
   bool has_other_byte_order() const;
   // The first face, or strip of triangles; nowhere if there is none.
   FilePlace place_of_faces() const;

@@ -56,6 +56,11 @@ class Reporter {
     }
   }
 
+  // Adds what is worth knowing and no fault; said once.
+  void inform(Code code, FilePlace place, Text text) {
+    messages_.push_back(make_message(Severity::info, code, std::move(text), place));
+  }
+
   // Counts something that is ignored; there should also be a warning about it.
   void leave_out(std::uint64_t LeftOut::*what, std::uint64_t count = 1) { left_out_.*what += count; }
   const LeftOut& left_out() const { return left_out_; }

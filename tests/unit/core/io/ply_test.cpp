@@ -530,5 +530,45 @@ TEST(ply_read, points_without_faces) {
   EXPECT_EQ(bytes_of(cloud, *find_format("ply")), points);
 }
 
+TEST(ply_read, points_without_z_are_told_once) {
+  struct Case {
+    const char *properties, *rows;
+    std::size_t told;
+  };
+  const Case cases[] = {
+      {"property float x\nproperty float y\n", "0 0\n1 0\n0 1\n", 1},
+      {"property double y\nproperty uchar red\nproperty double x\n", "0 5 0\n0 5 1\n1 5 0\n", 1},
+      {"property float x\nproperty float y\nproperty float z\n", "0 0 0\n1 0 0\n0 1 0\n", 0},
+      {"property float z\nproperty float x\nproperty float y\n", "0 0 0\n0 1 0\n0 0 1\n", 0},
+      {"property float x\nproperty float y\nproperty list uchar float z\n", "0 0 0\n1 0 0\n0 1 0\n", 1},
+  };
+  for (const Case& one : cases) {
+    const std::string text = "ply\nformat ascii 1.0\nelement vertex 3\n" + std::string(one.properties) +
+                             "element face 1\nproperty list uchar int vertex_indices\nend_header\n" + one.rows +
+                             "3 0 1 2\n";
+    const MeshFile file = read_sound("ply", text);
+    ASSERT_EQ(file.messages.size(), one.told) << text;
+    if (one.told == 0) continue;
+    EXPECT_EQ(file.messages[0].code, "points_without_z");
+    EXPECT_EQ(file.messages[0].severity, Severity::info);
+    EXPECT_GT(file.messages[0].line, 0u);
+    EXPECT_FALSE(file.messages[0].text.ja.empty());
+    EXPECT_EQ(file.mesh.positions[1], glm::dvec3(1, 0, 0));
+    const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply")));
+    EXPECT_EQ(again.mesh.positions, file.mesh.positions);
+    EXPECT_TRUE(again.messages.empty()) << "what is written has z";
+  }
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\nend_header\n";
+  const std::size_t head = bytes.size();
+  bytes += std::string(2, '\1');
+  const MeshFile binary = read_sound("ply", bytes);
+  ASSERT_NE(find_message(binary, "points_without_z"), nullptr);
+  EXPECT_EQ(find_message(binary, "points_without_z")->byte, head);
+  const MeshFile empty =
+      read_sound("ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nend_header\n");
+  EXPECT_EQ(find_message(empty, "points_without_z"), nullptr) << "there are no points";
+}
+
 }  // namespace
 }  // namespace ryosen

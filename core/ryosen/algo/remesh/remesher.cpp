@@ -49,7 +49,6 @@ void Remesher::begin_closing() {
   most_ = most_share * target_.sizing().shortest();
 }
 
-template <class IsWanted>
 std::vector<Edge> Remesher::edges_by_length(bool longest_first, const IsWanted& is_wanted) const {
   using Found = std::vector<std::pair<double, std::uint32_t>>;
   const std::uint32_t n = mesh_.edge_slots();
@@ -133,11 +132,13 @@ bool Remesher::try_split(Edge e) {
   features_.edges.resize(mesh_.edge_slots(), 0);
   features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
   wanted_.resize(mesh_.vertex_slots(), length);
-  nearby_.resize(mesh_.vertex_slots(), nearby_[a.index]);
+  nearby_.resize(mesh_.vertex_slots(), no_index);
   for (Vertex v(first); v.index < mesh_.vertex_slots(); ++v.index)
     for (const Halfedge h : outgoing(mesh_, v)) {
       const Vertex end = point(mesh_, mesh_.to(h));
-      features_.edges[edge(h).index] = was_feature && (end == a || end == b) ? 1 : 0;
+      const bool is_half = end == a || end == b;
+      features_.edges[edge(h).index] = was_feature && is_half ? 1 : 0;
+      if (is_half) nearby_[v.index] = nearby_[mesh_.to(h).index];  // of its own sheet, not of another one there
     }
   if (was_feature) return true;
   share_corner_values(Vertex(first));

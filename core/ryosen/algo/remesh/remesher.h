@@ -1,6 +1,7 @@
 // The passes of isotropic remeshing [Botsch04], by the kernel's operators and their verdicts.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -66,8 +67,8 @@ class Remesher {
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
   double length_of(Edge e) const;
   double wanted(Edge e) const;
-  // By length, those that `is_wanted`.
-  template <class IsWanted>
+  // By length, those that are wanted.
+  using IsWanted = std::function<bool(Edge, double length)>;
   std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
   // Whether an edge of length `made` in place of one of length `before` is too short.
   bool is_too_short(double made, double before) const { return made < least_ && made < before; }

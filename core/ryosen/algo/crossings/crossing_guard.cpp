@@ -139,7 +139,7 @@ bool CrossingGuard::would_meet() const {
   if (step_.changed.empty()) return false;
   constexpr std::size_t most = 1000;
   if (meetings(step_.changed, 1) == 0) return false;
-  if (met_.is_empty()) return true;
+  if (!counts_) return true;
   std::vector<Changed> before;
   for (const Changed& one : step_.changed)  // of a split both halves
     if (before.empty() || before.back().face != one.face) before.push_back({one.face, triangle(one.face)});

@@ -18,7 +18,9 @@ class CrossingGuard {
   // Guards one in which parts meet at some places, which outlive the guard: there they may go on meeting. Where faces
   // meet elsewhere, a step may make as many such pairs as it takes away.
   CrossingGuard(const Mesh& mesh, const MetPlaces& met)
-      : mesh_(mesh), met_(met), parts_(met.parts()), faces_(mesh) {}
+      : mesh_(mesh), met_(met), parts_(met.parts()), counts_(!met.is_empty()), faces_(mesh) {}
+  // From here on a step may make as many pairs that meet as it takes away, wherever they are.
+  void count() { counts_ = true; }
 
   // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
   // area counts too. Cost: n log n of the faces around both ends and those near them.
@@ -79,6 +81,7 @@ class CrossingGuard {
   const Mesh& mesh_;
   const MetPlaces& met_;
   std::vector<std::uint32_t> parts_;  // by face; empty where none met
+  bool counts_;                       // pairs before a step and after it
   mutable NearFaces faces_;
   // Of the step that is judged.
   mutable Step step_;

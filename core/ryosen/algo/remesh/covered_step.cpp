@@ -1,6 +1,7 @@
 #include "ryosen/algo/remesh/covered_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "ryosen/geometry/point_triangle.h"
@@ -13,7 +14,7 @@ bool CoveredStep::are_at_one(const glm::dvec3& area_normal, const Point& point) 
 }
 
 bool CoveredStep::faces(const Point& point, std::size_t change) const {
-  return changes_[change].kind != Change::Kind::goes && are_at_one(normals_[change], point);
+  return changes_[change].kind != Change::Kind::goes && (is_any_way_ || are_at_one(normals_[change], point));
 }
 
 double CoveredStep::distance(const Point& point, std::size_t change) const {
@@ -47,6 +48,7 @@ bool CoveredStep::would_stay(std::span<const Change> changes, double reach, doub
   normals_.clear();
   old_.clear();
   changes_ = changes;
+  is_any_way_ = !std::isfinite(reach);
   is_move_ = false;
   if (changes.size() > most_faces) return false;
   for (const Change& change : changes)

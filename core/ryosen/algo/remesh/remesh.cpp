@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <utility>
 
 #include "ryosen/algo/cut_faces.h"
 #include "ryosen/algo/remesh/remesher.h"
@@ -80,14 +82,22 @@ std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, doub
 
 // Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ
 // there are few, since no step has made any.
-bool close_up(Remesher& remesher, Progress& progress) {
-  constexpr int most_turns = 2;
-  for (int turn = 0; turn < most_turns; ++turn)
-    if (!(remesher.collapse_short(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
-          remesher.relax(progress)))
-      return false;
-  return remesher.remove_shortest(progress) && remesher.split_long(progress) && remesher.swap_for_valence(progress) &&
-         remesher.relax(progress);
+bool close_up(Remesher& remesher, bool is_adaptive, Progress& progress) {
+  constexpr int most_turns = 2, most_removals = 8;
+  const auto even_out = [&] {
+    return is_adaptive ||
+           (remesher.split_long(progress) && remesher.swap_for_valence(progress) && remesher.relax(progress));
+  };
+  for (int turn = 0; turn < most_turns && !is_adaptive; ++turn)
+    if (!(remesher.collapse_short(progress) && even_out())) return false;
+  std::size_t left = std::numeric_limits<std::size_t>::max();
+  for (int turn = 0; turn < most_removals; ++turn) {
+    if (!(remesher.remove_shortest(progress) && even_out() && remesher.swap_slivers(progress))) return false;
+    const std::size_t before = std::exchange(left, remesher.short_edges());
+    if (left == 0) return true;
+    if (left >= before) break;
+  }
+  return remesher.remove_shortest(progress);
 }
 
 bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) {
@@ -99,8 +109,7 @@ bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) 
       return false;
   }
   remesher.begin_closing();
-  return (options.adaptive ? remesher.remove_shortest(progress) : close_up(remesher, progress)) &&
-         remesher.swap_slivers(progress);
+  return close_up(remesher, options.adaptive, progress);
 }
 
 Mesh scaled(const Mesh& mesh, double scale) {

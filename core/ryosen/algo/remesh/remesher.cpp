@@ -39,13 +39,21 @@ double Remesher::length_of(Edge e) const {
   return glm::distance(mesh_.position(a), mesh_.position(b));
 }
 
+double Remesher::least_at_last() const { return shortest_share * target_.sizing().shortest(); }
+
+bool Remesher::is_pinned(Vertex v) const { return is_fixed(v) && (stays(v) || has_copies(mesh_, v)); }
+
+bool Remesher::is_lasting(double made, Vertex a, Vertex b) const {
+  return made < least_at_last() && is_pinned(a) && is_pinned(b) && !stay(a, b);
+}
+
 double Remesher::wanted(Edge e) const {
   const auto [a, b] = ends(mesh_, e);
   return std::min(wanted_[a.index], wanted_[b.index]);
 }
 
 void Remesher::begin_closing() {
-  least_ = shortest_share * target_.sizing().shortest();
+  least_ = least_at_last();
   most_ = most_share * target_.sizing().shortest();
 }
 
@@ -101,8 +109,12 @@ bool Remesher::makes_short_edges(Edge e, double along) const {
   const Halfedge h = halfedge(e);
   const glm::dvec3 place = SplitEdge{h, along}.position(mesh_);
   if (!is_feature(e) && std::min(along, 1 - along) * length_of(e) < least_) return true;
+  const bool is_pinned_there = is_feature(e) && is_cut_on_points(mesh_, h);
   const auto is_near_apex = [&](Halfedge sheet) {
-    return !mesh_.is_outside(sheet) && glm::distance(place, mesh_.position(mesh_.from(mesh_.prev(sheet)))) < least_;
+    if (mesh_.is_outside(sheet)) return false;
+    const Vertex apex = mesh_.from(mesh_.prev(sheet));
+    const double made = glm::distance(place, mesh_.position(apex));
+    return made < least_ || (is_pinned_there && made < least_at_last() && is_pinned(apex));
   };
   const auto is_near_apexes = [&](Halfedge sheet) { return is_near_apex(sheet) || is_near_apex(twin(sheet)); };
   if (!has_several_sheets(mesh_, h)) return is_near_apexes(h);
@@ -177,10 +189,19 @@ bool Remesher::faces_stay(Vertex v, const glm::dvec3& place) const {
     Corners corners = corners_of(mesh_, h);
     const glm::dvec3 before = area_normal(corners);
     corners[0] = place;
-    if (!keeps_facing(before, area_normal(corners), cosine_of_turn)) return false;
-    if (is_narrower(corners, sliver_sine) && smallest_sine(corners) < smallest_sine(corners_of(mesh_, h))) return false;
+    if (!keeps_facing(before, area_normal(corners), guard_.turn_cosine)) return false;
+    if (!lies_near(corners, v)) return false;
+    if (is_narrower(corners, guard_.move_sine) && smallest_sine(corners) < smallest_sine(corners_of(mesh_, h)))
+      return false;
   }
   return true;
+}
+
+bool Remesher::lies_near(const Corners& corners, Vertex v) const {
+  if (!std::isfinite(guard_.beside)) return true;
+  const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const auto nearest = target_.nearest(middle, area_normal(corners), nearby_[v.index]);
+  return nearest && glm::distance(nearest->place, middle) <= guard_.beside * wanted_[v.index];
 }
 
 bool Remesher::collapse_short(Progress& progress) {
@@ -238,7 +259,7 @@ bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
 bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
   const Halfedge o = twin(h);
   const Vertex kept = mesh_.to(h);
-  const double before = length_of(edge(h));
+  const double before = std::min(length_of(edge(h)), guard_.mended);
   for (const Halfedge start : {h, o}) {
     const Vertex v = mesh_.from(start);
     if (place == mesh_.position(v)) continue;
@@ -248,14 +269,16 @@ bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
         const double most =
             std::max({longest_share * std::min(wanted_[v.index], wanted_[w.index]), most_, guard_.longest});
         const double made = glm::distance(place, mesh_.position(w));
-        if (made > most || (is_too_short(made, before) && !(stay(w, kept) && place == mesh_.position(kept)))) return false;
+        const bool is_there = place == mesh_.position(kept) &&
+                              (stay(w, kept) || w == mesh_.from(mesh_.prev(h)) || w == mesh_.from(mesh_.prev(o)));
+        if (made > most || (!is_there && (is_too_short(made, before) || is_lasting(made, kept, w)))) return false;
       }
       const Face f = mesh_.face(out);
       if (!f || f == mesh_.face(h) || f == mesh_.face(o)) continue;
       Corners corners = corners_of(mesh_, out);
       const glm::dvec3 normal = area_normal(corners);
       corners[0] = place;
-      if (!keeps_facing(normal, area_normal(corners), guard_.turn_cosine)) return false;
+      if (!keeps_facing(normal, area_normal(corners), guard_.turn_cosine) || !lies_near(corners, v)) return false;
       if (guard_.sine > 0 && is_narrower(corners, guard_.sine) &&
           smallest_sine(corners) < smallest_sine(corners_of(mesh_, out)))
         return false;

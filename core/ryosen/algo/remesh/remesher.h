@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,8 +18,8 @@ namespace ryosen::remesh {
 
 // Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
 // target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of the
-// length of the surface as it becomes. Each pass goes over the edges in a fixed order, so the result does not depend on
-// threads; false: cancelled.
+// length of the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in a fixed
+// order, so the result does not depend on threads; false: cancelled.
 class Remesher {
  public:
   // The features, to which it adds its own, and the target are of the mesh as it is; they and the keeper outlive it.
@@ -35,8 +36,8 @@ class Remesher {
   void begin_closing();
   // Removes edges that are left shorter than 4/5 of the shortest length there is, by collapses, swaps and moves, also of
   // points that were put on features. Exempt are pieces of features of the input, and edges between two of its feature
-  // points, which may not move. Edges stay too where each remedy is refused by the kernel or the keeper, turns a face by
-  // 84 degrees or makes an edge of four times the length.
+  // points, which may not move. Where nothing else helps, points of the surface as it was come to lie anywhere. Edges stay
+  // too where each remedy is refused by the kernel, makes faces meet or lose their area, or makes a still shorter edge.
   bool remove_shortest(Progress& progress);
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
@@ -49,6 +50,9 @@ class Remesher {
   // lie; feature edges were only divided, so theirs are right. `before`: the mesh of the target.
   void take_values(const Mesh& before);
 
+  // How many of these there are.
+  std::size_t short_edges() const;
+
  private:
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
   // Of 20 degrees: no pass but the splits makes a narrower triangle of wider ones.
@@ -58,9 +62,12 @@ class Remesher {
   static constexpr std::size_t between_reports = 256;
   struct SwappedTriangles;
   // How far a step may go: the cosine of the turn of a face, the length of edges that come of a collapse, and the sine of
-  // the smallest angle below which no wider triangle becomes narrower.
+  // the smallest angle below which no wider triangle becomes narrower, by a collapse and by a move.
   struct Guard {
-    double turn_cosine = cosine_of_turn, longest = 0, sine = 0;
+    double turn_cosine = cosine_of_turn, longest = 0, sine = 0, move_sine = sliver_sine;
+    double reach = 1;                                         // of the keeper
+    double beside = std::numeric_limits<double>::infinity();  // of the length: how far from the surface faces may lie
+    double mended = std::numeric_limits<double>::infinity();  // the length of the edge that goes
   };
 
   bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
@@ -82,6 +89,13 @@ class Remesher {
   // Whether both are points of features of the input, which stay: how far apart they are is given.
   bool stay(Vertex a, Vertex b) const { return stays(a) && stays(b); }
   bool stays(Vertex v) const { return is_fixed(v) && v.index < first_made_; }
+  // No step makes an edge that short which nothing could remove at last: points with copies cannot leave an edge where many
+  // sheets meet.
+  double least_at_last() const;
+  bool is_pinned(Vertex v) const;
+  bool is_lasting(double made, Vertex a, Vertex b) const;
+  bool mend_all(Progress& progress, std::size_t& left);
+  bool is_short(Edge e, double length) const;
   bool mend_short(Edge e);
   bool swap_longer(Halfedge h);
   bool is_guarded_swap(Halfedge h) const;
@@ -106,6 +120,8 @@ class Remesher {
   // One value for all corners of a vertex within a chart: by it collapses know the chart.
   void share_corner_values(Vertex v);
   std::vector<std::optional<Target::Share>> shares(const Mesh& before) const;
+  // Whether the middle of a triangle that comes of a step lies as near to the surface as it must.
+  bool lies_near(const Corners& corners, Vertex v) const;
   bool faces_stay(Vertex v, const glm::dvec3& place) const;
   bool try_move(Vertex v, const glm::dvec3& place, SurfaceKeeper::MoveJudge& judge);
 

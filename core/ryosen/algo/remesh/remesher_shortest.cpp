@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ryosen/algo/remesh/remesher.h"
 #include "ryosen/mesh/copies.h"
@@ -14,33 +15,60 @@ constexpr double clearly = 1 + 1e-6;
 
 }  // namespace
 
-// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps.
+// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps, and points
+// of the surface as it was are left only at last.
 bool Remesher::remove_shortest(Progress& progress) {
-  constexpr int most_turns = 8;  // of each guard
-  const auto is_short = [&](Edge e, double length) {
-    const auto [a, b] = ends(mesh_, e);
-    return length < least_ && !is_feature(e) && !stay(a, b);
-  };
-  for (const Guard& guard : {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
-                             Guard{cosine_of_turn, 2 * most_, 0}, Guard{0.1, 2 * most_, 0}}) {
+  constexpr double any_turn = -2, any = std::numeric_limits<double>::infinity();
+  for (const Guard& guard :
+       {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
+        Guard{cosine_of_turn, 2 * most_, 0}, Guard{0.1, 2 * most_, 0}, Guard{0.1, 2 * most_, 0, 0, 1.5, 0.5},
+        Guard{0.1, any, 0, 0, 1.5, 0.5}, Guard{any_turn, any, 0, 0, 1.5, 0.5}, Guard{any_turn, any, 0, 0, any, 0.5},
+        Guard{any_turn, 2 * most_, 0, 0, any, 1}, Guard{any_turn, 2 * most_, 0, 0, any},
+        Guard{any_turn, any, 0, 0, any}}) {
+    std::size_t left = 0;
     guard_ = guard;
-    std::size_t mended = 1;
-    for (int turn = 0; turn < most_turns && mended > 0; ++turn) {
-      mended = 0;
-      std::size_t asked = 0;
-      for (const Edge e : edges_by_length(false, is_short)) {
-        if (asked++ % between_reports == 0 && !progress.go_on()) return false;
-        if (mesh_.is_alive(e) && is_short(e, length_of(e)) && mend_short(e)) ++mended;
-      }
-    }
+    keeper_.widen(guard.reach);
+    const bool goes_on = mend_all(progress, left);
+    guard_ = {};
+    keeper_.widen(1);
+    if (!goes_on || left == 0) return goes_on;
   }
-  guard_ = {};
   return true;
+}
+
+// Where `left` is 0 no short one is.
+bool Remesher::mend_all(Progress& progress, std::size_t& left) {
+  constexpr int most_turns = 8;
+  const auto is_short_one = [&](Edge e, double length) { return is_short(e, length); };
+  std::size_t mended = 1, asked = 0;
+  for (int turn = 0; turn < most_turns && mended > 0; ++turn) {
+    const std::vector<Edge> edges = edges_by_length(false, is_short_one);
+    mended = 0;
+    for (const Edge e : edges) {
+      if (asked++ % between_reports == 0 && !progress.go_on()) return false;
+      if (mesh_.is_alive(e) && is_short(e, length_of(e)) && mend_short(e)) ++mended;
+    }
+    left = edges.size();
+  }
+  return true;
+}
+
+bool Remesher::is_short(Edge e, double length) const {
+  const auto [a, b] = ends(mesh_, e);
+  return length < least_ && !is_feature(e) && !stay(a, b);
+}
+
+std::size_t Remesher::short_edges() const {
+  std::size_t found = 0;
+  for (Edge e(0); e.index < mesh_.edge_slots(); ++e.index)
+    if (mesh_.is_alive(e) && !mesh_.is_wire(e) && is_short(e, length_of(e))) ++found;
+  return found;
 }
 
 bool Remesher::mend_short(Edge e) {
   const Halfedge h = halfedge(e);
   const std::array<Halfedge, 2> sides{h, twin(h)};
+  if (guard_.reach > 1) guard_.mended = length_of(e);
   if (!(is_fixed(mesh_.from(h)) && is_fixed(mesh_.to(h))) && try_collapse(e)) return true;
   if (swap_longer(h)) return true;
   for (const Halfedge side : sides)

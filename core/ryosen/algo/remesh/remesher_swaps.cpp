@@ -10,10 +10,10 @@ namespace ryosen::remesh {
 struct Remesher::SwappedTriangles {
   std::array<Corners, 2> before, after;
 
-  bool keep_facing() const {
+  bool keep_facing(double least_cosine = cosine_of_turn) const {
     for (const Corners& old : before)
       for (const Corners& made : after)
-        if (!keeps_facing(area_normal(old), area_normal(made), cosine_of_turn)) return false;
+        if (!keeps_facing(area_normal(old), area_normal(made), least_cosine)) return false;
     return true;
   }
   bool has_sliver_before() const { return is_narrower(before[0], sliver_sine) || is_narrower(before[1], sliver_sine); }
@@ -86,15 +86,17 @@ bool Remesher::try_swap_cap(Edge e) {
 // Whether no face turns too far, nor becomes narrower than the guard lets it.
 bool Remesher::is_guarded_swap(Halfedge h) const {
   const SwappedTriangles t = triangles_at(h);
-  return t.keep_facing() && (t.sine_after() >= guard_.sine || t.sine_after() >= t.sine_before());
+  const bool is_near = lies_near(t.after[0], mesh_.from(h)) && lies_near(t.after[1], mesh_.from(h));
+  return is_near && t.keep_facing(guard_.turn_cosine) &&
+         (t.sine_after() >= guard_.sine || t.sine_after() >= t.sine_before());
 }
 
 bool Remesher::swap_if_allowed(Halfedge h) {
-  const glm::dvec3 &c = mesh_.position(mesh_.from(mesh_.prev(h))), &d = mesh_.position(mesh_.from(mesh_.prev(twin(h))));
-  const double made = glm::distance(c, d);
+  const Vertex c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(twin(h)));
+  const double made = glm::distance(mesh_.position(c), mesh_.position(d));
   // How far apart two points are that stay is given: their edge is no reason for another short one.
   const bool is_given = made < least_ && stay(mesh_.from(h), mesh_.to(h));
-  return !is_given && !is_too_short(made, length_of(edge(h))) && swap_if_kept(h);
+  return !is_given && !is_too_short(made, length_of(edge(h))) && !is_lasting(made, c, d) && swap_if_kept(h);
 }
 
 bool Remesher::swap_if_kept(Halfedge h) {

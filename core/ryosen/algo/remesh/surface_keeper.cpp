@@ -14,10 +14,23 @@ constexpr double any_way = std::numeric_limits<double>::infinity(), anywhere = s
 
 }  // namespace
 
-SurfaceKeeper::SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched,
-                             const MetPlaces& met)
-    : mesh_(mesh), watched_(watched), points_(std::move(points)), step_(points_) {
+SurfaceKeeper::SurfaceKeeper(const Mesh& mesh, CoveredPoints points, const WatchedPlaces& watched, const MetPlaces& met)
+    : mesh_(mesh), watched_(watched), met_(met), points_(std::move(points)), step_(points_) {
   if (!watched.is_empty()) guard_.emplace(mesh, met);
+}
+
+void SurfaceKeeper::widen(double reach) {
+  widened_ = reach;
+  if (!std::isfinite(reach)) {
+    if (!guard_) guard_.emplace(mesh_, met_);
+    guard_->count();
+  } else if (watched_.is_empty()) {
+    guard_.reset();
+  }
+}
+
+bool SurfaceKeeper::stays_near(std::span<const CoveredStep::Change> changes, double reach, CoveredStep& step) const {
+  return step.would_stay(changes, widened_ * reach, 0.5 * widened_ * reach);
 }
 
 bool SurfaceKeeper::refuses(bool would_meet) {
@@ -52,7 +65,7 @@ bool SurfaceKeeper::allows_collapse(Halfedge h, const glm::dvec3& place, double 
     for (const Halfedge beside : {left ? twin(after) : h, right ? twin(before) : twin(h)})
       if (const Face f = mesh_.face(beside)) changes_.push_back({f, Kind::comes_or_stays, corners_of(mesh_, beside)});
   }
-  if (!step_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  if (!stays_near(changes_, reach, step_)) return false;
   return !is_watched(place) || !refuses(guard_->would_meet(h, place));
 }
 
@@ -79,7 +92,7 @@ bool SurfaceKeeper::MoveJudge::keeps_points(Vertex v, const glm::dvec3& place, d
     if (mesh.is_outside(out)) continue;
     Corners corners = corners_of(mesh, out);
     corners[0] = place;
-    if (!step_.keeps_points(mesh.face(out), area_normal(corners), reach)) return false;
+    if (!step_.keeps_points(mesh.face(out), area_normal(corners), keeper_.widened_ * reach)) return false;
   }
   return true;
 }
@@ -87,7 +100,7 @@ bool SurfaceKeeper::MoveJudge::keeps_points(Vertex v, const glm::dvec3& place, d
 bool SurfaceKeeper::MoveJudge::allows(Vertex v, const glm::dvec3& place, double reach) {
   if (!keeps_points(v, place, reach)) {
     changes_.clear();
-    if (!keeper_.add_around(changes_, v, place) || !step_.would_stay(changes_, reach, 0.5 * reach)) return false;
+    if (!keeper_.add_around(changes_, v, place) || !keeper_.stays_near(changes_, reach, step_)) return false;
   }
   return !keeper_.is_watched(place) || !keeper_.refuses(keeper_.guard_->would_meet(v, place));
 }
@@ -104,7 +117,7 @@ bool SurfaceKeeper::allows_swap(Halfedge h, double reach) {
   changes_.clear();
   changes_.push_back({mesh_.face(h), Kind::becomes, {c, a, d}, any_way});
   changes_.push_back({mesh_.face(o), Kind::becomes, {d, b, c}, any_way});
-  if (!step_.would_stay(changes_, reach, 0.5 * reach)) return false;
+  if (!stays_near(changes_, reach, step_)) return false;
   return !is_watched(0.5 * a + 0.5 * b) || !refuses(guard_->would_meet_swapped(h));
 }
 

@@ -1,6 +1,7 @@
 // Judges the steps of remeshing by what becomes of the surface.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "ryosen/algo/crossings/crossing_guard.h"
@@ -45,6 +46,10 @@ class SurfaceKeeper {
   };
   bool may_move_beside();
 
+  // From here on points of the surface may lie so many times as far from it as is told. Where that is infinite they may lie
+  // anywhere, but no step makes more faces meet than it parts.
+  void widen(double reach);
+
   // How many steps were refused since faces would have met.
   std::size_t refused() const { return refused_; }
 
@@ -52,11 +57,16 @@ class SurfaceKeeper {
   using Changes = std::vector<CoveredStep::Change>;
   // Those around a vertex but for two, as they become when it comes to a place; false where they are too many.
   bool add_around(Changes& changes, Vertex v, const glm::dvec3& place, Face left = {}, Face right = {}) const;
-  bool is_watched(const glm::dvec3& place) const { return guard_ && watched_.contains(place); }
+  bool is_watched(const glm::dvec3& place) const {
+    return guard_ && (!std::isfinite(widened_) || watched_.contains(place));
+  }
+  bool stays_near(std::span<const CoveredStep::Change> changes, double reach, CoveredStep& step) const;
   bool refuses(bool would_meet);
 
   const Mesh& mesh_;
   const WatchedPlaces& watched_;
+  const MetPlaces& met_;
+  double widened_ = 1;  // infinite: the guard judges each step
   CoveredPoints points_;
   std::optional<CrossingGuard> guard_;
   std::size_t refused_ = 0;

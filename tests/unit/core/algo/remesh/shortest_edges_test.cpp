@@ -57,13 +57,15 @@ double distance_from(const Segment& segment, const glm::dvec3& p) {
 }
 
 // Edges of a result that lie on no boundary and no feature of the mesh before, nor lead from one point of these to another.
-std::vector<Segment> made_edges(const Mesh& before, const Mesh& after) {
+std::vector<Segment> made_edges(const Mesh& before, const Mesh& after,
+                                double below = std::numeric_limits<double>::infinity()) {
   const remesh::Features features = remesh::find_features(before, angle_rad);
   const std::vector<Segment> lines = segments_of(before, [&](Edge e) { return features.edges[e.index] != 0; });
   std::set<std::array<double, 3>> points;
   for (Vertex v(0); v.index < before.vertex_slots(); ++v.index)
     if (before.is_alive(v) && features.vertices[v.index]) points.insert(coordinates(before.position(v)));
-  std::vector<Segment> found = segments_of(after, [&](Edge e) { return !after.is_wire(e); });
+  std::vector<Segment> found =
+      segments_of(after, [&](Edge e) { return !after.is_wire(e) && segment_of(after, e).length() < below; });
   std::erase_if(found, [&](const Segment& edge) {
     if (points.contains(coordinates(edge.a)) && points.contains(coordinates(edge.b))) return true;
     const double near = 1e-9 * (1 + glm::length(edge.a));
@@ -160,11 +162,8 @@ TEST(RemeshShortest, of_books_fans_and_slivers) {
 }
 
 std::size_t short_edges(const Mesh& mesh, double share, const std::string& further = "") {
-  const std::vector<Segment> edges =
-      made_edges(mesh, remeshing_of(mesh, "length=" + std::to_string(100 * share) + "%" + further));
   const double least = 0.8 * share * diagonal(mesh) * rounding / (further.empty() ? 1 : 8);
-  return static_cast<std::size_t>(
-      std::count_if(edges.begin(), edges.end(), [&](const Segment& edge) { return edge.length() < least; }));
+  return made_edges(mesh, remeshing_of(mesh, "length=" + std::to_string(100 * share) + "%" + further), least).size();
 }
 
 TEST(RemeshShortest, no_made_edge_of_a_shape_is_short) {
@@ -226,8 +225,7 @@ struct Judged {
 };
 Judged judged(const Mesh& before, const Mesh& after, double least) {
   Judged found;
-  for (const Segment& edge : made_edges(before, after))
-    if (edge.length() < least) found.short_lengths.push_back(edge.length());
+  for (const Segment& edge : made_edges(before, after, least)) found.short_lengths.push_back(edge.length());
   std::sort(found.short_lengths.begin(), found.short_lengths.end());
   found.meetings = find_self_intersections(after).count;
   for (Face f(0); f.index < after.face_slots(); ++f.index) {

@@ -550,12 +550,12 @@ TEST_F(RecoveryTest, edits_that_are_all_undone_are_not_called_none) {
     first->run("poke f3");
     first.reset();
     auto second = open_nothing();
-    ASSERT_TRUE(list_lost_sessions(second->session));
+    ASSERT_TRUE(list_lost_sessions(second->session.lost));
     ASSERT_TRUE(second->session.run("recover 1").done());
     for (const std::string& line : one.behind_the_recovery) second->run(line);
     second.reset();
     auto third = open_nothing();
-    ASSERT_TRUE(list_lost_sessions(third->session));
+    ASSERT_TRUE(list_lost_sessions(third->session.lost));
     ASSERT_EQ(third->session.lost.size(), 1u);
     const Text listed = describe(third->session.lost[0]);
     EXPECT_NE(listed.en.find("a.off, " + one.listed + ", 2"), std::string::npos) << listed.en;

@@ -93,7 +93,7 @@ void Gui::follow_view(Session& session, Size window) const {
 
 // What is played goes out of the way of what a tab has opened, and what has been framed beside that has all of the view
 // again when it is closed. Else nothing moves under who opens a tab.
-void Gui::follow_covered(ViewState& view, Framing& framing, Shown& shown, Layout& layout, Size window) {
+void Gui::follow_covered(ViewState& view, Framing& framing, const Shown& shown, const Layout& layout, Size window) {
   const glm::dvec2 before = std::exchange(view.covered_px, columns_.covered_px(view_area(window, layout)));
   for (const OwnPanel& own : panels_)
     if (own.was_over) cover_view(view, own);

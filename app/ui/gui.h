@@ -111,7 +111,7 @@ class Gui {
   PanelContext context(Session& session);
   void begin_frame(Size window, double seconds);
   void follow_view(Session& session, Size window) const;
-  void follow_covered(ViewState& view, Framing& framing, Shown& shown, Layout& layout, Size window);
+  void follow_covered(ViewState& view, Framing& framing, const Shown& shown, const Layout& layout, Size window);
   void play_on(Session& session);
   void end_frame();
   ImGuiContext* imgui_;

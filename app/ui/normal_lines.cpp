@@ -62,7 +62,7 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
   }
 }
 
-Overlay NormalLines::block(Findings& findings, Gesturing& gesturing, std::uint32_t number) const {
+Overlay NormalLines::block(Findings& findings, const Gesturing& gesturing, std::uint32_t number) const {
   const Mesh& mesh = findings.mesh();
   const std::span<const glm::dvec3> places = gesturing.drawn_positions();
   const Rgba colour = with_alpha(palette(theme_).label, 190);

@@ -25,7 +25,7 @@ class NormalLines {
   void follow(Session& session, View& view);
 
  private:
-  Overlay block(Findings& findings, Gesturing& gesturing, std::uint32_t number) const;
+  Overlay block(Findings& findings, const Gesturing& gesturing, std::uint32_t number) const;
 
   Normals drawn_ = Normals::off;
   Theme theme_ = Theme::dark;

@@ -18,7 +18,7 @@ namespace ryosen {
 namespace {
 
 // The colours of the values that the surface is coloured by.
-void paint_values(Findings& findings, ViewState& view, TriangleSource& source) {
+void paint_values(Findings& findings, const ViewState& view, TriangleSource& source) {
   const MapValues& values = findings.map_values();
   const Mesh& mesh = findings.mesh();
   const Colouring& colouring = *view.colouring;
@@ -100,7 +100,7 @@ bool is_painted(const Document& document, const ViewState& view) {
   return view.colouring || !ShownFileColours(document, view).are_none();
 }
 
-void paint_surface(Document& document, Findings& findings, ViewState& view, TriangleSource& source) {
+void paint_surface(const Document& document, Findings& findings, const ViewState& view, TriangleSource& source) {
   if (view.colouring)
     paint_values(findings, view, source);
   else

@@ -12,6 +12,6 @@ struct ViewState;
 // Whether the surface has colours beside its own.
 bool is_painted(const Document& document, const ViewState& view);
 // Sets paint and colours of the source, where there are any. It reads the session for as long as it is used.
-void paint_surface(Document& document, Findings& findings, ViewState& view, TriangleSource& source);
+void paint_surface(const Document& document, Findings& findings, const ViewState& view, TriangleSource& source);
 
 }  // namespace ryosen

@@ -37,7 +37,7 @@ void VerdictLayer::begin(Session& session, View& view, const ToolVerdicts* verdi
 }
 
 // The refused ones on top, where elements lie dense.
-void VerdictLayer::draw_block(Findings& findings, Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
+void VerdictLayer::draw_block(Findings& findings, const Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
                               std::uint32_t block) const {
   const std::uint32_t first = block * in_block, end = std::min(first + in_block, slots_);
   const auto draw = [&](ElementVerdict which, std::uint32_t part) {

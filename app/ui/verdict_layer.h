@@ -27,7 +27,7 @@ class VerdictLayer {
   void begin(Session& session, View& view, const ToolVerdicts* verdicts);
   // Drops what an undo has taken away, and forgets a block that was or is not full.
   void follow_slots(View& view, std::uint32_t slots);
-  void draw_block(Findings& findings, Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
+  void draw_block(Findings& findings, const Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
                   std::uint32_t block) const;
 
   bool is_stale_ = true, is_waiting_ = false;

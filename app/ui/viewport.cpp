@@ -24,8 +24,8 @@ namespace ryosen {
 
 namespace {
 
-TriangleSource source_of(Document& document, Findings& findings, ViewState& view, Gesturing& gesturing,
-                         std::span<const std::uint8_t> tints) {
+TriangleSource source_of(const Document& document, Findings& findings, const ViewState& view,
+                         const Gesturing& gesturing, std::span<const std::uint8_t> tints) {
   const SurfaceTriangles& triangles = findings.picker().triangles();
   const Mesh& mesh = document.mesh();
   TriangleSource source{
@@ -56,7 +56,7 @@ std::vector<DrawnTint> tints_of(const Document& document, const ViewState& view)
 // first highlight of the table tints; being selected goes before them, and being hidden before that.
 class FaceTints {
  public:
-  FaceTints(Findings& findings, ViewState& view, const IndexSet& selected) {
+  FaceTints(Findings& findings, const ViewState& view, const IndexSet& selected) {
     const auto tinted =
         std::count_if(highlight_table().begin(), highlight_table().end(), [](const auto& row) { return row.tint; });
     shown_.push_back({&findings.hidden().faces(), hidden_face});
@@ -101,7 +101,7 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
 }
 
 // Of points at the members of a mark; none for other members. Linear.
-double room_of(Findings& findings, Gesturing& gesturing, Mark mark) {
+double room_of(Findings& findings, const Gesturing& gesturing, Mark mark) {
   if (mark.sort != Element::Kind::vertex) return 0;
   const IndexSet& members = findings.highlights().of(mark);
   Box bounds;
@@ -280,7 +280,7 @@ void Viewport::follow_mesh(Session& session) {
   selection_stale_ = true;
 }
 
-void Viewport::follow_selected_faces(Findings& findings, Selecting& selecting, std::vector<std::uint32_t>& faces,
+void Viewport::follow_selected_faces(Findings& findings, const Selecting& selecting, std::vector<std::uint32_t>& faces,
                                      std::vector<std::uint32_t>& triangles) {
   constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
   IndexSet selected;
@@ -319,7 +319,7 @@ void Viewport::draw_mark(Findings& findings, Gesturing& gesturing, const Highlig
   view_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
 }
 
-void Viewport::follow_mark(Findings& findings, ViewState& view, Gesturing& gesturing, const HighlightRow& row,
+void Viewport::follow_mark(Findings& findings, const ViewState& view, Gesturing& gesturing, const HighlightRow& row,
                            Mark mark) {
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
   const bool is_shown = view.highlights.contains(std::string(row.id));
@@ -344,7 +344,7 @@ void Viewport::follow_mark(Findings& findings, ViewState& view, Gesturing& gestu
   for (std::uint32_t block : blocks) draw_mark(findings, gesturing, row, mark, block);
 }
 
-void Viewport::follow_highlights(Findings& findings, ViewState& view, Gesturing& gesturing) {
+void Viewport::follow_highlights(Findings& findings, const ViewState& view, Gesturing& gesturing) {
   if (highlights_stale_) {
     view_->set_overlay(Layer::highlights, {});
     drawn_marks_.clear();

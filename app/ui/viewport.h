@@ -71,11 +71,11 @@ class Viewport {
   void follow_beside(Session& session);
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces, and the slots of their triangles, that were selected or are no longer.
-  void follow_selected_faces(Findings& findings, Selecting& selecting, std::vector<std::uint32_t>& faces,
+  void follow_selected_faces(Findings& findings, const Selecting& selecting, std::vector<std::uint32_t>& faces,
                              std::vector<std::uint32_t>& triangles);
   void follow_overlays(Session& session);
-  void follow_highlights(Findings& findings, ViewState& view, Gesturing& gesturing);
-  void follow_mark(Findings& findings, ViewState& view, Gesturing& gesturing, const HighlightRow& row, Mark mark);
+  void follow_highlights(Findings& findings, const ViewState& view, Gesturing& gesturing);
+  void follow_mark(Findings& findings, const ViewState& view, Gesturing& gesturing, const HighlightRow& row, Mark mark);
   void draw_mark(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark, std::uint32_t block);
 
   std::unique_ptr<View> view_;

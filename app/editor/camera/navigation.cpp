@@ -24,7 +24,7 @@ std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
 }
 
 // How deep the nearest of the surface lies that a grid of rays meets, else the target.
-double nearest_depth(ViewState& view, Pointing& pointing) {
+double nearest_depth(const ViewState& view, Pointing& pointing) {
   constexpr int columns = 16, rows = 10;
   std::optional<double> nearest;
   for (int row = 0; row < rows; ++row)
@@ -48,7 +48,7 @@ glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
 
 // What is looked at, where nothing was pressed. The wheel may have left the target before or behind all there is: then
 // the middle of the mesh, or, where that is out of sight, the middle of the view as deep as its nearest surface.
-glm::dvec3 middle_of_what_is_seen(const Mesh& mesh, ViewState& view, Pointing& pointing) {
+glm::dvec3 middle_of_what_is_seen(const Mesh& mesh, const ViewState& view, Pointing& pointing) {
   const Camera& camera = view.camera;
   const Box box = box_of_finite(mesh.positions());
   if (box.is_empty() || box.encloses({camera.target, camera.target})) return camera.target;

@@ -29,7 +29,7 @@ FaultOfCommand fault_of_either, fault_of_ask;
 RunCommand run_exercise, run_start, run_new, run_open, run_reload, run_keep_mine, run_save, run_recover;
 RunOn<Document, Framing> run_figure;
 RunOn<Document, Framing, Selecting, RunFiles> run_append;
-RunOn<Document, Selecting, Frontend, RunFiles> run_save_selected;
+RunOn<Document, const Selecting, const Frontend, RunFiles> run_save_selected;
 RunOn<Document> run_undo, run_redo;
 RunOn<Frontend, RunFiles> run_shot;
 FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_figure, fault_of_open,
@@ -38,12 +38,13 @@ bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
 RunCommand run_repair;
-RunOn<Document, Frontend> run_would;
+RunOn<const Document, const Frontend> run_would;
 FaultOfCommand fault_of_repair, fault_of_would;
 // What the pointer does: commands_pointing.cpp
 RunCommand run_ask, run_remedy;
 RunOn<Findings, ViewState, Framing, Selecting> run_walk;
-RunOn<Selecting, Pointing> run_tool, run_mode, run_click;
+RunOn<Selecting, Pointing> run_tool, run_mode;
+RunOn<const Selecting, Pointing> run_click;
 FaultOfCommand fault_of_remedy;
 // Another mesh beside this one: commands_comparing.cpp
 RunCommand run_compare;
@@ -81,7 +82,7 @@ FaultOfCommand fault_of_levels, fault_of_account;
 std::string levels_syntax(), account_syntax();
 bool levels_take_long(Words arguments);
 // Searching on request: commands_searching.cpp
-RunOn<Findings, Frontend> run_self_intersections;
+RunOn<Findings, const Frontend> run_self_intersections;
 FaultOfCommand fault_of_self_intersections;
 // In a region of the picture: commands_region.cpp
 RunCommand run_box, run_lasso;
@@ -94,8 +95,8 @@ std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
 // What is seen: view_switches.cpp, commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_drag;
-RunOn<Findings, ViewState, Framing, Selecting> run_frame;
-RunOn<ViewState, Framing> run_view;
+RunOn<Findings, ViewState, Framing, const Selecting> run_frame;
+RunOn<ViewState, const Framing> run_view;
 RunOn<ViewState> run_camera, run_show;
 // Where the mesh is cut: cutting.cpp
 RunOn<const Mesh, ViewState> run_clip_at;

@@ -105,7 +105,7 @@ std::string select_line(const ProblemRow& row, std::string_view element = {});
 std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
 // What a line of `repair` without a fault would do; null while that is being tried.
-const RepairReport* tried(Document& document, RepairTrials& trials, const std::string& line);
+const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);
 
 // A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
 // anything else reads the table.

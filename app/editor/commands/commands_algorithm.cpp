@@ -206,7 +206,7 @@ std::optional<Text> fault_of_would(Words words, const std::string& line) {
   return fault_of_repair(words.subspan(1), line);
 }
 
-Outcome run_would(Document& document, Frontend& frontend, Words words, std::string_view) {
+Outcome run_would(const Document& document, const Frontend& frontend, Words words, std::string_view) {
   if (const auto fault = fault_of_would(words, {})) return usage_error(*fault);
   const RepairCall call = call_of_repair(words.subspan(1));
   const BesideRepairs beside = document.beside_repairs();
@@ -218,7 +218,7 @@ Outcome run_would(Document& document, Frontend& frontend, Words words, std::stri
   return outcome;
 }
 
-const RepairReport* tried(Document& document, RepairTrials& trials, const std::string& line) {
+const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   const RepairCall call = call_of_repair(Words(words).subspan(1));
   return trials.of(document, line, call, is_dear_to_try(document.mesh()));

@@ -111,7 +111,7 @@ Outcome run_append(Document& document, Framing& framing, Selecting& selecting, R
   return outcome;
 }
 
-Outcome run_save_selected(Document& document, Selecting& selecting, Frontend& frontend, RunFiles& files,
+Outcome run_save_selected(Document& document, const Selecting& selecting, const Frontend& frontend, RunFiles& files,
                           Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("save_selected");
   if (selecting.selection.empty())

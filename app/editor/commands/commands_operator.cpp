@@ -21,7 +21,7 @@ constexpr std::string_view selected_word = "selected";
 
 bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selected_word; }
 
-Outcome apply(Document& document, Frontend& frontend, const std::string& called, Words arguments,
+Outcome apply(Document& document, const Frontend& frontend, const std::string& called, Words arguments,
               std::string_view whole) {
   const Parsed<AnyOp> parsed = parse_op(document.mesh(), called, arguments);
   if (!parsed.op) return no_element(document, called + std::string(whole), parsed.error, parsed.sentence);
@@ -162,7 +162,7 @@ std::string line_without_refused(const Elements& selection, const EachResult& re
   return "select" + slot_ranges(left);
 }
 
-Outcome apply_to_each(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend,
+Outcome apply_to_each(Document& document, Findings& findings, Selecting& selecting, const Frontend& frontend,
                       const OpInfo& op, Words words) {
   const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
   Outcome outcome;
@@ -190,8 +190,8 @@ Outcome apply_to_each(Document& document, Findings& findings, Selecting& selecti
   return outcome;
 }
 
-Outcome apply_to_all(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend, const OpInfo& op,
-                     Words words) {
+Outcome apply_to_all(Document& document, Findings& findings, const Selecting& selecting, const Frontend& frontend,
+                     const OpInfo& op, Words words) {
   if (selecting.selection.empty()) return nothing_selected(op);
   const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
   const std::vector<std::string> names = names_taken(selecting, op, selected, words.subspan(1));
@@ -201,7 +201,7 @@ Outcome apply_to_all(Document& document, Findings& findings, Selecting& selectin
   return apply(document, frontend, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
 }
 
-Outcome apply_to_selection(Document& document, Findings& findings, Selecting& selecting, Frontend& frontend,
+Outcome apply_to_selection(Document& document, Findings& findings, Selecting& selecting, const Frontend& frontend,
                            const OpInfo& op, Words words) {
   if (op.on_selection == OnSelection::all) return apply_to_all(document, findings, selecting, frontend, op, words);
   return apply_to_each(document, findings, selecting, frontend, op, words);

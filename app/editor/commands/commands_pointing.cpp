@@ -98,7 +98,7 @@ Outcome run_mode(Selecting& selecting, Pointing& pointing, Words arguments, std:
   return wrong_arguments("mode");
 }
 
-Outcome run_click(Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
+Outcome run_click(const Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
   const auto at = arguments.empty() ? std::nullopt : parse_pixel(arguments[0]);
   if (!at || arguments.size() > 2) return wrong_arguments("click");
   if (arguments.size() == 2 && !find_tool(arguments[1])) return not_a_tool(arguments[1]);

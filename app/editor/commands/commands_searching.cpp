@@ -13,7 +13,7 @@ std::optional<Text> fault_of_self_intersections(Words arguments, const std::stri
   return arguments.empty() || is_off ? std::nullopt : std::optional(wrong_arguments("self_intersections").sentence);
 }
 
-Outcome run_self_intersections(Findings& findings, Frontend& frontend, Words arguments, std::string_view) {
+Outcome run_self_intersections(Findings& findings, const Frontend& frontend, Words arguments, std::string_view) {
   if (const auto fault = fault_of_self_intersections(arguments, {})) return usage_error(*fault);
   if (!arguments.empty()) {
     findings.forget(ProblemKind::self_intersection);

@@ -19,7 +19,7 @@ Outcome run_camera(ViewState& view, Words, std::string_view whole) {
   return {};
 }
 
-Outcome run_view(ViewState& view, Framing& framing, Words arguments, std::string_view) {
+Outcome run_view(ViewState& view, const Framing& framing, Words arguments, std::string_view) {
   const bool is_here = arguments.size() == 2 && arguments[1] == "here";
   const NamedView* const named = arguments.size() == 1 || is_here ? find_named_view(arguments[0]) : nullptr;
   if (!named) return wrong_arguments("view");
@@ -31,7 +31,7 @@ Outcome run_view(ViewState& view, Framing& framing, Words arguments, std::string
   return {};
 }
 
-Outcome run_frame(Findings& findings, ViewState& view, Framing& framing, Selecting& selecting, Words arguments,
+Outcome run_frame(Findings& findings, ViewState& view, Framing& framing, const Selecting& selecting, Words arguments,
                   std::string_view) {
   if (arguments.size() > 1 || (arguments.size() == 1 && arguments[0] != "all" && arguments[0] != "selected"))
     return wrong_arguments("frame");

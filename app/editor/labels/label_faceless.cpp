@@ -16,7 +16,8 @@ bool is_faceless(const Document& document, const Shown& shown, const Frontend& f
   return live.faces == 0 && live.edges == 0 && !frontend.awaits_file && !shown.player() && !document.path().empty();
 }
 
-void add_faceless(Document& document, ViewState& view, Preferences& preferences, std::vector<Label>& labels) {
+void add_faceless(const Document& document, const ViewState& view, const Preferences& preferences,
+                  std::vector<Label>& labels) {
   const MeshFile& file = document.file();
   std::vector<std::string> sentences;
   const Text what =

@@ -13,7 +13,8 @@
 
 namespace ryosen {
 
-void add_measures(const Mesh& mesh, Selecting& selecting, Preferences& preferences, std::vector<Label>& labels) {
+void add_measures(const Mesh& mesh, const Selecting& selecting, const Preferences& preferences,
+                  std::vector<Label>& labels) {
   constexpr std::size_t most = 3;  // of more there is no place where it was measured
   for (const Elements& measured : selecting.measures) {
     bool is_there = measured.size() <= most;
@@ -31,7 +32,8 @@ void add_measures(const Mesh& mesh, Selecting& selecting, Preferences& preferenc
   }
 }
 
-void add_map_legend(Findings& findings, ViewState& view, Preferences& preferences, std::vector<Label>& labels) {
+void add_map_legend(Findings& findings, const ViewState& view, const Preferences& preferences,
+                    std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
   const auto [map, range] = *view.colouring;
   const MapRange extent = findings.map_extent();

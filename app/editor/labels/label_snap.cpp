@@ -3,7 +3,7 @@
 
 namespace ryosen {
 
-void add_snap(Gesturing& gesturing, std::vector<Label>& labels) {
+void add_snap(const Gesturing& gesturing, std::vector<Label>& labels) {
   const SnapTarget& target = *gesturing.transform()->snapped_to();
   labels.push_back({.at = target.place,
                     .text = target.name,

@@ -10,7 +10,8 @@
 
 namespace ryosen {
 
-void add_step(const Mesh& mesh, ViewState& view, Shown& shown, Preferences& preferences, std::vector<Label>& labels) {
+void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
+              std::vector<Label>& labels) {
   const Player& player = *shown.player();
   const steps::Step* const step = player.step();
   const Text caption = step ? step->caption : player.name();

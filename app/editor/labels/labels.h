@@ -83,9 +83,11 @@ void add_numbers(Findings& findings, ViewState& view, Selecting& selecting, Gest
 // Adds what the arrows of the selected element's links are, beside them, away from their edges.
 void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
-void add_measures(const Mesh& mesh, Selecting& selecting, Preferences& preferences, std::vector<Label>& labels);
+void add_measures(const Mesh& mesh, const Selecting& selecting, const Preferences& preferences,
+                  std::vector<Label>& labels);
 // Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
-void add_step(const Mesh& mesh, ViewState& view, Shown& shown, Preferences& preferences, std::vector<Label>& labels);
+void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
+              std::vector<Label>& labels);
 // How high at the top of the view a usual caption reaches, in pixels.
 double caption_px(const Preferences& preferences);
 // Adds sentences in the upper left corner, broken into lines that have room.
@@ -94,10 +96,12 @@ void add_caption(const ViewState& view, const Preferences& preferences, std::spa
 // Whether a file is open and its mesh has nothing that a picture could show as a surface or as edges.
 bool is_faceless(const Document& document, const Shown& shown, const Frontend& frontend);
 // Adds how much there is then, and the first warning of the file.
-void add_faceless(Document& document, ViewState& view, Preferences& preferences, std::vector<Label>& labels);
+void add_faceless(const Document& document, const ViewState& view, const Preferences& preferences,
+                  std::vector<Label>& labels);
 // Adds the name of what is snapped to, beside the place where that is.
-void add_snap(Gesturing& gesturing, std::vector<Label>& labels);
+void add_snap(const Gesturing& gesturing, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
-void add_map_legend(Findings& findings, ViewState& view, Preferences& preferences, std::vector<Label>& labels);
+void add_map_legend(Findings& findings, const ViewState& view, const Preferences& preferences,
+                    std::vector<Label>& labels);
 
 }  // namespace ryosen

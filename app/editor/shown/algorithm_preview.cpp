@@ -81,7 +81,7 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
 }
 
 // Where all of the mesh was seen before, all of it: its panel covers a part of the view.
-void AlgorithmPreview::bring_into_view(const Mesh& mesh, ViewState& view, Framing& framing,
+void AlgorithmPreview::bring_into_view(const Mesh& mesh, const ViewState& view, Framing& framing,
                                        std::span<const glm::dvec3> places) {
   bool is_seen = true;
   const auto look_for = [&](std::span<const glm::dvec3> some) {
@@ -95,7 +95,7 @@ void AlgorithmPreview::bring_into_view(const Mesh& mesh, ViewState& view, Framin
 }
 
 // With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
-void AlgorithmPreview::take_back(Document& document, ViewState& view, Framing& framing, Shown& shown) {
+void AlgorithmPreview::take_back(const Document& document, ViewState& view, Framing& framing, Shown& shown) {
   if (shown.shows(ShownBy::preview)) shown.end();
   if (serial_ != document.serial()) before_.reset();
   if (!before_) return;
@@ -105,7 +105,7 @@ void AlgorithmPreview::take_back(Document& document, ViewState& view, Framing& f
   before_.reset();
 }
 
-void AlgorithmPreview::end(Document& document, ViewState& view, Framing& framing, Shown& shown) {
+void AlgorithmPreview::end(const Document& document, ViewState& view, Framing& framing, Shown& shown) {
   take_back(document, view, framing, shown);
   is_left_alone_ = false;
   line_.clear();

@@ -28,15 +28,15 @@ class AlgorithmPreview {
   // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
   void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
   // Takes it back, where nothing else has taken its place.
-  void end(Document& document, ViewState& view, Framing& framing, Shown& shown);
+  void end(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   // As it is about to be done: what was brought into view stays there.
   void hand_over(Session& session);
   // Of what was shown last: what the algorithm says of it, or why nothing is shown. Empty where nothing was.
   const Text& told() const { return told_; }
 
  private:
-  void take_back(Document& document, ViewState& view, Framing& framing, Shown& shown);
-  void bring_into_view(const Mesh& mesh, ViewState& view, Framing& framing, std::span<const glm::dvec3> places);
+  void take_back(const Document& document, ViewState& view, Framing& framing, Shown& shown);
+  void bring_into_view(const Mesh& mesh, const ViewState& view, Framing& framing, std::span<const glm::dvec3> places);
 
   std::string line_;                         // that was shown last
   std::uint64_t serial_ = 0, revision_ = 0;  // of the document then

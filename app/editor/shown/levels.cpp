@@ -55,7 +55,7 @@ std::string line_to_account_for(const Document& document, const Shown& shown) {
   return row && row->accounts_for_edges ? line : std::string();
 }
 
-const EdgeAccount* make_account(Document& document, Findings& findings, Shown& shown, Frontend& frontend) {
+const EdgeAccount* make_account(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend) {
   if (findings.account()) return findings.account();
   const std::string line = line_to_account_for(document, shown);
   if (line.empty()) return nullptr;

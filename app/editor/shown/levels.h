@@ -59,6 +59,6 @@ struct EdgeAccount {
 };
 
 // Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
-const EdgeAccount* make_account(Document& document, Findings& findings, Shown& shown, Frontend& frontend);
+const EdgeAccount* make_account(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend);
 
 }  // namespace ryosen

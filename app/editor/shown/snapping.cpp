@@ -28,7 +28,7 @@ struct NearPoint {
 
 }  // namespace
 
-Vertex held_point(Findings& findings, ViewState& view, Pointing& pointing, Preferences& preferences,
+Vertex held_point(Findings& findings, const ViewState& view, const Pointing& pointing, const Preferences& preferences,
                   const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
   if (moved.size() == 1) return moved[0].point;
   const Mesh& mesh = findings.mesh();
@@ -48,8 +48,8 @@ Vertex held_point(Findings& findings, ViewState& view, Pointing& pointing, Prefe
   return {};
 }
 
-std::optional<SnapTarget> snap_target(Findings& findings, ViewState& view, Pointing& pointing, Preferences& preferences,
-                                      glm::dvec2 pixel, const PassedOver& own) {
+std::optional<SnapTarget> snap_target(Findings& findings, const ViewState& view, const Pointing& pointing,
+                                      const Preferences& preferences, glm::dvec2 pixel, const PassedOver& own) {
   const Size size = view.size;
   if (findings.preparing() || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
     return std::nullopt;

@@ -134,7 +134,7 @@ const Mesh* Player::other_mesh() const {
   return mesh.hash() == hash_ ? nullptr : &mesh;
 }
 
-Outcome begin_playing(Document& document, ViewState& view, Framing& framing, Shown& shown,
+Outcome begin_playing(const Document& document, ViewState& view, Framing& framing, Shown& shown,
                       std::span<const std::string> words) {
   end_playing(view, framing, shown);
   shown.end();

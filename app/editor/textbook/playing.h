@@ -86,7 +86,7 @@ class Player {
 };
 
 // Begins to play in place of what is played.
-Outcome begin_playing(Document& document, ViewState& view, Framing& framing, Shown& shown,
+Outcome begin_playing(const Document& document, ViewState& view, Framing& framing, Shown& shown,
                       std::span<const std::string> words);
 void end_playing(ViewState& view, Framing& framing, Shown& shown);
 // The same as somebody asks for it, told.

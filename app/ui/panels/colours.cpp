@@ -34,7 +34,7 @@ class ColoursPanel : public Panel {
   double edge_of(std::size_t bar) const;
   MapRange held_by(std::size_t first, std::size_t last) const;
   void draw_measures(PanelContext& context);
-  void count_again(Document& document, Findings& findings, ViewState& view);
+  void count_again(const Document& document, Findings& findings, const ViewState& view);
 
   std::optional<Colouring> counted_;  // of these bars, at this revision of this document
   std::uint64_t counted_serial_ = 0, counted_revision_ = 0;
@@ -50,7 +50,7 @@ ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
   return to_imgui32(rgb(colour_at(map.scale, place_on_scale(map, range, value))));
 }
 
-void ColoursPanel::count_again(Document& document, Findings& findings, ViewState& view) {
+void ColoursPanel::count_again(const Document& document, Findings& findings, const ViewState& view) {
   const std::uint64_t serial = document.serial(), revision = document.revision();
   if (counted_ == view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
   const MapValues& values = findings.map_values();

@@ -21,8 +21,8 @@ namespace {
 // nth() when the edit has changed loops.
 class ProblemFindings {
  public:
-  std::size_t count(Document& document, Findings& findings, const ProblemRow& row);
-  Element nth(Document& document, Findings& findings, const ProblemRow& row, std::size_t n);
+  std::size_t count(const Document& document, Findings& findings, const ProblemRow& row);
+  Element nth(const Document& document, Findings& findings, const ProblemRow& row, std::size_t n);
 
  private:
   void know(const Document& document);
@@ -48,7 +48,7 @@ void ProblemFindings::know(const Document& document) {
   }
 }
 
-std::size_t ProblemFindings::count(Document& document, Findings& findings, const ProblemRow& row) {
+std::size_t ProblemFindings::count(const Document& document, Findings& findings, const ProblemRow& row) {
   know(document);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)].size();
   if (row.kind == ProblemKind::boundary_loop) return findings.boundary_loops().count();
@@ -67,7 +67,7 @@ Face face_of_ring(Findings& findings, std::size_t n) {
   return found;
 }
 
-Element ProblemFindings::nth(Document& document, Findings& findings, const ProblemRow& row, std::size_t n) {
+Element ProblemFindings::nth(const Document& document, Findings& findings, const ProblemRow& row, std::size_t n) {
   know(document);
   if (row.quarantined) return quarantined_[static_cast<std::size_t>(row.kind)][n];
   if (row.kind == ProblemKind::ring) return face_of_ring(findings, n);
@@ -121,10 +121,10 @@ class ProblemsPanel : public Panel {
   void draw_elements(PanelContext& context, const ProblemRow& row, std::size_t count);
   void draw_left(PanelContext& context);
   void draw_loose(PanelContext& context);
-  bool is_only_degenerate(Document& document, Findings& findings);
+  bool is_only_degenerate(const Document& document, Findings& findings);
   void draw_searches(PanelContext& context);
   const HeldKind* held(ProblemKind kind) const;
-  void hold(Document& document, Findings& findings);
+  void hold(const Document& document, Findings& findings);
 
   ProblemFindings findings_;
   RepairRows repairs_;
@@ -156,7 +156,7 @@ const HeldKind* ProblemsPanel::held(ProblemKind kind) const {
   return at == held_.end() ? nullptr : &*at;
 }
 
-void ProblemsPanel::hold(Document& document, Findings& findings) {
+void ProblemsPanel::hold(const Document& document, Findings& findings) {
   held_document_ = document.serial();
   for (const ProblemRow& row : problem_table())
     if (const std::size_t count = findings_.count(document, findings, row); count > 0 && !held(row.kind))
@@ -228,7 +228,7 @@ void ProblemsPanel::draw_loose(PanelContext& context) {
 }
 
 // Whether nothing is wrong but faces without area, for which no repair is that keeps geometry.
-bool ProblemsPanel::is_only_degenerate(Document& document, Findings& findings) {
+bool ProblemsPanel::is_only_degenerate(const Document& document, Findings& findings) {
   return std::all_of(problem_table().begin(), problem_table().end(), [&](const ProblemRow& row) {
     const bool is_degenerate = row.kind == ProblemKind::degenerate_area;
     return row.severity != ProblemSeverity::problem || (findings_.count(document, findings, row) > 0) == is_degenerate;

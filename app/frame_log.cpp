@@ -57,7 +57,7 @@ void FrameLog::frame(const Session& session, const Text& said, std::int64_t pixe
        << session.selecting.is_verdict_held() << " selected " << session.selecting.selection.size() << " eye "
        << words_of(session.view.camera.eye) << " first " << first_selected(session.mesh(), session.selecting)
        << " panel " << over_the_view(session.layout) << " target " << words_of(session.view.camera.target)
-       << " gesture " << (session.gesturing.transform() != nullptr) << " said " << in_one_line(said.en) << std::endl;
+       << " gesture " << session.gesturing.is_active() << " said " << in_one_line(said.en) << std::endl;
 }
 
 }  // namespace ryosen

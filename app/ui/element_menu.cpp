@@ -170,7 +170,7 @@ void draw_band(PanelContext& context) {
   const Band& band = *context.view.band;
   std::vector<ImVec2> corners;
   for (const glm::dvec2& p : band.path) corners.push_back({static_cast<float>(p.x), static_cast<float>(p.y)});
-  if (band.gesture == Gesture::box)
+  if (band.action == DragAction::box)
     corners = {
         corners.front(), {corners.back().x, corners.front().y}, corners.back(), {corners.front().x, corners.back().y}};
   const ImVec2 low{static_cast<float>(context.view.origin.x), static_cast<float>(context.view.origin.y)};
@@ -178,7 +178,7 @@ void draw_band(PanelContext& context) {
   draw->PushClipRect(
       low, {low.x + static_cast<float>(context.view.size.width), low.y + static_cast<float>(context.view.size.height)});
   const ImVec4 colour = to_imgui(style(Role::selected, context.theme).colour);
-  if (band.gesture == Gesture::box)
+  if (band.action == DragAction::box)
     draw->AddRectFilled(corners[0], corners[2], ImGui::GetColorU32({colour.x, colour.y, colour.z, 0.12f}));
   draw->AddPolyline(corners.data(), static_cast<int>(corners.size()), ImGui::GetColorU32(colour), ImDrawFlags_Closed,
                     1.5f * context.scale);

@@ -1,7 +1,8 @@
 // What a panel is, and what panels share. A new one is one file in panels/, with the state it keeps, and one line in
-// app/editor/preferences/panels.def. It draws itself with Dear ImGui (ImGui::PlotLines for a curve) and
-// widgets.h; what it computes it keeps for a serial number and revision of the document, as forms.cpp does. Golden
-// pictures show those shown at first.
+// app/editor/preferences/panels.def. It draws itself with Dear ImGui and widgets.h (a curve
+// with log_plot.h, a histogram as colours.cpp does); what it computes it keeps for a serial number and revision of the
+// document, as colours.cpp does. While a gesture goes on the mesh has no new revision. Golden pictures show the panels
+// that are shown at first.
 #pragma once
 
 #include <filesystem>
@@ -80,10 +81,10 @@ struct GuiState {
   bool is_tight = false;  // the column that is drawn is too long for its window: what says nothing may be left out
   float saved_px = 0;     // that its panels have saved by that
   bool asks_to_be_seen = false;  // the panel that is drawn: its column is to scroll to it
-  bool asks_for_key = false;     // the next key goes there:
-  std::string asked_key;         // its chord
+  bool asks_for_key = false;     // a panel waits for the next key
+  std::string asked_key;         // the chord that came
   bool shows_japanese = false;   // a panel has Japanese words to show, whatever the language
-  bool waits_for_work = false;   // a panel draws what is found beside the frames, when it is there
+  bool waits_for_work = false;   // a panel draws what is found in the background, when it is there
   RecordBook records;            // of all forms, for the panels that show them
   bool wants_records = false;    // one of them is drawn in this frame
   std::string begun_command;     // what the command window takes into its field when it is open
@@ -170,7 +171,7 @@ std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float
 // One of each, in the order of panel_list() as it stands in panels.def.
 std::vector<std::unique_ptr<Panel>> make_panels();
 
-// The forms of the mesh as it is, built beside the frames, where there are many faces when a button is pressed. Null while
+// The forms of the mesh as it is, built in the background, where there are many faces when a button is pressed. Null while
 // they are not there: it has drawn why not.
 const RecordBook* records_of_mesh(PanelContext& context);
 

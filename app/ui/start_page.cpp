@@ -29,17 +29,17 @@ void heading(PanelContext& context, const char* text) {
 }
 
 // The drag that does this in the preset, alone if there is one.
-std::string drag_for(const PanelContext& context, Gesture gesture) {
+std::string drag_for(const PanelContext& context, DragAction action) {
   const InputPreset& preset = input_presets()[context.preferences.input_preset];
   const auto row = std::find_if(preset.drags.begin(), preset.drags.end(), [&](const DragRow& drag) {
-    return drag.gesture == gesture && !drag.shift && !drag.ctrl;
+    return drag.action == action && !drag.shift && !drag.ctrl;
   });
   return row == preset.drags.end() ? "" : name_of(*row).in(context.language());
 }
 
 std::vector<std::string> hints_of_start(const PanelContext& context) {
   const bool ja = context.language() == Language::japanese;
-  const std::string orbit = drag_for(context, Gesture::orbit), pan = drag_for(context, Gesture::pan),
+  const std::string orbit = drag_for(context, DragAction::orbit), pan = drag_for(context, DragAction::pan),
                     undo = chord_of(context.preferences, "undo"), save = chord_of(context.preferences, "save"),
                     collapse = chord_of(context.preferences, "tool collapse"),
                     split = chord_of(context.preferences, "tool split"),

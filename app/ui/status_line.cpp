@@ -65,11 +65,12 @@ std::vector<Hint> hints_of(const PanelContext& context) {
     return {{context.text("Release", "離す"), context.text("select what is inside", "囲んだものを選択")},
             {"Esc", context.text("give up", "中止")}};
   const auto drag = [&](MouseButton button) -> std::string {
-    const auto armed = context.view.armed_gesture;
+    const auto armed = context.view.armed_drag;
     if (armed && button == MouseButton::left)
-      return *armed == Gesture::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
-                                    : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
-    return help_of(gesture_of(input_presets()[context.preferences.input_preset], button, {})).in(context.language());
+      return *armed == DragAction::box ? context.text("draw a box, Esc gives up", "ボックスを描く（Esc で中止）")
+                                       : context.text("draw a lasso, Esc gives up", "投げ縄を描く（Esc で中止）");
+    return help_of(drag_action_of(input_presets()[context.preferences.input_preset], button, {}))
+        .in(context.language());
   };
   if (!context.selecting.asked_line.empty())
     return {{"", asked_text(context.selecting.asked_line).in(context.language())},
@@ -87,7 +88,7 @@ std::vector<Hint> hints_of(const PanelContext& context) {
                            op ? context.text(op->name_en, op->name_ja) : context.text(UiText::does_pick)},
                           {context.text("Drag", "ドラッグ"), drag(MouseButton::left)},
                           {context.text("Right drag", "右ドラッグ"), drag(MouseButton::right)},
-                          {context.text(UiText::wheel), help_of(Gesture::zoom).in(context.language())}};
+                          {context.text(UiText::wheel), help_of(DragAction::zoom).in(context.language())}};
   // The middle button where it alone does something, as to orbit in some presets.
   const std::string by_middle = drag(MouseButton::middle);
   const auto does = [&](const Hint& hint) { return hint.does == by_middle; };
@@ -143,14 +144,14 @@ void draw_line(PanelContext& context, float width, float padding) {
   std::vector<Hint> hints = hints_of(context);
   const std::string& said = context.state.last.sentence.in(context.language());
   const float all = width - 2 * padding;
-  if (context.gesturing.transform()) {
+  if (context.gesturing.is_active()) {
     const float ends = width_of(hints[1]) + width_of(hints[2]) + 2 * hint_gap() + word_gap();
     hints[0].does = fitted(hints[0].does, all - ends);
   }
   const bool asks = !context.selecting.asked_line.empty();
   // What is asked stands before what was said, but for why it is asked again.
   const bool is_refused = context.state.last.kind != Outcome::Kind::done && said != hints[0].does;
-  if (said.empty() || context.gesturing.transform() || (asks && !is_refused)) return draw_hints(context, hints, all);
+  if (said.empty() || context.gesturing.is_active() || (asks && !is_refused)) return draw_hints(context, hints, all);
   float hinted = 0;
   for (const Hint& hint : hints) hinted += width_of(hint) + hint_gap();
   // What was said comes before the hints.

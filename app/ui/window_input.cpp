@@ -126,7 +126,7 @@ Outcome WindowInput::act_on(const std::string& chord, bool is_again, const Input
     if (chord == "Escape" || opens_menus || is_done_behind) gui_.close_menus();
     return is_done_behind ? gui_.run(session_, row->command) : Outcome();
   }
-  if (session_.gesturing.transform() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesturing.key(chord));
+  if (session_.gesturing.is_active() && !gui_.owns_keys()) return gui_.keep(session_, *session_.gesturing.key(chord));
   if (gui_.has_start(session_) && !gui_.owns_keys() && StartPage::takes(chord)) return {};
   if (!row || (is_again && !row->repeats)) return {};
   if ((gui_.owns_keys() || !session_.layout.open_panel.empty()) && !row->acts_always) return {};
@@ -147,7 +147,7 @@ Outcome WindowInput::key_up(const std::string& chord) {
 Outcome WindowInput::key(const std::string& chord) {
   show_event();
   if (!find_key(chord, input_presets()[0], session_.preferences.bindings) && !is_panel_key(chord) &&
-      !session_.gesturing.transform() && !gui_.wants_chord(session_.layout))
+      !session_.gesturing.is_active() && !gui_.wants_chord(session_.layout))
     return no_such_key(chord);
   Outcome outcome = press_key(chord, false, input_presets()[0]);
   if (Outcome then = let_key_go(chord, input_presets()[0]); chord == lone_key) outcome = std::move(then);

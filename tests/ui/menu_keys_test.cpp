@@ -79,7 +79,7 @@ TEST_F(MenuKeys, entries_do_what_keys_do_by_hand) {
   ASSERT_TRUE(session.run("menu select").done());
   frames(3);
   click(DrawnText(gui).last_place("Selectbyalasso"));
-  EXPECT_EQ(session.view.armed_gesture, Gesture::lasso);
+  EXPECT_EQ(session.view.armed_drag, DragAction::lasso);
 }
 
 TEST_F(MenuKeys, small_parts_are_selected_by_a_field_with_a_value_that_does_at_once) {

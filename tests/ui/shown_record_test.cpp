@@ -154,7 +154,7 @@ class Stage {
     session_->files = RunFiles(RunFiles::Policy::keep);
     for (const char* const line : first_lines) EXPECT_TRUE(session_->run(line).done()) << line;
     for (const char* const line : owner.lines) EXPECT_TRUE(session_->run(line).done()) << line;
-    if (session_->gesturing.transform()) {
+    if (session_->gesturing.is_active()) {
       session_->gesturing.follow({700, 360}, {});
       session_->gesturing.follow({720, 380}, {});
     }
@@ -182,7 +182,7 @@ class Stage {
       text += " step " + std::to_string(s.shown.player()->position()) + (s.shown.shows(ShownBy::step) ? " shown" : "");
     if (s.shown.levels())
       text += " level " + std::to_string(s.shown.levels()->faces()) + (s.shown.shows(ShownBy::level) ? " shown" : "");
-    if (s.gesturing.transform()) text += " gesture";
+    if (s.gesturing.is_active()) text += " gesture";
     text += " | " + std::to_string(d.position()) + "/" + std::to_string(d.history().size());
     if (!d.history().empty()) text += " " + d.history().back().command;
     text += std::string(" ") + (d.is_modified() ? "*" : "") + d.path().filename().string();

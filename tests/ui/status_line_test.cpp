@@ -63,7 +63,7 @@ TEST_F(StatusLine, says_first_how_a_gesture_ends_and_is_taken_back) {
         frames(3);
         input_.move({{150, 400}});
         frames(3);
-        ASSERT_TRUE(session.gesturing.transform());
+        ASSERT_TRUE(session.gesturing.is_active());
         const DrawnText drawn(gui);
         if (session.preferences.language == Language::english) {
           EXPECT_EQ(drawn.count(held.told), 1u);

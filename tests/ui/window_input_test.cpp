@@ -332,7 +332,7 @@ TEST_F(WindowInputTest, presets_change_drags_and_keys_but_scripts_keep_their_own
       EXPECT_TRUE(call_of(row.command)) << row.command;
     }
     for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
-      gesture_of(preset, button, {.shift = true, .ctrl = true, .alt = true});
+      drag_action_of(preset, button, {.shift = true, .ctrl = true, .alt = true});
   }
 }
 

@@ -1,4 +1,5 @@
-// What a view is framed by: the vertices with edges, and isolated ones that are not far from them; and what of it is free.
+// Chooses the camera that shows a mesh in the free part of a view: all vertices with edges, and isolated ones that are not
+// far from them.
 #pragma once
 
 #include <functional>
@@ -23,8 +24,8 @@ void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
 // the view at least: one that a scanner left in a corner of its room would make it a dot.
 void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
 
-// What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, which are as round
-// as that is wide. What is framed keeps off the strips, unless they leave hardly any of the view, and off the axes where
+// What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, in the
+// circle within that square. What is framed keeps off the strips, unless they leave hardly any of the view, and off the axes where
 // one of its places would lie there.
 struct Covered {
   double left = 0, right = 0, above = 0;
@@ -39,10 +40,10 @@ bool shows_all(const Camera& camera, Size view, const Covered& covered, std::spa
 // The camera in the same direction that shows the places to frame of all of these meshes.
 Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
 
-// How the camera of a session's view is put to show all of it.
+// Puts the camera of a session's view so that it shows all.
 class Framing {
  public:
-  explicit Framing(const Session& session, ViewState& view) : session_(session), view_(view) {}
+  Framing(const Session& session, ViewState& view) : session_(session), view_(view) {}
 
   // What lies over the view: what a tab has opened, the caption of what is played, and the axes.
   Covered covered() const;
@@ -52,9 +53,9 @@ class Framing {
   // compared with, or what is played, as it ends.
   Camera of_all(const Camera& from) const;
   void frame_all() { frame(of_all(view_.camera)); }
-  // Whether the camera is where that has put it last.
+  // Whether the camera is where frame() has put it last.
   bool is_framed() const { return framed_ == view_.camera; }
-  // The camera shows all of another document.
+  // Takes a camera as one that shows all.
   void frame(const Camera& camera) { view_.camera = framed_ = camera; }
 
  private:

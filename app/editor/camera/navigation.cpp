@@ -68,9 +68,9 @@ glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
 
 }  // namespace
 
-void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture, double scale) {
+void Navigation::press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, DragAction action, double scale) {
   if (drag_ && drag_->button != button) return;
-  drag_ = Drag{button, gesture, modifiers, pixel, pixel, click_reach_px * scale};
+  drag_ = Drag{button, action, modifiers, pixel, pixel, click_reach_px * scale};
 }
 
 bool Navigation::move(Session& session, glm::dvec2 pixel) {
@@ -79,28 +79,28 @@ bool Navigation::move(Session& session, glm::dvec2 pixel) {
   if (!drag_->moved) {
     if (glm::length(pixel - drag_->start) <= drag_->reach_px) return false;
     drag_->moved = true;
-    if (selects(drag_->gesture))
-      session.view.band = Band{drag_->gesture, {drag_->start}};
+    if (selects(drag_->action))
+      session.view.band = Band{drag_->action, {drag_->start}};
     else
       drag_->held =
-          drag_->gesture == Gesture::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
+          drag_->action == DragAction::orbit ? centre_of_orbit(session, drag_->start) : held_at(session, drag_->start);
   }
   const glm::dvec2 moved = pixel - drag_->last;
   drag_->last = pixel;
-  switch (drag_->gesture) {
-    case Gesture::orbit:
+  switch (drag_->action) {
+    case DragAction::orbit:
       camera = orbited(camera, moved, session.view.size, drag_->held);
       break;
-    case Gesture::pan:
+    case DragAction::pan:
       camera = panned(camera, moved, session.view.size, drag_->held);
       break;
-    case Gesture::zoom:
+    case DragAction::zoom:
       camera = zoomed(camera, std::exp2(-moved.y / drag_doubles_px), drag_->held);
       break;
-    case Gesture::box:
-    case Gesture::lasso:
+    case DragAction::box:
+    case DragAction::lasso:
       if (!session.view.band) break;  // it was given up
-      if (drag_->gesture == Gesture::box) session.view.band->path.resize(1);
+      if (drag_->action == DragAction::box) session.view.band->path.resize(1);
       session.view.band->path.push_back(pixel);
   }
   return true;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/input/gestures.h"
+#include "app/editor/input/input_presets.h"
 
 namespace ryosen {
 
@@ -20,14 +20,15 @@ enum class OrbitAbout { point, centre };
 
 // What a drag has drawn so far, to select by: a box from its first to its last corner, or a lasso.
 struct Band {
-  Gesture gesture = Gesture::box;
+  DragAction action = DragAction::box;
   std::vector<glm::dvec2> path;  // pixels; not empty
 };
 
-// What a drag does says its gesture; the wheel zooms to the pointer. A drag of the camera holds on to the point of the mesh under the press: orbiting turns about it, panning keeps it under
-// the pointer. The wheel brings the eye towards the point under the pointer by a share of its distance. Where there is
-// none, orbiting turns about the target, and the others act as deep as the nearest of the surface that is seen, or as the
-// target. Pixels are window pixels; the view may be anywhere in it.
+// What a drag does is its action; the wheel zooms to the pointer. A drag of the camera holds on to the point of the mesh
+// under the press: orbiting turns about it, panning keeps it under the pointer. The wheel brings the eye towards the point
+// under the pointer by a share of its distance. Where there is none, orbiting turns about the target, and the others act as
+// deep as the nearest of the surface that is seen, or as the target. Pixels are window pixels; the view may be anywhere in
+// it.
 class Navigation {
  public:
   struct Click {
@@ -39,7 +40,7 @@ class Navigation {
 
   // A drag continues if another button is pressed; the same button restarts it. `scale`: of the display, by which a click
   // reaches farther.
-  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, Gesture gesture, double scale = 1);
+  void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, DragAction action, double scale = 1);
   // True if it is a drag: the camera moved, or the band of the session grew.
   bool move(Session& session, glm::dvec2 pixel);
   // Returns the click, if a left or right click ended.
@@ -55,7 +56,7 @@ class Navigation {
  private:
   struct Drag {
     MouseButton button;
-    Gesture gesture;
+    DragAction action;
     Modifiers modifiers;
     glm::dvec2 start, last;
     double reach_px;

@@ -1,4 +1,5 @@
-// The state of a view: camera, size, settings, and what it shows of the mesh. One for each view.
+// The state of a view: camera, size, settings, and what it shows of the mesh. A session has one, and its mesh beside
+// another.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -44,7 +45,7 @@ struct ViewState {
   bool shows_verdicts = false;             // of the tool in hand, on all elements that it acts on
   bool shows_axes = false;                 // X, Y, Z in the corner
   glm::dvec2 pointer{-1e9};                // where it was last
-  std::optional<Gesture> armed_gesture;    // of the next drag with the left button
+  std::optional<DragAction> armed_drag;    // of the next drag with the left button
   std::optional<Band> band;                // that a drag draws just now
 
   std::optional<ClipPlane> clip_plane() const { return cut ? std::optional(cut->plane) : std::nullopt; }

@@ -6,7 +6,7 @@
 #include "app/editor/camera/cutting.h"
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/input/gestures.h"
+#include "app/editor/input/input_presets.h"
 #include "app/editor/preferences/preference_values.h"
 
 namespace ryosen {

@@ -71,7 +71,7 @@ Outcome run_lasso(Session& session, Words arguments, std::string_view) {
 Outcome run_band(ViewState& view, Words arguments, std::string_view) {
   const std::string_view word = arguments.size() == 1 ? arguments[0] : "";
   if (word != "box" && word != "lasso") return wrong_arguments("band");
-  view.armed_gesture = word == "box" ? Gesture::box : Gesture::lasso;
+  view.armed_drag = word == "box" ? DragAction::box : DragAction::lasso;
   return {};
 }
 

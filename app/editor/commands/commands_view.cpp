@@ -51,7 +51,7 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
   const auto to = arguments.size() == 2 ? parse_pixel(arguments[1]) : std::nullopt;
   if (!from || !to) return wrong_arguments("drag");
   Navigation navigation;
-  navigation.press(MouseButton::left, *from, {}, Gesture::orbit);
+  navigation.press(MouseButton::left, *from, {}, DragAction::orbit);
   navigation.move(session, *to);
   return {};
 }

@@ -127,9 +127,9 @@ Outcome leave_question(std::optional<AskedQuestion>& asked_question) {
 // of the program, the tool, the selection, and last what is played, a level of detail, or a question of the practice.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
-  if (session.view.band || session.view.armed_gesture) {
+  if (session.view.band || session.view.armed_drag) {
     session.view.band.reset();
-    session.view.armed_gesture.reset();
+    session.view.armed_drag.reset();
     return {};
   }
   if (!session.layout.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/input/gestures.h"
+#include "app/editor/input/input_presets.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen {

@@ -15,7 +15,7 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   // The window may have missed its release.
   if (gesture_ended_ && gesture_ended_->button == button) gesture_ended_.reset();
   if (button == MouseButton::left) held_handle_.reset();
-  if (session_.gesturing.transform() && button != MouseButton::middle) {
+  if (session_.gesturing.is_active() && button != MouseButton::middle) {
     gesture_ended_ = {button, {}};
     if (button == MouseButton::left) {
       session_.gesturing.follow(at.pixel, at.modifiers);
@@ -26,8 +26,8 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
     return;
   }
   const InputPreset& preset = input_presets()[session_.preferences.input_preset];
-  const bool is_armed = session_.view.armed_gesture && button == MouseButton::left;
-  const Gesture gesture = is_armed ? *session_.view.armed_gesture : gesture_of(preset, button, at.modifiers);
+  const bool is_armed = session_.view.armed_drag && button == MouseButton::left;
+  const DragAction action = is_armed ? *session_.view.armed_drag : drag_action_of(preset, button, at.modifiers);
   const HandleRow* const handle =
       button == MouseButton::left && !is_armed && !is_dragging() && !session_.pointing.axis_end_at(at.pixel)
           ? session_.pointing.handle_at(at.pixel, at.modifiers)
@@ -39,9 +39,9 @@ void ViewInput::press(MouseButton button, const Pointer& at) {
   band_modifiers_ = at.modifiers;
   for (const DragRow& row : preset.drags) {
     if (is_armed || row.button != button || row.shift != at.modifiers.shift || row.ctrl != at.modifiers.ctrl) continue;
-    band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the gesture
+    band_modifiers_.shift = band_modifiers_.ctrl = false;  // they asked for the box
   }
-  navigation_.press(button, at.pixel, at.modifiers, gesture, session_.preferences.size_scale());
+  navigation_.press(button, at.pixel, at.modifiers, action, session_.preferences.size_scale());
 }
 
 void ViewInput::drag_handle(const Pointer& at) {
@@ -52,18 +52,19 @@ void ViewInput::drag_handle(const Pointer& at) {
     run(std::string(held_handle_->row->line));
     session_.view.pointer = at.pixel;
   }
-  if (session_.gesturing.transform()) session_.gesturing.follow(at.pixel, at.modifiers);
+  if (session_.gesturing.is_active()) session_.gesturing.follow(at.pixel, at.modifiers);
 }
 
 // The gesture may have been ended before, by a key or the other button.
 Outcome ViewInput::let_go_of_handle(const Pointer& at) {
   Outcome outcome;
   const HeldHandle held = *std::exchange(held_handle_, std::nullopt);
-  if (held.has_begun && session_.gesturing.transform()) {
+  if (held.has_begun && session_.gesturing.is_active()) {
     session_.gesturing.follow(at.pixel, at.modifiers);
     outcome = end_gesture();
   } else if (!held.has_begun && !is_dragging() && clicks_through(held)) {
-    navigation_.press(MouseButton::left, held.start, held.modifiers, Gesture::orbit, session_.preferences.size_scale());
+    navigation_.press(MouseButton::left, held.start, held.modifiers, DragAction::orbit,
+                      session_.preferences.size_scale());
     outcome = end_click(navigation_.release(MouseButton::left, at.pixel, at.now_s));
   }
   point(at);
@@ -82,7 +83,7 @@ void ViewInput::give_up_drags() {
 
 std::string ViewInput::line_of_band(Modifiers at_end) const {
   const Band& band = *session_.view.band;
-  std::string line(band.gesture == Gesture::box ? "box" : "lasso");
+  std::string line(band.action == DragAction::box ? "box" : "lasso");
   for (const glm::dvec2& pixel : band.path) line += " " + format_pixel(pixel);
   if (band_modifiers_.shift) line += " add";
   if (band_modifiers_.ctrl && !band_modifiers_.shift) line += " toggle";
@@ -99,7 +100,7 @@ Outcome ViewInput::release(MouseButton button, const Pointer& at) {
   if (session_.view.band && !navigation_.is_dragging()) {
     const std::string line = line_of_band(at.modifiers);
     session_.view.band.reset();
-    session_.view.armed_gesture.reset();
+    session_.view.armed_drag.reset();
     outcome = run(line);
   }
   if (ended) outcome = end_click(ended);
@@ -119,7 +120,7 @@ Outcome ViewInput::end_click(const std::optional<Navigation::Click>& ended) {
 
 void ViewInput::move(const Pointer& at) {
   session_.view.pointer = at.pixel;
-  if (session_.gesturing.transform() && !navigation_.is_dragging())
+  if (session_.gesturing.is_active() && !navigation_.is_dragging())
     session_.gesturing.follow(at.pixel, at.modifiers);
   else if (held_handle_ && !navigation_.is_dragging())
     drag_handle(at);

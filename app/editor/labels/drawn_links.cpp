@@ -57,7 +57,7 @@ std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, const 
 }
 
 bool DrawnLinks::is_on(const Findings& findings, const Selecting& selecting, const Gesturing& gesturing) const {
-  if (shown == LinksShown::off || findings.preparing() || gesturing.transform()) return false;
+  if (shown == LinksShown::off || findings.preparing() || gesturing.is_active()) return false;
   return shown != LinksShown::in_mode || selecting.mode == PickMode::halfedge;
 }
 

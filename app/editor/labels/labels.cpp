@@ -23,7 +23,7 @@ const LabelSource sources[] = {
      add_links},
     {"measures", [](const Selecting& selecting) { return !selecting.measures.empty(); }, add_measures},
     {"step", is_step_shown, add_step},
-    {"snap", [](const Gesturing& gesturing) { return gesturing.transform() && gesturing.transform()->snapped_to(); },
+    {"snap", [](const Gesturing& gesturing) { return gesturing.is_active() && gesturing.transform()->snapped_to(); },
      add_snap},
     {"faceless", is_faceless, add_faceless},
     {"map", [](const ViewState& view) { return view.colouring.has_value(); }, add_map_legend},
@@ -168,7 +168,7 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
                    [](const Label& a, const Label& b) { return a.priority > b.priority; });
   const ScreenProjection screen(session.view.camera, session.view.size);
   const std::optional<ClipPlane> clip = session.view.clip_plane();
-  const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.transform();
+  const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.is_active();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
   LabelPlaces places(session.view, session.pointing, session.preferences, scale, margin);

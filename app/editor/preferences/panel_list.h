@@ -12,7 +12,7 @@ enum class PanelPlace { left, right, over };
 
 // Where the menu bar has an entry for it; of the file menu with what reads, or with what writes and brings back.
 enum class PanelMenu { none, view, file_read, file_write, edit, help };
-// What opens it beside the menu and the command `panel`.
+// What opens it besides the menu and the command `panel`.
 enum class PanelOpener {
   nothing,
   unnamed_save,   // a save where the document has no file yet

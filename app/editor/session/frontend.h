@@ -1,4 +1,4 @@
-// The services of a frontend for a session, and its wishes: of a window, a picture without a window, a script.
+// What a frontend (a window, a picture without a window, a script) can do for a session, and how it wants work done.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ class Input;
 struct Frontend {
   // Renders a picture of the session. Commands that need it fail if unset.
   std::function<Status(const std::filesystem::path&)> take_picture;
-  // Gets the events of scripts, where a frontend runs scripts with panels; else the view alone gets them. A window has
-  // its own events, so that what is said in its command panel goes to the view.
+  // Gets the events that scripts send, where scripts run with panels. Where it is none, as in a window, which has events
+  // of its own, the view gets them.
   std::weak_ptr<Input> input;
   // Reads files of meshes; a frontend that shows meanwhile what is read sets another way. One that was given up fails
   // as cancelled.
@@ -30,9 +30,9 @@ struct Frontend {
   Autosave* autosave = nullptr;
   bool is_strict = false;        // warnings refuse too
   bool begins_empty = false;     // somebody wants an empty mesh, not the start page
-  bool awaits_file = false;      // that is read just now: nothing is offered meanwhile
+  bool awaits_file = false;      // a file is read just now: nothing is offered meanwhile
   bool asks_in_slices = false;   // verdicts of a tool on all elements are asked a slice at a time, in prepare()
-  bool turns_to_solids = false;  // the first camera of a document does (first_camera.h)
+  bool turns_to_solids = false;  // a new document is first seen from a side that shows its solids (first_camera.h)
 };
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// The owners of a session, and functions of tables that name those that they work on.
+// Gives a function of a table those parts of a session, its owners, that it names as its first parameters.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,7 @@ struct Layout;
 struct Preferences;
 struct ViewState;
 
-// Its part of a session: the document, its mesh, its findings, the view and so on, or the session itself. owners.cpp has a
-// line for each owner.
+// A part of a session, or the session itself. owners.cpp has a line for each.
 template <class Owner>
 Owner& owner_of(Session& session);
 template <class Owner>
@@ -56,6 +55,7 @@ class OnOwners<Result(AnySession&, Arguments...)> {
 
   template <class Function, class... Parameters>
   static Stored with_owners(const Function& function, const std::function<Result(Parameters...)>&) {
+    static_assert(sizeof...(Parameters) >= sizeof...(Arguments), "owners come first, then the other arguments");
     constexpr std::size_t owners = sizeof...(Parameters) - sizeof...(Arguments);
     return with(function, std::make_index_sequence<owners>(), std::type_identity<std::tuple<Parameters...>>());
   }

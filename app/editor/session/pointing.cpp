@@ -45,7 +45,7 @@ OpTarget Pointing::target_of(const Picked& picked, Modifiers modifiers) const {
 }
 
 void Pointing::point_at(glm::dvec2 pixel, Modifiers modifiers) {
-  if (!selecting_.is_verdict_held() && !session_.gesturing.transform()) look_at(pixel, modifiers);
+  if (!selecting_.is_verdict_held() && !session_.gesturing.is_active()) look_at(pixel, modifiers);
 }
 
 void Pointing::point_away() {
@@ -55,8 +55,8 @@ void Pointing::point_away() {
 }
 
 std::optional<Gizmo> Pointing::gizmo() const {
-  if (view_.gizmo_kind == GizmoKind::none || !selecting_.tool.empty() || selecting_.selection.empty() || session_.gesturing.transform() || view_.band ||
-      session_.shown.is_replaced())
+  if (view_.gizmo_kind == GizmoKind::none || !selecting_.tool.empty() || selecting_.selection.empty() ||
+      session_.gesturing.is_active() || view_.band || session_.shown.is_replaced())
     return std::nullopt;
   if (middle_.document != session_.document().serial() || middle_.revision != session_.document().revision() ||
       middle_.selection != selecting_.selection.stamp())

@@ -101,7 +101,7 @@ ToolVerdicts* Selecting::tool_verdicts() {
     tool_verdicts_.reset();
     return nullptr;
   }
-  if (session_.gesturing.transform() || session_.shown.by() != ShownBy::document) return nullptr;
+  if (session_.gesturing.is_active() || session_.shown.by() != ShownBy::document) return nullptr;
   const PickMode pointed = pick_mode(info, mode);
   const Element::Kind sort = pointed == PickMode::vertex ? Element::Kind::vertex
                              : pointed == PickMode::face ? Element::Kind::face

@@ -43,7 +43,7 @@ class Session {
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   const Mesh& mesh() const { return document_->mesh(); }
-  // What follows from the mesh. Of another document they are others.
+  // What follows from the mesh; replaced with the document.
   Findings& findings() { return *findings_; }
   const Findings& findings() const { return *findings_; }
   // What repairs would do.
@@ -59,11 +59,10 @@ class Session {
   // Which mesh the view shows.
   Shown shown{*this};
 
-  // State changed by commands.
-  // How the mesh is looked at.
+  // How the mesh is looked at. What stands below is made from it, in this order.
   ViewState view;
   Framing framing{*this, view};
-  // Gives the view all of the picture that is not covered by panels: the left half where a mesh stands beside it.
+  // Places the view in this rectangle of the picture; the left half of it where a mesh stands beside.
   void place_view(Size whole, glm::dvec2 origin);
   Selecting selecting{*this};
   Pointing pointing{*this};
@@ -72,7 +71,7 @@ class Session {
   // User interface state changed by commands; stored without effect if there is no UI.
   Preferences preferences;
   Layout layout;
-  std::vector<LostSession> lost;        // as last listed
+  std::vector<LostSession> lost;  // as `recover list` found them last
 
   // Another mesh beside this one in the picture, to be compared with: seen by the same camera in the same way, never
   // edited. Null ends that. Both are framed anew.
@@ -82,7 +81,7 @@ class Session {
   Session* beside();
   // This, or the mesh beside it where a pixel of the picture or window lies in its part.
   Session& part_at(glm::dvec2 pixel);
-  // There is nothing yet, and nobody has said that this is wanted.
+  // Until a file is open or somebody has asked for an empty mesh.
   bool is_at_start() const;
   // There is no mesh, and none is shown or read.
   bool is_empty() const;
@@ -107,7 +106,7 @@ class Session {
   std::string document_name() const;
 
  private:
-  friend class Shown;  // keeps what is found while another mesh is shown, and forgets it where memory runs out
+  friend class Shown;  // has what is found forgotten where memory runs out
 
   Outcome run_line(const std::string& line);
   // The log has room for it.

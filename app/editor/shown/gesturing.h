@@ -1,4 +1,5 @@
-// Moving, turning or scaling the selection by hand. While that lasts only the view changes; its end is one command.
+// Moves, turns or scales the selection by hand, or what an extrusion, a split or a copy makes of it. While that lasts
+// only the view changes; its end is one command.
 // Commands that edit end it without one.
 #pragma once
 
@@ -28,7 +29,8 @@ class Gesturing {
   // Duplicates the selection and moves the copy, in the same way.
   Outcome begin_copy();
 
-  const TransformGesture* transform() const;  // null: none goes on
+  bool is_active() const { return transform() != nullptr; }  // one goes on
+  const TransformGesture* transform() const;                 // of that; null for none
   void follow(glm::dvec2 pixel, Modifiers modifiers);
   std::optional<Outcome> key(const std::string& chord);  // none: there is no gesture
   bool widen(double steps);

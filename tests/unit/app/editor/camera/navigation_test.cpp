@@ -28,7 +28,7 @@ double distance_to_target(const Session& session) {
 Camera drag(Session& session, MouseButton button, Modifiers modifiers = {}) {
   Navigation navigation;
   const Camera before = session.view.camera;
-  navigation.press(button, middle, modifiers, gesture_of(input_presets()[0], button, modifiers));
+  navigation.press(button, middle, modifiers, drag_action_of(input_presets()[0], button, modifiers));
   EXPECT_TRUE(navigation.move(session, middle + glm::dvec2(40, 20)));
   EXPECT_FALSE(navigation.release(button, middle + glm::dvec2(40, 20), 1));
   return before;
@@ -100,7 +100,7 @@ TEST(navigation, drags_hold_on_to_the_point_that_was_pressed) {
     const glm::dvec3 held = session->pointing.pick(on_torus, PickMode::face)->place;
     const glm::dvec3 target = session->view.camera.target;
     Navigation navigation;
-    navigation.press(button, on_torus, {}, gesture_of(input_presets()[0], button, {}));
+    navigation.press(button, on_torus, {}, drag_action_of(input_presets()[0], button, {}));
     for (int i = 1; i <= 8; ++i) navigation.move(*session, on_torus + glm::dvec2(20, -9) * double(i));
     const glm::dvec2 now = project(session->view.camera, session->view.size, held)->pixel;
     const bool is_pan = button == MouseButton::right;
@@ -119,7 +119,7 @@ TEST(navigation, a_drag_beside_the_mesh_turns_about_what_is_seen_wherever_the_ta
   const glm::dvec2 before = project(camera, session->view.size, centre)->pixel;
   ASSERT_FALSE(session->pointing.pick(beside, PickMode::face));
   Navigation navigation;
-  navigation.press(MouseButton::left, beside, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
+  navigation.press(MouseButton::left, beside, {}, drag_action_of(input_presets()[0], MouseButton::left, {}));
   for (int i = 1; i <= 8; ++i) navigation.move(*session, beside + glm::dvec2(20, 0) * double(i));
   EXPECT_GT(glm::length(camera.eye - eye), 0.1 * glm::length(centre - eye)) << "it has turned";
   EXPECT_LT(glm::length(project(camera, session->view.size, centre)->pixel - before), 0.5);
@@ -140,14 +140,14 @@ TEST(navigation, a_click_stays_within_four_pixels) {
   const auto session = torus();
   const Camera before = session->view.camera;
   Navigation navigation;
-  navigation.press(MouseButton::left, middle, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
+  navigation.press(MouseButton::left, middle, {}, drag_action_of(input_presets()[0], MouseButton::left, {}));
   EXPECT_FALSE(navigation.move(*session, middle + glm::dvec2(3, 2)));
   const auto click = navigation.release(MouseButton::left, middle + glm::dvec2(3, 2), 1);
   ASSERT_TRUE(click);
   EXPECT_EQ(click->pixel, middle);
   EXPECT_EQ(session->view.camera.eye, before.eye);
 
-  navigation.press(MouseButton::left, middle, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
+  navigation.press(MouseButton::left, middle, {}, drag_action_of(input_presets()[0], MouseButton::left, {}));
   navigation.move(*session, middle + glm::dvec2(30, 0));
   navigation.move(*session, middle);
   EXPECT_FALSE(navigation.release(MouseButton::left, middle, 2)) << "it went away and came back";
@@ -157,7 +157,7 @@ TEST(navigation, two_quick_clicks_are_a_double_click) {
   const auto session = torus();
   Navigation navigation;
   const auto click_at = [&](double now_s) {
-    navigation.press(MouseButton::left, middle, {}, gesture_of(input_presets()[0], MouseButton::left, {}));
+    navigation.press(MouseButton::left, middle, {}, drag_action_of(input_presets()[0], MouseButton::left, {}));
     return navigation.release(MouseButton::left, middle, now_s).value().is_double;
   };
   EXPECT_FALSE(click_at(1.0));

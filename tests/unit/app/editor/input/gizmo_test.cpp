@@ -90,9 +90,9 @@ TEST_F(GizmoTest, escape_takes_back_and_a_click_does_nothing) {
   const Camera camera = session_->view.camera;
   const glm::dvec2 from = pixel_of(HandleWay::y);
   run({"press left " + text(from), "move " + text(from + glm::dvec2(50, 20))});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   run({"key Escape", "move " + text(from + glm::dvec2(90, 20)), "release left " + text(from + glm::dvec2(90, 20))});
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   drag(HandleWay::y, {1, 1});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());

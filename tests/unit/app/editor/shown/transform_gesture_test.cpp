@@ -46,12 +46,12 @@ class GestureTest : public testing::Test {
 TEST_F(GestureTest, changes_only_the_view_until_it_ends_as_one_entry) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"key G", "move 700,300"});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_NE(session_->gesturing.drawn_positions()[0], session_->mesh().position(Vertex(0)));
   const std::vector<glm::dvec3> shown(session_->gesturing.drawn_positions().begin(), session_->gesturing.drawn_positions().end());
   run({"press left 700,300", "release left 700,300"});
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->document().history().size(), 1u);
   ASSERT_EQ(session_->log().size(), 1u);
   EXPECT_TRUE(session_->log()[0].starts_with("translate by=")) << session_->log()[0];
@@ -64,7 +64,7 @@ TEST_F(GestureTest, escape_costs_nothing_and_so_does_the_right_button) {
   const std::uint64_t hash = session_->mesh().hash();
   for (const char* end : {"key Escape", "press right 700,300"}) {
     run({"key G", "move 700,300", end});
-    EXPECT_FALSE(session_->gesturing.transform());
+    EXPECT_FALSE(session_->gesturing.is_active());
     EXPECT_TRUE(session_->log().empty());
     EXPECT_EQ(session_->mesh().hash(), hash);
     EXPECT_EQ(session_->gesturing.drawn_positions().data(), session_->mesh().positions().data());
@@ -95,7 +95,7 @@ TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
   EXPECT_EQ(session_->mesh().live().faces, 10u);
   EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has been pulled yet";
   run({"move 700,350"});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   EXPECT_EQ(flat_faces(*session_), 0u);
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().live().faces, 6u);
@@ -300,7 +300,7 @@ TEST_F(GestureTest, needs_a_selection_and_gives_way_to_an_edit) {
   run({"select none"});
   EXPECT_EQ(session_->run("gesture move").exit_code, ExitCode::refused);
   run({"select v3", "gesture move", "move 700,300", "poke f0"});
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->log(), std::vector<std::string>{"poke f0"});
 }
 
@@ -316,7 +316,7 @@ TEST_F(GestureTest, a_key_of_an_axis_shows_at_once_what_the_pointer_says_along_i
 TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_nothing) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"mode face", "select f0 f1", "key E"});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   EXPECT_FALSE(session_->gesturing.transform()->movement() && *session_->gesturing.transform()->movement() != glm::dvec3(0))
       << "by nothing yet";
   run({"key Escape"});
@@ -339,7 +339,7 @@ TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) 
   const std::uint64_t hash = session_->mesh().hash();
   const std::string edge = name_of(session_->mesh(), Edge(0)), select = "select " + edge;
   run({"mode edge", select.c_str(), "key E"});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   ASSERT_EQ(session_->selecting.selection.size(), 1u);
   EXPECT_NE(name_of(session_->mesh(), session_->selecting.selection[0]), edge) << "what moves";
   EXPECT_EQ(flat_faces(*session_), 0u) << "nothing has moved yet";
@@ -368,7 +368,7 @@ TEST_F(GestureTest, extruding_edges_is_one_entry_and_goes_on_from_the_new_ones) 
 TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
   const std::uint64_t hash = session_->mesh().hash();
   run({"mode edge", "select 0-1", "key Shift+E"});
-  ASSERT_TRUE(session_->gesturing.transform());
+  ASSERT_TRUE(session_->gesturing.is_active());
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_TRUE(session_->document().history().empty());
@@ -376,7 +376,7 @@ TEST_F(GestureTest, splitting_puts_the_vertex_wherever_the_pointer_leaves_it) {
   const Vertex made = session_->gesturing.transform()->moved()[0].point;
   const glm::dvec3 shown = session_->gesturing.drawn_positions()[made.index];
   run({"press left 560,350", "release left 560,350"});
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   ASSERT_EQ(session_->document().history().size(), 1u);
   EXPECT_TRUE(session_->document().history()[0].command.starts_with("split 0-1 "));
   EXPECT_NEAR(glm::length(session_->mesh().position(made) - shown), 0, 1e-12) << "what was shown is what is there";
@@ -438,7 +438,7 @@ TEST_F(MadeByHandTest, one_hand_is_one_entry_and_one_undo) {
       run({made.select, made.begin});
       EXPECT_EQ(coincident(), lay_on_others) << "nothing is listed that is only on trial";
       run(moved);
-      EXPECT_FALSE(session_->gesturing.transform());
+      EXPECT_FALSE(session_->gesturing.is_active());
       ASSERT_EQ(session_->document().history().size(), 2u);
       ASSERT_EQ(session_->log().size(), 2u);
       EXPECT_TRUE(session_->log()[1].starts_with(made.line)) << session_->log()[1];
@@ -475,11 +475,11 @@ TEST_F(MadeByHandTest, given_up_it_leaves_nothing) {
       const std::uint64_t before = session_->mesh().hash();
       const Elements selected = session_->selecting.selection;
       run({made.begin, "move 700,300"});
-      ASSERT_TRUE(session_->gesturing.transform());
+      ASSERT_TRUE(session_->gesturing.is_active());
       EXPECT_NE(session_->mesh().hash(), before);
       std::string said;
       for (const std::string& line : end) said += session_->run(line).sentence.en;
-      EXPECT_FALSE(session_->gesturing.transform());
+      EXPECT_FALSE(session_->gesturing.is_active());
       EXPECT_EQ(session_->mesh().hash(), before);
       EXPECT_EQ(session_->document().position(), 1u);
       EXPECT_EQ(coincident(), 0u);
@@ -557,7 +557,7 @@ TEST_F(MadeByHandTest, takes_no_falloff_and_says_so) {
 TEST_F(MadeByHandTest, a_copy_needs_a_selection) {
   run({"select none"});
   EXPECT_EQ(session_->run("gesture duplicate").exit_code, ExitCode::refused);
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_TRUE(session_->log().empty());
 }
 
@@ -574,7 +574,7 @@ TEST_F(GestureTest, extruding_that_is_given_up_leaves_what_can_be_redone_and_wha
     EXPECT_FALSE(session_->document().is_modified());
     EXPECT_EQ(session_->log().size(), 3u);
     run({"key 3", end});
-    EXPECT_FALSE(session_->gesturing.transform());
+    EXPECT_FALSE(session_->gesturing.is_active());
     EXPECT_EQ(session_->mesh().hash(), hash);
     EXPECT_EQ(session_->selecting.selection, selected);
     EXPECT_FALSE(session_->document().is_modified());
@@ -588,7 +588,7 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   run({"mode face", "poke f9", "select f0 f1"});
   const std::uint64_t hash = session_->mesh().hash();
   run({"key E", "undo"});
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->document().position(), 0u);
   run({"redo"});
   EXPECT_EQ(session_->mesh().hash(), hash);
@@ -599,12 +599,12 @@ TEST_F(GestureTest, whatever_edits_points_or_goes_back_ends_an_extrusion_first) 
   EXPECT_EQ(session_->mesh().hash(), hash);
   run({"select f0 f1", "key E"});
   EXPECT_FALSE(session_->run("select v100000").done()) << "and asks whether it was there at another time";
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_EQ(session_->selecting.selection.size(), 2u) << "the faces that were to be pulled";
   run({"key E"});
   session_->run("click 640,360 poke");
-  EXPECT_FALSE(session_->gesturing.transform());
+  EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->mesh().hash(), hash) << "there is nothing in the middle of a ring";
 }
 

@@ -198,7 +198,7 @@ TEST(playing, a_mesh_that_is_pulled_is_not_written_and_not_asked) {
   ASSERT_NE(session->mesh().live().faces, 6u);
   EXPECT_EQ(session->document().contents().mesh.face_offsets.size(), 7u);
   do_all(*session, {"expect F 6"});
-  EXPECT_FALSE(session->gesturing.transform());
+  EXPECT_FALSE(session->gesturing.is_active());
 }
 
 TEST(playing, players_differ_though_one_takes_the_place_of_the_other) {

@@ -1,4 +1,4 @@
-#include "app/editor/input/gestures.h"
+#include "app/editor/input/input_presets.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,7 +8,7 @@ namespace ryosen {
 namespace {
 
 using enum MouseButton;
-using enum Gesture;
+using enum DragAction;
 
 constexpr DragRow ryosen_drags[] = {
     {left, false, false, orbit},   {left, true, false, pan},   {left, true, true, box},     {right, false, false, pan},
@@ -36,7 +36,7 @@ constexpr KeyChange blender_keys[] = {
 };
 
 struct GestureHelp {
-  Gesture gesture;
+  DragAction action;
   std::string_view help_en, help_ja;
 };
 
@@ -71,14 +71,14 @@ constexpr InputPreset presets[] = {
 
 std::span<const InputPreset> input_presets() { return presets; }
 
-Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modifiers) {
+DragAction drag_action_of(const InputPreset& preset, MouseButton button, Modifiers modifiers) {
   const DragRow* alone = nullptr;
   for (const DragRow& row : preset.drags) {
     if (row.button != button) continue;
-    if (row.shift == modifiers.shift && row.ctrl == modifiers.ctrl) return row.gesture;
+    if (row.shift == modifiers.shift && row.ctrl == modifiers.ctrl) return row.action;
     if (!row.shift && !row.ctrl) alone = &row;
   }
-  return alone->gesture;
+  return alone->action;
 }
 
 // The same in every preset.
@@ -87,9 +87,9 @@ ClickSelects click_selects(Modifiers modifiers) {
   return modifiers.ctrl ? ClickSelects::ring : ClickSelects::loop;
 }
 
-Text help_of(Gesture gesture) {
+Text help_of(DragAction action) {
   const auto row = std::find_if(std::begin(gesture_helps), std::end(gesture_helps),
-                                [&](const GestureHelp& help) { return help.gesture == gesture; });
+                                [&](const GestureHelp& help) { return help.action == action; });
   return {std::string(row->help_en), std::string(row->help_ja)};
 }
 
@@ -110,8 +110,8 @@ Text name_of(const DragRow& drag) {
 std::vector<MouseRow> mouse_table(const InputPreset& preset) {
   std::vector<MouseRow> rows;
   for (const DragRow& drag : preset.drags) {
-    Text does = help_of(drag.gesture);
-    if (selects(drag.gesture)) does = {does.en + "; Alt goes through", does.ja + "（Alt で裏側も）"};
+    Text does = help_of(drag.action);
+    if (selects(drag.action)) does = {does.en + "; Alt goes through", does.ja + "（Alt で裏側も）"};
     rows.push_back({name_of(drag), std::move(does)});
   }
   for (const auto& click : clicks)

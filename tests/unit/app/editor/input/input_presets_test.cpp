@@ -1,4 +1,4 @@
-#include "app/editor/input/gestures.h"
+#include "app/editor/input/input_presets.h"
 
 #include <gtest/gtest.h>
 

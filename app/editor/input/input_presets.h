@@ -13,14 +13,14 @@
 namespace ryosen {
 
 // What a drag does: with the camera, or selecting what lies in the box or the loop that it draws.
-enum class Gesture { orbit, pan, zoom, box, lasso };
+enum class DragAction { orbit, pan, zoom, box, lasso };
 
-constexpr bool selects(Gesture gesture) { return gesture == Gesture::box || gesture == Gesture::lasso; }
+constexpr bool selects(DragAction action) { return action == DragAction::box || action == DragAction::lasso; }
 
 struct DragRow {
   MouseButton button;
   bool shift, ctrl;
-  Gesture gesture;
+  DragAction action;
 };
 
 // What a click with Select in hand selects: the element, or the loop or ring of the edge that is nearest.
@@ -40,13 +40,13 @@ struct InputPreset {
 std::span<const InputPreset> input_presets();
 // Alt makes no other gesture: with one that selects it goes through the surface. With modifiers that no row has it is
 // that of the button alone.
-Gesture gesture_of(const InputPreset& preset, MouseButton button, Modifiers modifiers);
+DragAction drag_action_of(const InputPreset& preset, MouseButton button, Modifiers modifiers);
 
 // Shift adds to the selection what any of them finds.
 ClickSelects click_selects(Modifiers modifiers);
 
 // What the gesture does, in a few words.
-Text help_of(Gesture gesture);
+Text help_of(DragAction action);
 
 // What is done with the mouse, and what that does.
 struct MouseRow {

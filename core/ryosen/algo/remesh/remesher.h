@@ -57,6 +57,8 @@ class Remesher {
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
   // Of 20 degrees: no pass but the splits makes a narrower triangle of wider ones.
   static constexpr double sliver_sine = 0.34;
+  // Below it rounding tells which way a face lies, so that it meets its neighbours.
+  static constexpr double needle_sine = 1e-4;
   // Of the length: how far the surface as it was may be from it as it becomes.
   static constexpr double share_of_reach = 0.25;
   static constexpr std::size_t between_reports = 256;
@@ -64,7 +66,7 @@ class Remesher {
   // How far a step may go: the cosine of the turn of a face, the length of edges that come of a collapse, and the sine of
   // the smallest angle below which no wider triangle becomes narrower, by a collapse and by a move.
   struct Guard {
-    double turn_cosine = cosine_of_turn, longest = 0, sine = 0, move_sine = sliver_sine;
+    double turn_cosine = cosine_of_turn, longest = 0, sine = needle_sine, move_sine = sliver_sine;
     double reach = 1;                                         // of the keeper
     double beside = std::numeric_limits<double>::infinity();  // of the length: how far from the surface faces may lie
     double mended = std::numeric_limits<double>::infinity();  // the length of the edge that goes

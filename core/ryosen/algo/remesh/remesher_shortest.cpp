@@ -18,13 +18,13 @@ constexpr double clearly = 1 + 1e-6;
 // Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps, and points
 // of the surface as it was are left only at last.
 bool Remesher::remove_shortest(Progress& progress) {
-  constexpr double any_turn = -2, any = std::numeric_limits<double>::infinity();
-  for (const Guard& guard :
-       {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
-        Guard{cosine_of_turn, 2 * most_, 0}, Guard{0.1, 2 * most_, 0}, Guard{0.1, 2 * most_, 0, 0, 1.5, 0.5},
-        Guard{0.1, any, 0, 0, 1.5, 0.5}, Guard{any_turn, any, 0, 0, 1.5, 0.5}, Guard{any_turn, any, 0, 0, any, 0.5},
-        Guard{any_turn, 2 * most_, 0, 0, any, 1}, Guard{any_turn, 2 * most_, 0, 0, any},
-        Guard{any_turn, any, 0, 0, any}}) {
+  constexpr double any_turn = -2, least = needle_sine, any = std::numeric_limits<double>::infinity();
+  for (const Guard& guard : {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
+                             Guard{cosine_of_turn, 2 * most_, least}, Guard{0.1, 2 * most_, least},
+                             Guard{0.1, 2 * most_, least, least, 1.5, 0.5}, Guard{0.1, any, least, least, 1.5, 0.5},
+                             Guard{any_turn, any, least, least, 1.5, 0.5}, Guard{any_turn, any, least, least, any, 0.5},
+                             Guard{any_turn, 2 * most_, least, least, any, 1},
+                             Guard{any_turn, 2 * most_, least, least, any}, Guard{any_turn, any, 0, 0, any}}) {
     std::size_t left = 0;
     guard_ = guard;
     keeper_.widen(guard.reach);

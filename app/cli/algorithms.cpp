@@ -75,9 +75,6 @@ class AlgorithmRun {
   }
 
  private:
-  // Whether the text that tells what is done is printed.
-  bool is_told() const { return !console_.json && !console_.quiet; }
-
   // Of one that accounts; by repair none does.
   const Account* account() const {
     const std::optional<Account>& given = calls_.front().result.account;
@@ -100,7 +97,7 @@ class AlgorithmRun {
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     if (const std::optional<Text>& refused = call.result.refused)
       return make_failure(ExitCode::refused, "mesh_refused", {refused->en + ".", refused->ja + "。"});
-    if (is_told()) console_.print_now(line_of_result(name, call.result, console_));
+    if (!console_.json) console_.print_now(line_of_result(name, call.result, console_));
     if (before) measure_distance_from(*before);
     return std::nullopt;
   }
@@ -116,7 +113,7 @@ class AlgorithmRun {
     if (!has_surface(before) || !has_surface(job_.document->mesh())) return;
     Progress progress(report_on(console_, "distance"));
     distance_ = surface_distance(before, job_.document->mesh(), {}, progress);
-    if (distance_ && is_told()) print_distance();
+    if (distance_ && !console_.json) print_distance();
   }
 
   void write() {
@@ -125,10 +122,6 @@ class AlgorithmRun {
   }
 
   void print_text() const {
-    if (!is_told()) {
-      console_.conclude({}, code_);
-      return;
-    }
     if (repair_) print_repair(*repair_, console_);
     console_.print(after_.problems.empty() ? console_.text("left: nothing\n", "残り：なし\n")
                                            : console_.text("left:\n", "残り：\n"));

@@ -160,7 +160,7 @@ void RepairRun::print_step(const std::string& name, const AlgorithmResult& resul
 
 // At once, unless what is done may be undone in the end.
 void RepairRun::print(std::string line) {
-  if (console_.json || console_.quiet) return;
+  if (console_.json) return;
   if (waits_)
     waiting_.push_back(std::move(line));
   else

@@ -509,28 +509,5 @@ TEST(repair, cancelled_in_a_session_leaves_mesh_and_history_as_they_were) {
   EXPECT_TRUE(session.run("repair remove_isolated").done()) << "goes on as if nothing had been";
 }
 
-TEST(repair, quiet_prints_no_report) {
-  const TemporaryFolder folder;
-  const std::string path = folder.write("a.obj", broken);
-  for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"repair", path, "-o", folder.at("o.obj")},
-                                             {"repair", path, "-o", folder.at("o.off"), "--lang", "ja"},
-                                             {"repair", path, "--kinds", "default,weld_close=0.1"},
-                                             {"weld_equal", path, "-o", folder.at("o.ply")},
-                                             {"subdivide", path, "-o", folder.at("o.stl")}}) {
-    const ProgramRun told = run_program(words);
-    std::vector<std::string> quietly = words;
-    quietly.emplace_back("-q");
-    const ProgramRun quiet = run_program(quietly);
-    EXPECT_NE(told.out, "") << words[0];
-    EXPECT_EQ(quiet.out + quiet.err, "") << words[0];
-    EXPECT_EQ(quiet.exit_code, told.exit_code) << words[0];
-    quietly.emplace_back("--json");
-    EXPECT_TRUE(run_program(quietly).line().contains("problems")) << "what a program reads is still there";
-  }
-  EXPECT_FALSE(read_file(folder.at("o.obj")).empty());
-  EXPECT_NE(run_program({"repair", folder.at("none.obj"), "-q"}).err, "") << "errors are told";
-}
-
 }  // namespace
 }  // namespace ryosen::test

@@ -264,6 +264,7 @@ const std::map<std::string, std::string> out_of_reach{
     {"codes.no_render_backend", "every way to draw is there where the tests run"},
     {"codes.out_of_memory", "it takes a limit of memory; little_memory_test sets some"},
     {"codes.output_not_durable", "the disk would have to fail late; failing_saves_test lets it"},
+    {"codes.points_without_z", "a note on a whole file, which JSON leaves out"},
     {"codes.shader_refused", "the graphics driver would have to be broken"},
     {"codes.too_many_elements", "it takes a file of gigabytes"},
     {"codes.welded", "a note on a whole file, which JSON leaves out"},

@@ -92,7 +92,8 @@ TEST(ply_text, points_without_z_lie_in_a_plane) {
   const MeshFile file = read_sound("ply", std::string(flat_head) + std::string(flat_rows));
   EXPECT_EQ(file.mesh.positions[2], glm::dvec3(1, 1, 0));
   EXPECT_EQ(file.mesh.corners, (Corners{0, 1, 2, 0, 2, 3}));
-  EXPECT_TRUE(file.messages.empty());
+  ASSERT_EQ(file.messages.size(), 1u);
+  EXPECT_EQ(file.messages[0].code, "points_without_z");
   EXPECT_EQ(file.mesh.face_lines, (Corners{13, 14}));
   for (const FormatVariant& variant : find_format("ply")->variants) {
     const std::string bytes = bytes_of(file, *find_format("ply"), variant.encoding);

@@ -13,6 +13,7 @@
 
 #include "app/editor/camera/navigation.h"
 #include "app/editor/preferences/panel_list.h"
+#include "app/editor/session/owners.h"
 #include "app/editor/textbook/record_book.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
@@ -22,20 +23,6 @@
 #include "ryosen/view/view_settings.h"
 
 namespace ryosen {
-
-class Document;
-class Findings;
-class Framing;
-class Gesturing;
-class Mesh;
-class Pointing;
-class RepairTrials;
-class Selecting;
-class Session;
-class Shown;
-struct Layout;
-struct Preferences;
-struct ViewState;
 
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
@@ -54,7 +41,7 @@ struct WaitingLine {
   std::string asks_again;  // the id of the panel that opens again where it fails; empty for none
 };
 
-// What was said of the last command that was sent from the window.
+// The answer to the last command that was sent from the window.
 struct LastOutcome {
   Text sentence;
   std::vector<Text> shorter;  // the same in fewer words, for where there is no room, the longest first
@@ -112,7 +99,7 @@ struct PanelContext {
   float scale;
   float column_scale;  // of the width of columns and panels, which grow with the letters
 
-  // Those that are open just now: a line that runs may put others in their place.
+  // The document that is open just now: a line that runs may put another in its place.
   Document& document() const;
   const Mesh& mesh() const;
   Findings& findings() const;

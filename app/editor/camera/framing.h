@@ -1,5 +1,5 @@
-// Chooses the camera that shows a mesh in the free part of a view: all vertices with edges, and isolated ones that are not
-// far from them.
+// Chooses the camera that shows a mesh in the free part of a view: all vertices with edges, and isolated ones that are
+// not far from them.
 #pragma once
 
 #include <functional>
@@ -20,13 +20,13 @@ using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
 // Calls visit(places) of the vertices that have edges, or of all where none has. O(n).
 void with_places_of_edges(const Mesh& mesh, const PlacesVisit& visit);
 
-// The same with isolated vertices up to four diagonals of their box from its middle, so that the mesh takes an eighth of
-// the view at least: one that a scanner left in a corner of its room would make it a dot.
+// The same with isolated vertices up to four diagonals of their box from its middle, so that the mesh takes an eighth
+// of the view at least: one that a scanner left in a corner of its room would make it a dot.
 void with_places_to_frame(const Mesh& mesh, const PlacesVisit& visit);
 
-// What lies over a view, in its pixels: strips along its sides, and the axes in its upper right corner, in the
-// circle within that square. What is framed keeps off the strips, unless they leave hardly any of the view, and off the axes where
-// one of its places would lie there.
+// The parts of a view that something lies over, in its pixels: strips along its sides, and the axes in its upper
+// right corner, in the circle within that square. A camera keeps what it shows off the strips, unless they leave
+// hardly any of the view, and off the axes where one of its places would lie there.
 struct Covered {
   double left = 0, right = 0, above = 0;
   std::optional<PixelRect> corner;
@@ -45,7 +45,7 @@ class Framing {
  public:
   Framing(const Session& session, ViewState& view) : session_(session), view_(view) {}
 
-  // What lies over the view: what a tab has opened, the caption of what is played, and the axes.
+  // The parts that a tab which is open, the caption of what is played, and the axes lie over.
   Covered covered() const;
   // The strips of that alone, as shares of the view; none where they leave hardly any of it.
   CoveredShares covered_shares() const;

@@ -24,11 +24,11 @@ struct Band {
   std::vector<glm::dvec2> path;  // pixels; not empty
 };
 
-// What a drag does is its action; the wheel zooms to the pointer. A drag of the camera holds on to the point of the mesh
-// under the press: orbiting turns about it, panning keeps it under the pointer. The wheel brings the eye towards the point
-// under the pointer by a share of its distance. Where there is none, orbiting turns about the target, and the others act as
-// deep as the nearest of the surface that is seen, or as the target. Pixels are window pixels; the view may be anywhere in
-// it.
+// Moves the camera by drags and the wheel. A drag of the camera holds on to the point of the mesh under the press: to
+// orbit turns about it, to pan keeps it under the pointer. The wheel brings the eye towards the point under the
+// pointer by a share of its distance. Where there is none, orbiting turns about the target, and the others act as
+// deep as the nearest of the surface that is seen, or as the target. Pixels are those of the window; the view may be
+// anywhere in it.
 class Navigation {
  public:
   struct Click {

@@ -1,6 +1,6 @@
-// What the rows of the command table call; everybody else goes through the table. Each takes the owners that it works on
-// (the session where it runs lines or puts another document in its place), the words behind the id, and all of the text
-// behind it.
+// The functions that the rows of the command table call; everybody else goes through the table. Each takes the owners
+// that it works on (the session where it runs lines or puts another document in its place), the words behind the id,
+// and all of the text behind it.
 #pragma once
 
 #include "app/editor/camera/view_switches.h"

@@ -1,4 +1,4 @@
-// What a frontend (a window, a picture without a window, a script) can do for a session, and how it wants work done.
+// A frontend (a window, a picture without a window, a script): what it can do for a session, and how it wants work.
 #pragma once
 
 #include <filesystem>

@@ -31,8 +31,8 @@ Owner& owner_of(Session& session);
 template <class Owner>
 const Owner& owner_of(const Session& session);
 
-// What a row of a table does with a session: a function or lambda that takes, in front of its other arguments, the owners
-// that it works on in place of the session:
+// A function of a row of a table: it takes, in front of its other arguments, the owners that it works on in place of
+// the session:
 //   OnOwners<bool(const Session&, int)> row = [](const ViewState& view, const Document& document, int n) { ... };
 template <class Call>
 class OnOwners;

@@ -43,7 +43,7 @@ class Session {
   Document& document() { return *document_; }
   const Document& document() const { return *document_; }
   const Mesh& mesh() const { return document_->mesh(); }
-  // What follows from the mesh; replaced with the document.
+  // All that follows from the mesh; replaced with the document.
   Findings& findings() { return *findings_; }
   const Findings& findings() const { return *findings_; }
   // What repairs would do.

@@ -76,7 +76,7 @@ class Remesher {
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
   double length_of(Edge e) const;
   double wanted(Edge e) const;
-  // By length, those that are wanted.
+  // Edges that are wanted, by length.
   using IsWanted = std::function<bool(Edge, double length)>;
   std::vector<Edge> edges_by_length(bool longest_first, const IsWanted& is_wanted) const;
   // Whether an edge of length `made` in place of one of length `before` is too short.

@@ -12,7 +12,7 @@ namespace ryosen {
 // by halfedge slot the side paired with a side, or none (pair_faces.h). The lower face is first; ascending. O(n).
 std::vector<std::pair<Face, Face>> find_pockets(const Mesh& mesh, const std::vector<Halfedge>& across);
 
-// Those that are joined in the mesh. O(n).
+// Pockets whose sides are joined in the mesh. O(n).
 std::vector<std::pair<Face, Face>> pockets_of(const Mesh& mesh);
 
 }  // namespace ryosen

@@ -64,7 +64,7 @@ TEST(every_element, of_named_shapes) {
 }
 
 TEST(every_element, of_random_meshes) {
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 1500u : 700u); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(700, 1500); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     prove_all(random.faces, random.points);
@@ -73,7 +73,7 @@ TEST(every_element, of_random_meshes) {
 
 // Verdicts on a mesh alone and beside a bow-tie and a hanging pair elsewhere in the file.
 TEST(every_element, a_defect_elsewhere_changes_no_verdict) {
-  for (std::uint32_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(300); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     const auto n = static_cast<std::uint32_t>(random.points);
     Polygons with_defects = random.faces;
@@ -211,7 +211,7 @@ TEST(every_element, every_operator_leaves_sound_columns_and_no_other_trace) {
     ASSERT_NO_FATAL_FAILURE(prove_every_op(meshes[i], counts));
     if (HasFailure()) return;
   }
-  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     if (random.points > 9) continue;
@@ -224,7 +224,7 @@ TEST(every_element, every_operator_leaves_sound_columns_and_no_other_trace) {
 
 TEST(every_element, a_named_remedy_helps) {
   std::map<std::string, std::size_t> helped, never;
-  for (std::uint32_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(150); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     Mesh mesh = make_mesh(random.faces, random.points);
     for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {

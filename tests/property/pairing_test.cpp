@@ -22,7 +22,7 @@ namespace {
 
 const std::string usual_repairs = "give_places,remove_duplicates,weld_equal,orient,detach_nonmanifold";
 
-const std::uint64_t pairing_seeds = is_long_run() ? 30000 : 400;
+const std::uint64_t pairing_seeds = seed_count(400, 30000);
 
 SolidBuilder soup(std::uint64_t seed) {
   return seed % 3 == 0 ? random_triangles(seed) : random_solids_and_sheets(seed);
@@ -142,8 +142,9 @@ TEST(pairing, no_closed_part_is_torn_and_nothing_opens_but_where_a_patch_is_set_
 }
 
 TEST(pairing, unions_of_solids_come_apart_closed_with_their_volume_merged_by_points_or_not) {
+  const std::uint64_t seeds = seed_count(100, 5000);
   std::size_t parts = 0, shared = 0;
-  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 5000u : 100u) && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = random_union(seed);
     shared += compute_figures(from_indexed(built.indexed()))[ProblemKind::nonmanifold_edge] > 0;
     for (const IndexedMesh& source : {built.indexed(), built.loose()}) {
@@ -159,8 +160,8 @@ TEST(pairing, unions_of_solids_come_apart_closed_with_their_volume_merged_by_poi
       EXPECT_NEAR(*figures.volume, static_cast<double>(built.volume_six()) / 6, 1e-9);
     }
   }
-  EXPECT_GT(shared, 75u) << "hardly any touch";
-  EXPECT_GT(parts, 800u);
+  EXPECT_GT(2 * shared, seeds) << "hardly any touch";
+  EXPECT_GT(parts, 6 * seeds);
 }
 
 // Two faces back to back may be a pocket without room: two of their edges are paired with each other, and at the third,

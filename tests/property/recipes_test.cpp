@@ -64,7 +64,7 @@ void expect_rules_on_files(const fs::path& folder, std::uintmax_t most_bytes, st
 }
 
 TEST(recipes, keep_the_rules_on_random_soups) {
-  const std::uint64_t last = is_long_run() ? 50000 : 250;
+  const std::uint64_t last = seed_count(250, 50000);
   for (std::uint64_t seed = 1; seed <= last && !HasFailure(); ++seed)
     expect_rules(random_soup(seed), recipe_for(seed), "soup of seed " + std::to_string(seed));
 }

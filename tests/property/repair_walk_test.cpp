@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-const std::uint32_t repair_seeds = is_long_run() ? 400 : 160;
+const std::uint64_t repair_seeds = seed_count(160, 400);
 
 template <class Visit>
 void for_each_shape(Visit visit) {
@@ -285,7 +285,7 @@ std::string random_euler_line(const Mesh& mesh, Dice& dice) {
 
 TEST(repair_walk, among_wires_bridges_rings_and_several_fans) {
   std::map<std::string, std::size_t> done;
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 4000u : 900u); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(900, 4000); ++seed) {
     SCOPED_TRACE("walk " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     Mesh mesh = make_mesh(random.faces, random.points + 2);

@@ -137,7 +137,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   return proved;
 }
 
-constexpr std::uint64_t seeds = 1500;
+const std::uint64_t seeds = seed_count(1500);
 // One on which a repair once did more when it was run twice: a hole that it opened led on.
 constexpr std::uint64_t kept_seed = 17220;
 
@@ -146,7 +146,7 @@ class Repairs : public testing::Test {
   template <class Judge>
   void on_all(std::string_view id, std::optional<double> number, Judge judge) {
     std::size_t changed = 0;
-    const std::uint64_t last = is_long_run() ? 50000 : seeds;
+    const std::uint64_t last = seed_count(1500, 50000);
     for (std::uint64_t run = 0; run <= last && !HasFailure(); ++run) {
       const std::uint64_t seed = run == 0 ? kept_seed : run;
       SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
@@ -245,7 +245,7 @@ TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
 
 TEST_F(Repairs, stitching_adds_no_place_and_keeps_the_surface) {
   std::size_t changed = 0;
-  const std::uint64_t most = is_long_run() ? 25000 : seeds;
+  const std::uint64_t most = seed_count(1500, 25000);
   for (std::uint64_t seed = 1; seed <= most && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = mesh_on_grid(seed);

@@ -11,6 +11,7 @@
 #include "ryosen/analysis/problems.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/homology.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
@@ -56,16 +57,17 @@ void compare(const Mesh& mesh, Seen& seen) {
 }
 
 TEST(terms, of_random_polygon_meshes_are_those_of_the_oracle) {
+  const std::uint64_t seeds = seed_count(2000);
   Seen seen;
-  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE(seed);
     const SeededMesh mesh = seeded_mesh(seed);
     compare(make_mesh(mesh.faces, mesh.points), seen);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(seen.with_genus, 300u);
-  EXPECT_GT(seen.with_handles, 10u);
-  EXPECT_GT(seen.without, 300u);
+  EXPECT_GT(seen.with_genus, seeds / 8);
+  EXPECT_GT(seen.with_handles, seeds / 300);
+  EXPECT_GT(seen.without, seeds / 8);
 }
 
 TEST(terms, of_small_surfaces_are_those_of_the_oracle) {
@@ -83,9 +85,10 @@ TEST(terms, of_small_surfaces_are_those_of_the_oracle) {
 
 // A session keeps the terms through operators that say that they keep the topology.
 TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_operator_says_so) {
+  const std::uint64_t seeds = seed_count(250);
   Seen seen;
-  std::map<std::string, int> kept;
-  for (std::uint64_t seed = 0; seed < 250; ++seed) {
+  std::map<std::string, std::uint64_t> kept;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Mesh mesh = random_complex(seed);
     compare(mesh, seen);
     const EulerPoincare before = euler_poincare(mesh);
@@ -116,17 +119,18 @@ TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_ope
   }
   for (const OpInfo& info : all_ops())
     if (info.topology == Topology::kept) {
-      EXPECT_GT(kept[std::string(info.id)], 3) << info.id;
+      EXPECT_GT(kept[std::string(info.id)], seeds / 70) << info.id;
     }
-  EXPECT_GT(seen.with_handles, 300u);
-  EXPECT_GT(seen.with_wires, 100u);
-  EXPECT_GT(seen.without, 100u);
+  EXPECT_GT(seen.with_handles, seeds);
+  EXPECT_GT(seen.with_wires, seeds / 3);
+  EXPECT_GT(seen.without, seeds / 3);
 }
 
 // Where `check` and the window say "isolated vertex", remove_vertex works.
 TEST(terms, isolated_vertices_are_those_that_can_be_removed) {
+  const std::uint64_t seeds = seed_count(400);
   std::size_t listed = 0, ends_of_wires = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Mesh mesh = random_complex(seed);
     const ProblemSets sets(mesh);
     ends_of_wires += sets.count(ProblemKind::wire);
@@ -140,8 +144,8 @@ TEST(terms, isolated_vertices_are_those_that_can_be_removed) {
       EXPECT_EQ(RemoveVertex{Vertex(i)}.check(mesh).legal(), sets.of(ProblemKind::isolated_vertex).contains(i)) << seed;
     }
   }
-  EXPECT_GT(listed, 50u);
-  EXPECT_GT(ends_of_wires, 50u);
+  EXPECT_GT(listed, seeds / 8);
+  EXPECT_GT(ends_of_wires, seeds / 8);
 }
 
 }  // namespace

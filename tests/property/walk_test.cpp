@@ -104,7 +104,7 @@ void report(const WalkCount& count) {
 
 TEST(walk, named_shapes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 40u : 4u); ++seed)
+  for (std::uint32_t seed = 1; seed <= seed_count(4, 40); ++seed)
     for (const Polygons& faces : {tetrahedron(), cube(), torus_grid(5, 4), two_quads(), closed_fan(6), bow_tie(), fin(),
                                   moebius_strip(), two_tetrahedra_on_an_edge()})
       walk(make_mesh(faces), "shape", seed, 400, 2000, count);
@@ -113,7 +113,7 @@ TEST(walk, named_shapes) {
 
 TEST(walk, random_polygon_meshes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 20000u : 600u); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(600, 20000); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     walk(make_mesh(random.faces, random.points), "random", seed, 60, 2000, count);
   }
@@ -123,7 +123,7 @@ TEST(walk, random_polygon_meshes) {
 // Meshes with rings, bridges, wires and fans from the start, so that every operator finds something to do.
 TEST(walk, random_complexes) {
   WalkCount count;
-  for (std::uint32_t seed = 1; seed <= (is_long_run() ? 20000u : 600u); ++seed)
+  for (std::uint32_t seed = 1; seed <= seed_count(600, 20000); ++seed)
     walk(random_complex(seed), "complex", seed, 60, 2000, count);
   report(count);
   for (const OpInfo& info : all_ops()) EXPECT_GT(count.by_operator[info.id].first, 0u) << info.id << " was never done";

@@ -60,7 +60,7 @@ void Canvas::draw(const PixelRect& rect, std::span<const Placed> views, const Im
   glClear(GL_COLOR_BUFFER_BIT);
   const int height = target_.size().height;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const View& view = *views[i].view;
+    const Renderer& view = *views[i].view;
     const PixelRect& place = placed_[i];
     glBindFramebuffer(GL_READ_FRAMEBUFFER, view.picture().id());
     glReadBuffer(GL_COLOR_ATTACHMENT0);

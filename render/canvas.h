@@ -7,7 +7,7 @@
 
 #include "render/pass/ui.h"
 #include "render/pass/ui_damage.h"
-#include "render/view.h"
+#include "render/renderer.h"
 
 namespace ryosen {
 
@@ -22,13 +22,13 @@ class Canvas {
 
   // A view, and the place of its upper left corner.
   struct Placed {
-    View* view;
+    Renderer* view;
     int x, y;
   };
   // Updates the views, copies their pictures to their places, and draws `ui` (in window pixels) over them. Returns the number
   // of pixels redrawn; 0 if nothing changed. The rest of the window is black.
   std::int64_t compose(std::span<const Placed> views, const ImDrawData& ui);
-  std::int64_t compose(View& view, int x, int y, const ImDrawData& ui) {
+  std::int64_t compose(Renderer& view, int x, int y, const ImDrawData& ui) {
     const Placed placed{&view, x, y};
     return compose(std::span(&placed, 1), ui);
   }

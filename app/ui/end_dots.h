@@ -5,7 +5,6 @@
 #include <map>
 #include <span>
 
-#include "app/editor/shown/gesturing.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/mesh/mesh.h"
@@ -14,7 +13,7 @@ namespace ryosen {
 
 class EndDots {
  public:
-  explicit EndDots(const Mesh& mesh, const Gesturing& gesturing) : m_(mesh), places_(gesturing.drawn_positions()) {}
+  EndDots(const Mesh& mesh, std::span<const glm::dvec3> places) : m_(mesh), places_(places) {}
 
   void add(Edge e);
   void draw(Theme theme, Overlay& overlay) const;

@@ -74,9 +74,9 @@ void Headless::lay_out(Session& session) {
 }
 
 Image Headless::view_drawn_again() {
-  View& view = viewport_->view();
-  view.draw(PixelRect::all(view.size()));
-  return view.read_pixels();
+  Renderer& renderer = viewport_->renderer();
+  renderer.draw(PixelRect::all(renderer.size()));
+  return renderer.read_pixels();
 }
 
 Image Headless::beside_each_other() {
@@ -93,7 +93,7 @@ Image Headless::picture(Session& session) {
     session.place_view(options_.size, {0, 0});
     viewport_->follow(session);
     viewport_->draw();
-    return viewport_->beside() ? beside_each_other() : viewport_->view().read_pixels();
+    return viewport_->compared() ? beside_each_other() : viewport_->renderer().read_pixels();
   }
   lay_out(session);
   viewport_->follow(session);

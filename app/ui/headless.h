@@ -33,7 +33,7 @@ class Headless {
   void place_view(Session& session);
   Image picture(Session& session);
   // The id image of the last picture, in pixels of the view.
-  IdImage read_ids() { return viewport_->view().read_ids(); }
+  IdImage read_ids() { return viewport_->renderer().read_ids(); }
   // The view of the last picture, all of it drawn once more: no pixel differs.
   Image view_drawn_again();
   // Makes the next picture rebuild everything from its session.

@@ -6,8 +6,10 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"
+#include "app/editor/views/seen_mesh.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
+#include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -33,11 +35,11 @@ class Ghost {
     const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
     if (is_edge) pointed_ = pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge());
     for (const GhostFace& face : preview.faces) draw(face);
-    Painter old(mesh_, gesturing_, overlay_, goes_, 1);
+    Painter old(mesh_, gesturing_.drawn_positions(), overlay_, goes_, 1);
     for (const Element& e : preview.deleted)
       if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
     if (pointed_ && !pointed_stays_) old.draw(pointed_);
-    Painter fresh(mesh_, gesturing_, overlay_, comes_, 1);
+    Painter fresh(mesh_, gesturing_.drawn_positions(), overlay_, comes_, 1);
     const auto is_before = [](const glm::dvec3& a, const glm::dvec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
     };
@@ -127,7 +129,7 @@ void draw_spoilt(const Mesh& mesh, const ViewState& view, const Gesturing& gestu
     looks.line = LineStyle::solid;
     looks.width_px = 1;
   }
-  Painter painter(mesh, gesturing, overlay, looks, are_many ? 0.f : 1.f, 0, are_many);
+  Painter painter(mesh, gesturing.drawn_positions(), overlay, looks, are_many ? 0.f : 1.f, 0, are_many);
   for (const Face f : faces) painter.draw(f, false);
 }
 
@@ -139,21 +141,28 @@ Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& 
   draw_spoilt(mesh, view, gesturing, theme, overlay);
   const SnapTarget* const target = gesturing.transform() ? gesturing.transform()->snapped_to() : nullptr;
   if (target && target->element.kind != Element::Kind::vertex)
-    Painter(mesh, gesturing, overlay, style(Role::hover, theme), 1).draw(target->element);
+    Painter(mesh, gesturing.drawn_positions(), overlay, style(Role::hover, theme), 1).draw(target->element);
   if (!selecting.hover()) return overlay;
   const Hover& hover = *selecting.hover();
   if (!hover.op) {
-    Painter(mesh, gesturing, overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
+    Painter(mesh, gesturing.drawn_positions(), overlay, style(Role::hover, theme), 1).draw(hover.picked.element);
     return overlay;
   }
   if (hover.preview.verdict.legal()) {
     Ghost(mesh, view, gesturing, theme, overlay).draw(hover.preview, hover.picked.element);
     return overlay;
   }
-  Painter witness(mesh, gesturing, overlay, style(Role::witness, theme), 0.6f);
+  Painter witness(mesh, gesturing.drawn_positions(), overlay, style(Role::witness, theme), 0.6f);
   for (const Reason& reason : hover.preview.verdict.reasons)
     for (const Element& e : reason.witnesses) witness.draw(e);
-  Painter(mesh, gesturing, overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
+  Painter(mesh, gesturing.drawn_positions(), overlay, style(Role::refused, theme), 1).draw(hover.picked.element);
+  return overlay;
+}
+
+Overlay pointed_overlay(const SeenMesh& compared, const Element& element) {
+  Overlay overlay;
+  const Style looks = style(Role::hover, compared.view.settings.theme);
+  Painter(compared.document.mesh(), compared.places, overlay, looks, 1).draw(element);
   return overlay;
 }
 

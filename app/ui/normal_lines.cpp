@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/session/session.h"
+#include "app/editor/session/findings.h"
+#include "app/editor/views/seen_mesh.h"
 #include "render/palette.h"
 #include "ryosen/analysis/mean_edge.h"
 #include "ryosen/base/sort_unique.h"
@@ -41,7 +42,7 @@ std::vector<std::uint32_t> normals_at(Findings& findings, Vertex v) {
 
 }  // namespace
 
-void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> slots,
+void NormalLines::note(const SeenMesh& seen, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> slots,
                        bool everything) {
   all_stale_ |= everything;
   if (drawn_ == Normals::off || all_stale_) return;
@@ -50,10 +51,10 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
     for (const std::uint32_t f : changes.faces) add(f);
   else
     for (const std::uint32_t v : changes.vertices) add(v);
-  const SurfaceTriangles& triangles = session.findings().picker().triangles();
+  const SurfaceTriangles& triangles = seen.findings.picker().triangles();
   for (const std::uint32_t slot : slots) {
     if (slot >= triangles.slots()) continue;
-    const SurfaceTriangle triangle = triangles.at(session.mesh(), slot);
+    const SurfaceTriangle triangle = triangles.at(seen.findings.mesh(), slot);
     if (triangle.face == no_index) continue;
     if (drawn_ == Normals::faces)
       add(triangle.face);
@@ -62,9 +63,10 @@ void NormalLines::note(Session& session, const ChangeFeed::Changes& changes, std
   }
 }
 
-Overlay NormalLines::block(Findings& findings, const Gesturing& gesturing, std::uint32_t number) const {
+Overlay NormalLines::block(const SeenMesh& seen, std::uint32_t number) const {
+  Findings& findings = seen.findings;
   const Mesh& mesh = findings.mesh();
-  const std::span<const glm::dvec3> places = gesturing.drawn_positions();
+  const std::span<const glm::dvec3> places = seen.places;
   const Rgba colour = with_alpha(palette(theme_).label, 190);
   const std::uint32_t end = std::min((number + 1) * block_slots, slots_of(mesh, drawn_));
   Overlay overlay;
@@ -90,23 +92,23 @@ Overlay NormalLines::block(Findings& findings, const Gesturing& gesturing, std::
   return overlay;
 }
 
-void NormalLines::follow(Session& session, View& view) {
-  const ViewSettings& settings = session.view.settings;
+void NormalLines::follow(const SeenMesh& seen, Renderer& renderer) {
+  const ViewSettings& settings = seen.view.settings;
+  const Mesh& mesh = seen.findings.mesh();
   all_stale_ |= drawn_ != settings.normals || theme_ != settings.theme;
   if (all_stale_) {
-    if (drawn_ != Normals::off || settings.normals != Normals::off) view.set_overlay(Layer::normals, {});
+    if (drawn_ != Normals::off || settings.normals != Normals::off) renderer.set_overlay(Layer::normals, {});
     stale_.clear();
     if (settings.normals != Normals::off) {
-      length_ = 0.5 * mean_edge_length(session.mesh());
-      for (std::uint32_t i = 0; i * block_slots < slots_of(session.mesh(), settings.normals); ++i) stale_.push_back(i);
+      length_ = 0.5 * mean_edge_length(mesh);
+      for (std::uint32_t i = 0; i * block_slots < slots_of(mesh, settings.normals); ++i) stale_.push_back(i);
     }
   }
   drawn_ = settings.normals;
   theme_ = settings.theme;
   all_stale_ = false;
   sort_unique(stale_);
-  for (const std::uint32_t number : stale_)
-    view.set_overlay_part(Layer::normals, number, block(session.findings(), session.gesturing, number));
+  for (const std::uint32_t number : stale_) renderer.set_overlay_part(Layer::normals, number, block(seen, number));
   stale_.clear();
 }
 

@@ -5,27 +5,25 @@
 #include <vector>
 
 #include "app/editor/session/change_feed.h"
-#include "render/view.h"
+#include "render/renderer.h"
 #include "ryosen/view/view_settings.h"
 
 namespace ryosen {
 
-class Findings;
-class Gesturing;
-class Session;
+struct SeenMesh;
 
 // At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements, those
 // that changed alone.
 class NormalLines {
  public:
   // What changed in the mesh since the last call of follow().
-  void note(Session& session, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> triangles,
+  void note(const SeenMesh& seen, const ChangeFeed::Changes& changes, std::span<const std::uint32_t> triangles,
             bool everything);
-  // Passes the lines to the view. Linear where the setting or the whole mesh is another.
-  void follow(Session& session, View& view);
+  // Passes the lines to the renderer. Linear where the setting or the whole mesh is another.
+  void follow(const SeenMesh& seen, Renderer& renderer);
 
  private:
-  Overlay block(Findings& findings, const Gesturing& gesturing, std::uint32_t number) const;
+  Overlay block(const SeenMesh& seen, std::uint32_t number) const;
 
   Normals drawn_ = Normals::off;
   Theme theme_ = Theme::dark;

@@ -67,12 +67,14 @@ std::string name_beside(const PanelContext& context, const Document& document) {
 }
 
 void draw_names(PanelContext& context) {
-  const Session* const other = context.session.beside();
-  if (!other) return;
-  for (const Session* const one : {static_cast<const Session*>(&context.session), other}) {
-    const std::string name = name_beside(context, one->document());
+  const Compared* const compared = context.session.compared();
+  if (!compared) return;
+  using Half = std::pair<const Document&, const ViewState&>;
+  for (const auto& [document, view] :
+       {Half(context.document(), context.view), Half(compared->document(), compared->state())}) {
+    const std::string name = name_beside(context, document);
     const float margin = 8 * context.scale, gap = 3 * context.scale;
-    const ImVec2 at{static_cast<float>(one->view.origin.x) + margin, static_cast<float>(one->view.origin.y) + margin};
+    const ImVec2 at{static_cast<float>(view.origin.x) + margin, static_cast<float>(view.origin.y) + margin};
     const ImVec2 size = ImGui::CalcTextSize(name.c_str());
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled({at.x - gap, at.y - gap}, {at.x + size.x + gap, at.y + size.y + gap},

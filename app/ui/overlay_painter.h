@@ -1,10 +1,9 @@
-// Draws elements of a session's mesh into an overlay.
+// Draws elements of a mesh into an overlay.
 #pragma once
 
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "app/editor/shown/gesturing.h"
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/mesh/circulate.h"
@@ -15,10 +14,11 @@ namespace ryosen {
 // Adds elements to an overlay in one style.
 class Painter {
  public:
-  Painter(const Mesh& mesh, const Gesturing& gesturing, Overlay& overlay, const Style& style, float hidden = faintly,
-          double room = 0, bool thins_out = false)
+  // `places`: where its vertices are drawn.
+  Painter(const Mesh& mesh, std::span<const glm::dvec3> places, Overlay& overlay, const Style& style,
+          float hidden = faintly, double room = 0, bool thins_out = false)
       : m_(mesh),
-        places_(gesturing.drawn_positions()),
+        places_(places),
         overlay_(overlay),
         style_(style),
         hidden_(hidden),

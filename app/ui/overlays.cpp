@@ -17,11 +17,11 @@
 
 namespace ryosen {
 
-Overlay highlight_overlay(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
+Overlay highlight_overlay(Findings& findings, std::span<const glm::dvec3> places, const HighlightRow& row, Mark mark,
                           std::uint32_t first, std::uint32_t end, const ViewSettings& settings, double room) {
   Overlay overlay;
-  Painter painter(findings.mesh(), gesturing, overlay, style(row.looks, settings.theme), faintly, room);
-  EndDots dots(findings.mesh(), gesturing);
+  Painter painter(findings.mesh(), places, overlay, style(row.looks, settings.theme), faintly, room);
+  EndDots dots(findings.mesh(), places);
   findings.highlights().of(mark).for_each_in(first, end, [&](std::uint32_t i) {
     Element e;
     e.kind = mark.sort;
@@ -68,8 +68,8 @@ Overlay selection_overlay(const Findings& findings, const ViewState& view, const
   // Of very many those behind are hidden by those before, and dense ones need not be wide to be seen.
   constexpr std::size_t many = 1000, very_many = 20000;
   const std::size_t n = selecting.selection.size();
-  Painter painter(findings.mesh(), gesturing, overlay, style(Role::selected, theme), n > very_many ? 0 : faintly, 0,
-                  n > many);
+  Painter painter(findings.mesh(), gesturing.drawn_positions(), overlay, style(Role::selected, theme),
+                  n > very_many ? 0 : faintly, 0, n > many);
   constexpr std::size_t most_outlines = 60;  // the surface fills them
   const auto is_face = [](const Element& e) { return e.kind == Element::Kind::face; };
   const bool has_outlines = selecting.selection.count(Element::Kind::face) <= most_outlines;
@@ -86,13 +86,13 @@ Overlay selection_overlay(const Findings& findings, const ViewState& view, const
   return overlay;
 }
 
-Overlay verdicts_overlay(const Findings& findings, const Gesturing& gesturing, const ToolVerdicts& verdicts,
+Overlay verdicts_overlay(const Findings& findings, std::span<const glm::dvec3> places, const ToolVerdicts& verdicts,
                          ElementVerdict which, std::uint32_t first, std::uint32_t end, Theme theme, double room) {
   constexpr std::size_t many = 1000;
   Overlay overlay;
   Style looks = style(which == ElementVerdict::legal ? Role::legal : Role::refused, theme);
   looks.width_px = 2;
-  Painter painter(findings.mesh(), gesturing, overlay, looks, 0, room, verdicts.all().size() > many);
+  Painter painter(findings.mesh(), places, overlay, looks, 0, room, verdicts.all().size() > many);
   const auto draw = [&](const auto element) {
     if (!findings.hidden().hides(findings.mesh(), element)) painter.draw_mark(element);
   };

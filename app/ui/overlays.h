@@ -1,5 +1,9 @@
-// The overlays of the view's layers: highlights, selection, hovered element and preview.
+// The overlays of the view's layers: highlights, selection, hovered element and preview. `places`: where the vertices are
+// drawn.
 #pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
 
 #include "render/overlay.h"
 #include "render/palette.h"
@@ -15,12 +19,13 @@ class Selecting;
 class Gesturing;
 class Session;
 class Shown;
+struct SeenMesh;
 struct ViewState;
 struct Layout;
 
 // The members of a mark of a highlight with slot numbers from first to before end.
 // Points have so much room, see Point. With dots the ends of edges are drawn over them, where vertices are drawn.
-Overlay highlight_overlay(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
+Overlay highlight_overlay(Findings& findings, std::span<const glm::dvec3> places, const HighlightRow& row, Mark mark,
                           std::uint32_t first, std::uint32_t end, const ViewSettings& settings, double room);
 // The last of so many is marked by a ring.
 inline constexpr std::size_t most_ringed = 20;
@@ -28,7 +33,7 @@ Overlay selection_overlay(const Findings& findings, const ViewState& view, const
                           const Gesturing& gesturing, Theme theme);
 // The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles of
 // faces as points, which have so much room.
-Overlay verdicts_overlay(const Findings& findings, const Gesturing& gesturing, const ToolVerdicts& verdicts,
+Overlay verdicts_overlay(const Findings& findings, std::span<const glm::dvec3> places, const ToolVerdicts& verdicts,
                          ElementVerdict which, std::uint32_t first, std::uint32_t end, Theme theme, double room);
 // The ways along which was measured, where all elements of it are still there.
 Overlay measures_overlay(const Mesh& mesh, const Selecting& selecting, Theme theme);
@@ -47,5 +52,7 @@ Overlay links_overlay(Session& session, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
                       Theme theme);
+// An element of a mesh that is compared with, under the pointer.
+Overlay pointed_overlay(const SeenMesh& compared, const Element& element);
 
 }  // namespace ryosen

@@ -32,7 +32,7 @@ Style style(steps::RoleLook look, Theme theme) {
 void draw_beside_twin(Painter& painter, const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
                       const Element& element) {
   if (element.kind != Element::Kind::halfedge) return painter.draw(element);
-  for (const LinkArrow& arrow : arrows_of(mesh, view, gesturing, {element.halfedge()}))
+  for (const LinkArrow& arrow : arrows_of(mesh, view, gesturing.drawn_positions(), {element.halfedge()}))
     painter.line(arrow.from, arrow.to, true);
 }
 
@@ -42,7 +42,7 @@ Overlay question_overlay(const Session& session, Theme theme) {
   Overlay overlay;
   const std::optional<Element> about = asked_element(session.document(), session.layout, session.asked_question);
   if (!about) return overlay;
-  Painter painter(session.mesh(), session.gesturing, overlay, style(Role::witness, theme), 0.6f);
+  Painter painter(session.mesh(), session.gesturing.drawn_positions(), overlay, style(Role::witness, theme), 0.6f);
   draw_beside_twin(painter, session.mesh(), session.view, session.gesturing, *about);
   return overlay;
 }
@@ -55,7 +55,7 @@ Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& g
   const std::vector<steps::Mark>& marks = shown.player()->step()->marks;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     if (!has_slot(mesh.lengths(), mark->element) || !is_alive(mesh, mark->element)) continue;
-    Painter painter(mesh, gesturing, overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
+    Painter painter(mesh, gesturing.drawn_positions(), overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
     draw_beside_twin(painter, mesh, view, gesturing, mark->element);
   }
   for (const steps::Gone& gone : shown.player()->step()->gone) {

@@ -19,9 +19,9 @@ namespace {
 
 // The colours of the values that the surface is coloured by.
 void paint_values(Findings& findings, const ViewState& view, TriangleSource& source) {
-  const MapValues& values = findings.map_values();
-  const Mesh& mesh = findings.mesh();
   const Colouring& colouring = *view.colouring;
+  const MapValues& values = findings.map_values(colouring);
+  const Mesh& mesh = findings.mesh();
   constexpr std::size_t steps = 1024;
   std::vector<std::uint32_t> scale(steps);
   for (std::size_t i = 0; i < steps; ++i) {

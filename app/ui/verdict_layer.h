@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "render/view.h"
+#include "render/renderer.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
 
 namespace ryosen {
@@ -16,18 +16,18 @@ class Session;
 // slices too, and shown when all are there; after an edit those with an element that was asked again.
 class VerdictLayer {
  public:
-  // All are drawn anew: something is hidden or shown, or the view has another mesh.
+  // All are drawn anew: something is hidden or shown, or it has another mesh.
   void forget() { is_stale_ = true; }
-  // Passes to the view what has changed.
-  void follow(Session& session, View& view);
+  // Passes to the renderer what has changed.
+  void follow(Session& session, Renderer& renderer);
   // More is to be passed in the next frame, or to be asked before it.
   bool is_waiting() const { return is_waiting_; }
 
  private:
-  void begin(Session& session, View& view, const ToolVerdicts* verdicts);
+  void begin(Session& session, Renderer& renderer, const ToolVerdicts* verdicts);
   // Drops what an undo has taken away, and forgets a block that was or is not full.
-  void follow_slots(View& view, std::uint32_t slots);
-  void draw_block(Findings& findings, const Gesturing& gesturing, View& view, const ToolVerdicts& verdicts,
+  void follow_slots(Renderer& renderer, std::uint32_t slots);
+  void draw_block(Findings& findings, const Gesturing& gesturing, Renderer& renderer, const ToolVerdicts& verdicts,
                   std::uint32_t block) const;
 
   bool is_stale_ = true, is_waiting_ = false;

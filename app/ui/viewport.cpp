@@ -8,6 +8,8 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
+#include "app/editor/views/compared.h"
+#include "app/editor/views/seen_mesh.h"
 #include "app/ui/axes_overlay.h"
 #include "app/ui/gizmo_overlay.h"
 #include "app/ui/overlays.h"
@@ -24,12 +26,12 @@ namespace ryosen {
 
 namespace {
 
-TriangleSource source_of(const Document& document, Findings& findings, const ViewState& view,
-                         const Gesturing& gesturing, std::span<const std::uint8_t> tints) {
+TriangleSource source_of(const SeenMesh& seen, std::span<const std::uint8_t> tints) {
+  const auto& [document, findings, view, preferences, places] = seen;
   const SurfaceTriangles& triangles = findings.picker().triangles();
   const Mesh& mesh = document.mesh();
   TriangleSource source{
-      gesturing.drawn_positions(), triangles.slots(),
+      places, triangles.slots(),
       [&mesh, &triangles](std::span<const std::uint32_t> slots, DrawnTriangle* to) { triangles.read(mesh, slots, to); },
       tints};
   if (view.settings.shading == Shading::smooth) source.corner_normals = findings.corner_normals().packed();
@@ -101,12 +103,12 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
 }
 
 // Of points at the members of a mark; none for other members. Linear.
-double room_of(Findings& findings, const Gesturing& gesturing, Mark mark) {
+double room_of(const SeenMesh& seen, Mark mark) {
   if (mark.sort != Element::Kind::vertex) return 0;
-  const IndexSet& members = findings.highlights().of(mark);
+  const IndexSet& members = seen.findings.highlights().of(mark);
   Box bounds;
   members.for_each([&](std::uint32_t i) {
-    if (is_finite(gesturing.drawn_positions()[i])) bounds.add(gesturing.drawn_positions()[i]);
+    if (is_finite(seen.places[i])) bounds.add(seen.places[i]);
   });
   return room_of_points(bounds, members.size());
 }
@@ -114,146 +116,164 @@ double room_of(Findings& findings, const Gesturing& gesturing, Mark mark) {
 }  // namespace
 
 Result<std::unique_ptr<Viewport>> Viewport::make() {
-  auto view = View::make();
-  if (!view) return view.failure();
-  return std::unique_ptr<Viewport>(new Viewport(std::move(view).value()));
+  auto renderer = Renderer::make();
+  if (!renderer) return renderer.failure();
+  return std::unique_ptr<Viewport>(new Viewport(std::move(renderer).value()));
 }
 
 void Viewport::set_supersample(int samples) { supersample_ = samples; }
 
 void Viewport::set_transparent(bool transparent) {
   is_transparent_ = transparent;
-  view_->set_transparent(transparent);
+  renderer_->set_transparent(transparent);
 }
 
 void Viewport::forget() {
   mesh_of_ = nullptr;
-  beside_.reset();
+  compared_.reset();
 }
 
 void Viewport::draw() {
-  view_->draw();
-  if (beside_) beside_->draw();
+  renderer_->draw();
+  if (compared_) compared_->draw();
 }
 
 bool Viewport::goes_on_refining() const {
-  return (view_->refining_effort() > 0 && !view_->is_refined()) || (beside_ && beside_->goes_on_refining());
+  return (renderer_->refining_effort() > 0 && !renderer_->is_refined()) || (compared_ && compared_->goes_on_refining());
 }
 
 bool Viewport::is_finished() const {
-  return view_->is_whole() && view_->is_refined() && (!beside_ || beside_->is_finished());
+  return renderer_->is_whole() && renderer_->is_refined() && (!compared_ || compared_->is_finished());
 }
 
 std::vector<Canvas::Placed> Viewport::placed() const {
-  std::vector<Canvas::Placed> all{{view_.get(), origin_.x, origin_.y}};
-  if (beside_) all.push_back(beside_->placed()[0]);
+  std::vector<Canvas::Placed> all{{renderer_.get(), origin_.x, origin_.y}};
+  if (compared_) all.push_back(compared_->placed()[0]);
   return all;
 }
 
-void Viewport::follow_beside(Session& session) {
-  Session* const other = session.beside();
-  if (!other) return beside_.reset();
-  if (!beside_) {
+void Viewport::follow_compared(Session& session) {
+  Compared* const other = session.compared();
+  if (!other) return compared_.reset();
+  if (!compared_) {
     auto made = make();
     if (!made) return;
-    beside_ = std::move(made).value();
-    beside_->set_supersample(supersample_);
-    beside_->set_transparent(is_transparent_);
+    compared_ = std::move(made).value();
+    compared_->set_supersample(supersample_);
+    compared_->set_transparent(is_transparent_);
   }
-  beside_->follow(*other);
+  compared_->sort_ = sort_;
+  compared_->follow(*other, session.pointing);
 }
 
 void Viewport::follow(Session& session) {
-  const int samples = std::max(supersample_, session.preferences.samples);
-  if (session.view.size != size_ || samples != samples_) view_->resize(session.view.size, samples);
-  size_ = session.view.size;
-  origin_ = glm::ivec2(session.view.origin);
-  samples_ = samples;
-  const ViewSettings before = std::exchange(settings_, session.view.settings);
-  if (settings_.dots == Dots::picked)
-    settings_.dots = session.selecting.pointed_sort() == PickMode::vertex ? Dots::always : Dots::never;
-  highlights_stale_ |= settings_.theme != before.theme || settings_.dots != before.dots;
-  view_->set_settings(settings_);
-  const auto scale = static_cast<float>(session.preferences.size_scale());
-  view_->set_display_scale(scale);
-  labels_.set_scale(static_cast<float>(session.preferences.label_scale()));
-  view_->set_clip(session.view.clip_plane());
-  view_->set_tints(tints_of(session.document(), session.view));
-  view_->set_camera(session.view.camera);
-  follow_mesh(session);
+  const SeenMesh seen = session.seen();
+  sort_ = session.selecting.pointed_sort();
+  follow_look(seen);
+  follow_mesh(seen, &session.selecting, session.gesturing.step());
   follow_overlays(session);
-  labels_.follow(session, *view_);
-  follow_beside(session);
+  labels_.follow(session, *renderer_);
+  follow_compared(session);
+}
+
+void Viewport::follow(Compared& compared, const Pointing& pointing) {
+  const SeenMesh seen = compared.seen();
+  follow_look(seen);
+  follow_mesh(seen, nullptr, 0);
+  if (!seen.findings.preparing()) follow_highlights(seen);
+  normal_lines_.follow(seen, *renderer_);
+  const Pointed* const pointed = pointing.pointed();
+  const bool is_here = pointed && pointed->view == &compared.view();
+  renderer_->set_overlay(Layer::hover, is_here ? pointed_overlay(seen, pointed->picked.element) : Overlay());
+  labels_.follow(seen, *renderer_);
+}
+
+void Viewport::follow_look(const SeenMesh& seen) {
+  const ViewState& view = seen.view;
+  const int samples = std::max(supersample_, seen.preferences.samples);
+  if (view.size != size_ || samples != samples_) renderer_->resize(view.size, samples);
+  size_ = view.size;
+  origin_ = glm::ivec2(view.origin);
+  samples_ = samples;
+  const ViewSettings before = std::exchange(settings_, view.settings);
+  if (settings_.dots == Dots::picked) settings_.dots = sort_ == PickMode::vertex ? Dots::always : Dots::never;
+  highlights_stale_ |= settings_.theme != before.theme || settings_.dots != before.dots;
+  renderer_->set_settings(settings_);
+  renderer_->set_display_scale(static_cast<float>(seen.preferences.size_scale()));
+  labels_.set_scale(static_cast<float>(seen.preferences.label_scale()));
+  renderer_->set_clip(view.clip_plane());
+  renderer_->set_tints(tints_of(seen.document, view));
+  renderer_->set_camera(view.camera);
 }
 
 void Viewport::keep_pace(const ViewState& view, FramePace::Clock::time_point now) {
   pace_.see(view.camera, now);
   const bool is_moving = pace_.time_to_rest(now).has_value();
-  view_->set_thinning(is_moving ? pace_.thinning(view_->triangles_in_view()) : 1);
-  view_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
-  view_->set_most_refining(pace_.effort_of_refining());
-  if (!view_->is_drawn()) changed_at_ = now;
-  view_->set_refining(now - changed_at_ >= FramePace::rest_after);
-  if (beside_) beside_->keep_pace(view, now);
+  renderer_->set_thinning(is_moving ? pace_.thinning(renderer_->triangles_in_view()) : 1);
+  renderer_->set_most_triangles(is_moving ? 0 : pace_.triangles_of_slice());
+  renderer_->set_most_refining(pace_.effort_of_refining());
+  if (!renderer_->is_drawn()) changed_at_ = now;
+  renderer_->set_refining(now - changed_at_ >= FramePace::rest_after);
+  if (compared_) compared_->keep_pace(view, now);
 }
 
 void Viewport::took(FramePace::Clock::duration time) {
-  pace_.took(view_->thinning(), view_->triangles_drawn(), time);
-  pace_.took_refining(view_->refining_effort(), time);
-  if (beside_) beside_->took(time);
+  pace_.took(renderer_->thinning(), renderer_->triangles_drawn(), time);
+  pace_.took_refining(renderer_->refining_effort(), time);
+  if (compared_) compared_->took(time);
 }
 
 std::optional<FramePace::Clock::duration> Viewport::time_to_next_frame(FramePace::Clock::time_point now) const {
-  const auto own = time_to_own_frame(now), other = beside_ ? beside_->time_to_next_frame(now) : std::nullopt;
+  const auto own = time_to_own_frame(now), other = compared_ ? compared_->time_to_next_frame(now) : std::nullopt;
   return own && other ? std::min(*own, *other) : own ? own : other;
 }
 
 std::optional<FramePace::Clock::duration> Viewport::time_to_own_frame(FramePace::Clock::time_point now) const {
-  if (!view_->is_drawn() || verdict_layer_.is_waiting()) return FramePace::Clock::duration(0);
-  if (view_->thinning() != 1) return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
-  if (view_->is_refined()) return std::nullopt;
+  if (!renderer_->is_drawn() || verdict_layer_.is_waiting()) return FramePace::Clock::duration(0);
+  if (renderer_->thinning() != 1) return pace_.time_to_rest(now).value_or(FramePace::Clock::duration(0));
+  if (renderer_->is_refined()) return std::nullopt;
   return std::max(FramePace::Clock::duration(0), changed_at_ + FramePace::rest_after - now);
 }
 
 void Viewport::prepare_refining(Session& session) {
   follow(session);
-  view_->draw();
-  view_->prepare_refining();
+  renderer_->draw();
+  renderer_->prepare_refining();
 }
 
 void Viewport::hurry() {
-  view_->set_thinning(1);
-  view_->set_most_triangles(0);
-  view_->set_most_refining(0);
-  view_->set_refining(true);
-  if (beside_) beside_->hurry();
+  renderer_->set_thinning(1);
+  renderer_->set_most_triangles(0);
+  renderer_->set_most_refining(0);
+  renderer_->set_refining(true);
+  if (compared_) compared_->hurry();
 }
 
-void Viewport::follow_mesh(Session& session) {
-  const Mesh& mesh = session.mesh();
-  const RecentCells<std::uint32_t>& slots = session.findings().picker().changed_slots();
-  ChangeFeed::Changes changes = session.findings().changes().since(seen_);
+void Viewport::follow_mesh(const SeenMesh& seen, const Selecting* selecting, std::uint64_t step) {
+  const auto& [document, findings, view, preferences, places] = seen;
+  const Mesh& mesh = document.mesh();
+  const RecentCells<std::uint32_t>& slots = findings.picker().changed_slots();
+  ChangeFeed::Changes changes = findings.changes().since(seen_);
   seen_ = changes.now;
   changes.everything |= !slots.has_all_since(seen_slots_);
   std::vector<std::uint32_t> triangles;
   if (!changes.everything) slots.for_each_since(seen_slots_, [&](std::uint32_t slot) { triangles.push_back(slot); });
   seen_slots_ = slots.clock();
-  const bool other_selection = selection_ != session.selecting.selection.stamp();
-  if (other_selection) follow_selected_faces(session.findings(), session.selecting, changes.faces, triangles);
-  const FaceTints tints(session.findings(), session.view, selected_faces_);
-  const bool anew = mesh_of_ != &session.document() || changes.everything ||
-                    drawn_shading_ != session.view.settings.shading || drawn_colouring_ != session.view.colouring ||
-                    drawn_file_colours_ != session.view.settings.file_colours ||
-                    drawn_crease_deg_ != session.preferences.crease_deg;
-  const bool other_highlights = shown_ != session.view.highlights || changes.searched;
-  if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == session.gesturing.step() &&
-      mesh_revision_ == session.document().revision())
+  const bool other_selection = selecting && selection_ != selecting->selection.stamp();
+  if (other_selection) follow_selected_faces(findings, *selecting, changes.faces, triangles);
+  const FaceTints tints(findings, view, selected_faces_);
+  const bool anew = mesh_of_ != &document || changes.everything || drawn_shading_ != view.settings.shading ||
+                    drawn_colouring_ != view.colouring || drawn_file_colours_ != view.settings.file_colours ||
+                    drawn_crease_deg_ != preferences.crease_deg;
+  const bool other_highlights = shown_ != view.highlights || changes.searched;
+  if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == step &&
+      mesh_revision_ == document.revision())
     return;
   face_tints_.resize(mesh.face_slots());
   if (anew || other_highlights) tints.write(face_tints_);
   if (anew) {
     ++rebuilds_;
-    view_->set_mesh(source_of(session.document(), session.findings(), session.view, session.gesturing, face_tints_));
+    renderer_->set_mesh(source_of(seen, face_tints_));
   } else {
     std::erase_if(changes.faces, [&](std::uint32_t f) { return f >= face_tints_.size(); });
     std::erase_if(changes.vertices, [&](std::uint32_t v) { return v >= mesh.vertex_slots(); });
@@ -262,18 +282,17 @@ void Viewport::follow_mesh(Session& session) {
       changes.faces.resize(face_tints_.size());
       std::iota(changes.faces.begin(), changes.faces.end(), 0u);
     }
-    view_->update_mesh(source_of(session.document(), session.findings(), session.view, session.gesturing, face_tints_),
-                       changes.vertices, triangles, changes.faces);
+    renderer_->update_mesh(source_of(seen, face_tints_), changes.vertices, triangles, changes.faces);
   }
-  mesh_of_ = &session.document();
-  mesh_revision_ = session.document().revision();
-  gesture_step_ = session.gesturing.step();
-  drawn_shading_ = session.view.settings.shading;
-  drawn_colouring_ = session.view.colouring;
-  drawn_file_colours_ = session.view.settings.file_colours;
-  drawn_crease_deg_ = session.preferences.crease_deg;
-  shown_ = session.view.highlights;
-  normal_lines_.note(session, changes, triangles, anew);
+  mesh_of_ = &document;
+  mesh_revision_ = document.revision();
+  gesture_step_ = step;
+  drawn_shading_ = view.settings.shading;
+  drawn_colouring_ = view.colouring;
+  drawn_file_colours_ = view.settings.file_colours;
+  drawn_crease_deg_ = preferences.crease_deg;
+  shown_ = view.highlights;
+  normal_lines_.note(seen, changes, triangles, anew);
   if (anew || changes.hiding) verdict_layer_.forget();
   marked_ = std::move(changes.marks);
   highlights_stale_ |= anew || changes.searched;
@@ -302,36 +321,33 @@ void Viewport::follow_selected_faces(Findings& findings, const Selecting& select
   selected_faces_ = std::move(selected);
 }
 
-void Viewport::draw_mark(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark,
-                         std::uint32_t block) {
+void Viewport::draw_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark, std::uint32_t block) {
   const std::uint32_t place = drawing_place(row, mark);
   DrawnMark& drawn = drawn_marks_[place];
   const std::uint32_t first = block * block_slots;
   Overlay overlay;
   if (drawn.is_shown)
-    overlay = highlight_overlay(findings, gesturing, row, mark, first, first + block_slots, settings_, drawn.room);
+    overlay =
+        highlight_overlay(seen.findings, seen.places, row, mark, first, first + block_slots, settings_, drawn.room);
   if (overlay.empty())
     drawn.blocks.erase(block);
   else
     drawn.blocks.insert(block);
   constexpr std::uint32_t most_blocks = (no_index / block_slots) + 1;
   static_assert(drawing_places * std::uint64_t{most_blocks} <= no_index, "place and block make one part number");
-  view_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
+  renderer_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
 }
 
-void Viewport::follow_mark(Findings& findings, const ViewState& view, Gesturing& gesturing, const HighlightRow& row,
-                           Mark mark) {
+void Viewport::follow_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark) {
   DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
-  const bool is_shown = view.highlights.contains(std::string(row.id));
+  const bool is_shown = seen.view.highlights.contains(std::string(row.id));
   std::vector<std::uint32_t> blocks;
   const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
-  const double room = !is_shown                                 ? 0
-                      : is_shown != drawn.is_shown || is_marked ? room_of(findings, gesturing, mark)
-                                                                : drawn.room;
+  const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(seen, mark) : drawn.room;
   if (is_shown != drawn.is_shown || room != drawn.room) {
     blocks = drawn.blocks.to_vector();
     if (is_shown)
-      findings.highlights().of(mark).for_each([&](std::uint32_t i) {
+      seen.findings.highlights().of(mark).for_each([&](std::uint32_t i) {
         if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
       });
   } else if (is_shown) {
@@ -341,16 +357,16 @@ void Viewport::follow_mark(Findings& findings, const ViewState& view, Gesturing&
   }
   drawn.is_shown = is_shown;
   drawn.room = room;
-  for (std::uint32_t block : blocks) draw_mark(findings, gesturing, row, mark, block);
+  for (std::uint32_t block : blocks) draw_mark(seen, row, mark, block);
 }
 
-void Viewport::follow_highlights(Findings& findings, const ViewState& view, Gesturing& gesturing) {
+void Viewport::follow_highlights(const SeenMesh& seen) {
   if (highlights_stale_) {
-    view_->set_overlay(Layer::highlights, {});
+    renderer_->set_overlay(Layer::highlights, {});
     drawn_marks_.clear();
   }
   for (const HighlightRow& row : highlight_table())
-    for_each_mark(row, [&](Mark mark) { follow_mark(findings, view, gesturing, row, mark); });
+    for_each_mark(row, [&](Mark mark) { follow_mark(seen, row, mark); });
   highlights_stale_ = false;
   marked_.clear();
 }
@@ -360,38 +376,40 @@ void Viewport::follow_overlays(Session& session) {
       highlights_stale_ || selection_ != session.selecting.selection.stamp() ||
       draws_links_ != session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
   draws_links_ = session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
-  verdict_layer_.follow(session, *view_);
-  if (!session.findings().preparing()) follow_highlights(session.findings(), session.view, session.gesturing);
-  normal_lines_.follow(session, *view_);
+  verdict_layer_.follow(session, *renderer_);
+  if (!session.findings().preparing()) follow_highlights(session.seen());
+  normal_lines_.follow(session.seen(), *renderer_);
   if (selection_stale_)
-    view_->set_overlay(Layer::selection, selection_overlay(session.findings(), session.view, session.selecting,
-                                                           session.gesturing, settings_.theme));
+    renderer_->set_overlay(Layer::selection, selection_overlay(session.findings(), session.view, session.selecting,
+                                                               session.gesturing, settings_.theme));
   if (selection_stale_ || measures_ != session.selecting.measures)
-    view_->set_overlay(Layer::measures, measures_overlay(session.mesh(), session.selecting, settings_.theme));
+    renderer_->set_overlay(Layer::measures, measures_overlay(session.mesh(), session.selecting, settings_.theme));
   measures_ = session.selecting.measures;
   const Player* const player = session.shown.player().get();
   const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
   if (selection_stale_ || step_ != step)
-    view_->set_overlay(Layer::steps,
-                       step_overlay(session.mesh(), session.view, session.gesturing, session.shown, settings_.theme));
+    renderer_->set_overlay(
+        Layer::steps, step_overlay(session.mesh(), session.view, session.gesturing, session.shown, settings_.theme));
   step_ = step;
   const std::optional<Element> asked = asked_element(session.document(), session.layout, session.asked_question);
   if (selection_stale_ || asked_ != asked)
-    view_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
+    renderer_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
   asked_ = asked;
   const EdgeAccount* const account =
       session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().account() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
   if (selection_stale_ || account_ != drawn)
-    view_->set_overlay(Layer::account, account_overlay(session.findings(), session.layout, settings_.theme));
+    renderer_->set_overlay(Layer::account, account_overlay(session.findings(), session.layout, settings_.theme));
   account_ = drawn;
   selection_stale_ = false;
   selection_ = session.selecting.selection.stamp();
-  view_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
-  view_->set_overlay(
+  renderer_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
+  renderer_->set_overlay(
       Layer::hover, hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, settings_.theme));
-  view_->set_overlay(Layer::handles, gizmo_overlay(session.view, session.pointing, session.gesturing, settings_.theme));
-  view_->set_overlay(Layer::axes, axes_overlay(session.view, session.pointing, session.preferences, settings_.theme));
+  renderer_->set_overlay(Layer::handles,
+                         gizmo_overlay(session.view, session.pointing, session.gesturing, settings_.theme));
+  renderer_->set_overlay(Layer::axes,
+                         axes_overlay(session.view, session.pointing, session.preferences, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// The rendered view of a session: passes changes of mesh, highlights, selection and hover preview to the renderer.
+// The drawn view of a mesh in space: passes changes of mesh, highlights, selection and hover preview to the renderer.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,18 @@
 #include "app/ui/normal_lines.h"
 #include "app/ui/verdict_layer.h"
 #include "render/canvas.h"
-#include "render/view.h"
+#include "render/renderer.h"
+#include "ryosen/pick/picker.h"
 #include "ryosen/selection/spread.h"
 
 namespace ryosen {
 
+class Compared;
 class Findings;
+class Pointing;
 class Selecting;
-class Gesturing;
 class Session;
+struct SeenMesh;
 struct ViewState;
 
 class Viewport {
@@ -59,29 +62,33 @@ class Viewport {
   // How often the whole mesh was passed to the view.
   std::size_t rebuilds() const { return rebuilds_; }
 
-  View& view() { return *view_; }
-  // That of the mesh beside it, as of the last follow(); null where there is none.
-  Viewport* beside() { return beside_.get(); }
+  Renderer& renderer() { return *renderer_; }
+  // That of a mesh that is compared with, as of the last follow(); null where there is none.
+  Viewport* compared() { return compared_.get(); }
   // All views with their places in the picture.
   std::vector<Canvas::Placed> placed() const;
 
  private:
-  explicit Viewport(std::unique_ptr<View> view) : view_(std::move(view)) {}
-  void follow_mesh(Session& session);
-  void follow_beside(Session& session);
+  explicit Viewport(std::unique_ptr<Renderer> renderer) : renderer_(std::move(renderer)) {}
+  void follow_compared(Session& session);
+  void follow(Compared& compared, const Pointing& pointing);
+  void follow_look(const SeenMesh& seen);  // size, settings and camera
+  // `selecting`: what is selected of it, null for nothing. `step`: the places are others where it is.
+  void follow_mesh(const SeenMesh& seen, const Selecting* selecting, std::uint64_t step);
   std::optional<FramePace::Clock::duration> time_to_own_frame(FramePace::Clock::time_point now) const;
   // Adds the faces, and the slots of their triangles, that were selected or are no longer.
   void follow_selected_faces(Findings& findings, const Selecting& selecting, std::vector<std::uint32_t>& faces,
                              std::vector<std::uint32_t>& triangles);
   void follow_overlays(Session& session);
-  void follow_highlights(Findings& findings, const ViewState& view, Gesturing& gesturing);
-  void follow_mark(Findings& findings, const ViewState& view, Gesturing& gesturing, const HighlightRow& row, Mark mark);
-  void draw_mark(Findings& findings, Gesturing& gesturing, const HighlightRow& row, Mark mark, std::uint32_t block);
+  void follow_highlights(const SeenMesh& seen);
+  void follow_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark);
+  void draw_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark, std::uint32_t block);
 
-  std::unique_ptr<View> view_;
+  std::unique_ptr<Renderer> renderer_;
   glm::ivec2 origin_{0};
   bool is_transparent_ = false;
-  std::unique_ptr<Viewport> beside_;
+  std::unique_ptr<Viewport> compared_;
+  PickMode sort_ = PickMode::edge;  // of element under the pointer: vertices get dots
   LabelLayer labels_;
   NormalLines normal_lines_;
   VerdictLayer verdict_layer_;

@@ -258,15 +258,15 @@ void refined_tile(benchmark::State& state, Source source, std::vector<std::strin
   std::vector<double> times, pictures;
   double picture = 0;
   for (auto _ : state) {
-    if (viewport.view().is_refined()) {
+    if (viewport.renderer().is_refined()) {
       pictures.push_back(picture);
       picture = 0;
     }
-    if (viewport.view().is_refined())
+    if (viewport.renderer().is_refined())
       session->view.camera = orbited(session->view.camera, {3, 1}, session->view.size, session->view.camera.target);
     double time = 0;
     do time = frame();
-    while (viewport.view().refining_effort() == 0);  // what was not drawn at all comes first
+    while (viewport.renderer().refining_effort() == 0);  // what was not drawn at all comes first
     times.push_back(time);
     picture += times.back();
     state.SetIterationTime(times.back());

@@ -26,8 +26,8 @@ std::map<std::string_view, Drawn> drawn_of_all() {
     for (const HighlightRow& row : highlight_table()) session.view.highlights.insert(std::string(row.id));
     for (const HighlightRow& row : highlight_table())
       for_each_mark(row, [&](Mark mark) {
-        const Overlay overlay =
-            highlight_overlay(session.findings(), session.gesturing, row, mark, 0, 1000, session.view.settings, 0);
+        const Overlay overlay = highlight_overlay(session.findings(), session.gesturing.drawn_positions(), row, mark, 0,
+                                                  1000, session.view.settings, 0);
         if (overlay.empty()) return;
         all[row.id].line |= !overlay.lines.empty();
         all[row.id].point |= !overlay.points.empty();

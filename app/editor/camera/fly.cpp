@@ -135,7 +135,7 @@ class Sight {
     const double width = view_.size.width, height = view_.size.height;
     if (!at || at->pixel.x < covered_.left * width || at->pixel.y < covered_.above * height) return false;
     if (at->pixel.x >= (1 - covered_.right) * width || at->pixel.y >= height) return false;
-    const auto front = findings_.picker().pick(m, camera, view_.size, at->pixel, PickMode::face);
+    const auto front = findings_.picker(view_).pick(m, camera, view_.size, at->pixel, PickMode::face);
     if (!front) return true;
     const double depth = depth_of(camera, front->place);
     if (depth >= at->depth * (1 - 1e-6)) return true;

@@ -149,7 +149,7 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
 Covered Framing::covered() const {
   Covered covered;
   if (view_.shows_axes) covered.corner = room_of_axes(view_.size, session_.preferences.size_scale());
-  if (!session_.has_beside()) {
+  if (!session_.is_comparing()) {
     covered.left = view_.covered_px.x;
     covered.right = view_.covered_px.y;
   }

@@ -17,9 +17,8 @@ constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles t
 
 // The place of the mesh at a pixel, of that which is seen there: on a face, else on an edge or a vertex near by.
 std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
-  Session& part = session.part_at(pixel);
   for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
-    if (const auto picked = part.pointing.pick_drawn(pixel, what)) return picked->place;
+    if (const auto picked = session.pointing.pick_drawn(pixel, what)) return picked->place;
   return std::nullopt;
 }
 
@@ -42,8 +41,9 @@ double nearest_depth(const ViewState& view, Pointing& pointing) {
 // The point that the view moves about or towards, for a pixel.
 glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
   if (const auto place = place_under(session, pixel)) return *place;
-  Session& part = session.part_at(pixel);
-  return place_at(part.view.camera, part.view.size, pixel - part.view.origin, nearest_depth(part.view, part.pointing));
+  Compared* const compared = session.compared();
+  const ViewState& part = compared && compared->view().contains(pixel) ? compared->state() : session.view;
+  return place_at(part.camera, part.size, pixel - part.origin, nearest_depth(part, session.pointing));
 }
 
 // What is looked at, where nothing was pressed. The wheel may have left the target before or behind all there is: then

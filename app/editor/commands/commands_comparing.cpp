@@ -12,14 +12,14 @@ std::optional<Text> fault_of_compare(Words arguments, const std::string&) {
 Outcome run_compare(Session& session, Words arguments, std::string_view whole) {
   if (arguments.empty()) return wrong_arguments("compare");
   if (arguments.size() == 1 && arguments[0] == "off") {
-    session.put_beside(nullptr);
+    session.compare_with(nullptr);
     return {};
   }
   const std::string name = file_name(whole);
   auto document = session.frontend.read_document(name);
   if (!document) return not_read(document.failure(), name);
   session.files.reads(name, FileRole::mesh);
-  session.put_beside(std::make_unique<Session>(std::move(document).value()));
+  session.compare_with(std::move(document).value());
   return {};
 }
 

@@ -51,7 +51,7 @@ Outcome run_colours(Findings& findings, ViewState& view, Layout& layout, Words a
                                       "距離を測る相手がありません。compare FILE で並べてください"});
   const std::optional<Colouring> before = view.colouring;
   view.colouring = Colouring{map, {}};
-  const MapFigures figures = figures_of(findings.map_values().all());
+  const MapFigures figures = figures_of(findings.map_values(*view.colouring).all());
   if (figures.count == 0) {
     view.colouring = before;
     return failed(ExitCode::refused, Text{"nothing here has a value of ", "値を持つ要素がありません："} +

@@ -33,13 +33,15 @@ std::optional<RegionCall> read_region(Words arguments, std::size_t least, std::s
 }
 
 Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& region) {
-  const Picker::Depth depth = call.depth == Picker::Depth::seen ? session.pointing.pick_depth() : call.depth;
+  const Picker::Depth depth = call.depth == Picker::Depth::seen ? pick_depth(session.view) : call.depth;
   if (session.shown.is_replaced()) return session.shown.refusal();
   if (session.findings().preparing())
     return failed(ExitCode::refused, {"the mesh is still being prepared; try again in a moment",
                                       "メッシュの準備中です。少し待ってからやり直してください"});
   const Elements found =
-      session.findings().picker().pick_region(session.mesh(), session.view.camera, session.view.size, region, session.selecting.mode, depth);
+      session.findings()
+          .picker(session.view)
+          .pick_region(session.mesh(), session.view.camera, session.view.size, region, session.selecting.mode, depth);
   put_into_selection(session.selecting.selection.changed(), found, call.how);
   Outcome outcome;
   if (found.empty())

@@ -14,10 +14,9 @@ namespace ryosen {
 namespace {
 
 // The halfedges whose edges are in view and long enough there, the longest ones where there are too many.
-std::vector<Halfedge> halfedges_in_view(const Findings& findings, const ViewState& view, const Gesturing& gesturing,
-                                        const Preferences& preferences) {
+std::vector<Halfedge> halfedges_in_view(const Findings& findings, const ViewState& view,
+                                        std::span<const glm::dvec3> places, const Preferences& preferences) {
   const Mesh& m = findings.mesh();
-  const std::span<const glm::dvec3> places = gesturing.drawn_positions();
   const ScreenProjection screen(view.camera, view.size);
   std::vector<std::pair<double, std::uint32_t>> edges;  // shortest last
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
@@ -47,9 +46,9 @@ std::vector<Halfedge> halfedges_in_view(const Findings& findings, const ViewStat
 
 }  // namespace
 
-std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, std::span<const glm::dvec3> places,
                                  const std::vector<Halfedge>& halfedges) {
-  ArrowMaker make(mesh, view, gesturing);
+  ArrowMaker make(mesh, view, places);
   std::vector<LinkArrow> arrows;
   for (const Halfedge h : halfedges)
     if (auto arrow = make.of(h, LinkRole::all)) arrows.push_back(std::move(*arrow));
@@ -81,12 +80,13 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
   if (key_ && *key_ == key) return arrows_;
   key_ = key;
   arrows_.clear();
-  ArrowMaker make(session.mesh(), session.view, session.gesturing);
+  const std::span<const glm::dvec3> places = session.gesturing.drawn_positions();
+  ArrowMaker make(session.mesh(), session.view, places);
   const auto lives = [&](const Element& e) {
     return is_alive(session.mesh(), e) && !session.findings().hidden().hides(session.mesh(), e);
   };
   if (!selection.empty() && lives(selection.back()))
-    add_links_of(session.mesh(), session.gesturing, make, selection.back(), arrows_);
+    add_links_of(session.mesh(), places, make, selection.back(), arrows_);
   const bool goes_on = !trail_.empty() && selection.size() == 1 && selection[0] == Element(trail_.back());
   std::vector<Halfedge> drawn;
   for (const LinkArrow& arrow : arrows_) drawn.push_back(arrow.halfedge);
@@ -103,7 +103,7 @@ const std::vector<LinkArrow>& DrawnLinks::of(const Session& session) {
       drawn.push_back(h);
     }
   if (shown == LinksShown::all || shown == LinksShown::faces)
-    for (const Halfedge h : halfedges_in_view(session.findings(), session.view, session.gesturing, session.preferences))
+    for (const Halfedge h : halfedges_in_view(session.findings(), session.view, places, session.preferences))
       if (shown == LinksShown::all || session.mesh().face(h)) add(h, LinkRole::all);
   return arrows_;
 }
@@ -124,8 +124,9 @@ const LinkArrow* DrawnLinks::at(Session& session, glm::dvec2 pixel) {
     if (!near || near->distance_px >= least) continue;
     const glm::dvec3 place = from + near->along * (to - from);
     const auto at = screen.project(place);
-    if (!at || (hides && !session.findings().picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, place,
-                                                   arrow.on)))
+    if (!at || (hides && !session.findings()
+                              .picker(session.view)
+                              .is_seen(session.mesh(), session.view.camera, session.view.size, *at, place, arrow.on)))
       continue;
     least = near->distance_px;
     nearest = &arrow;

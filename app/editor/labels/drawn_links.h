@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,8 +41,8 @@ struct LinkArrow {
   Text label = {};           // empty for none
 };
 
-// Halfedges as such arrows, without those whose edge has no length.
-std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing,
+// Halfedges as such arrows, where vertices are drawn at `places`, without those whose edge has no length.
+std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, std::span<const glm::dvec3> places,
                                  const std::vector<Halfedge>& halfedges);
 
 // Kept by the session.

@@ -3,17 +3,15 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/frontend.h"
-#include "app/editor/shown/shown.h"
 #include "app/editor/texts/message_place.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {
 
-bool is_faceless(const Document& document, const Shown& shown, const Frontend& frontend) {
+bool is_faceless(const Document& document) {
   const ElementCounts live = document.mesh().live();
-  return live.faces == 0 && live.edges == 0 && !frontend.awaits_file && !shown.player() && !document.path().empty();
+  return live.faces == 0 && live.edges == 0 && !document.path().empty();
 }
 
 void add_faceless(const Document& document, const ViewState& view, const Preferences& preferences,

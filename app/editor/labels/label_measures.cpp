@@ -36,7 +36,7 @@ void add_map_legend(Findings& findings, const ViewState& view, const Preferences
                     std::vector<Label>& labels) {
   constexpr double row_px = 17, margin_px = 12, width_px = 84;
   const auto [map, range] = *view.colouring;
-  const MapRange extent = findings.map_extent();
+  const MapRange extent = findings.map_extent(*view.colouring);
   const glm::dvec2 corner(0, view.size.height);
   const auto add = [&](int row, std::string text, std::optional<std::uint32_t> ground) {
     labels.push_back({.text = std::move(text),

@@ -6,8 +6,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/findings.h"
-#include "app/editor/session/selecting.h"
-#include "app/editor/shown/gesturing.h"
+#include "app/editor/views/seen_mesh.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -20,15 +19,14 @@ namespace {
 
 class NumberLabels {
  public:
-  NumberLabels(const Findings& findings, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
-               std::vector<Label>& labels)
-      : findings_(findings),
-        view_(view),
-        m_(findings.mesh()),
-        places_(gesturing.drawn_positions()),
+  NumberLabels(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels)
+      : findings_(seen.findings),
+        view_(seen.view),
+        m_(findings_.mesh()),
+        places_(seen.places),
         labels_(labels),
-        screen_(view.camera, view.size),
-        selected_(selecting.selection.begin(), selecting.selection.end()) {}
+        screen_(view_.camera, view_.size),
+        selected_(std::move(selected)) {}
 
   template <class Handle>
   void add(std::uint32_t slots, char letter) {
@@ -136,11 +134,10 @@ class NumberLabels {
 
 }  // namespace
 
-void add_numbers(Findings& findings, ViewState& view, Selecting& selecting, Gesturing& gesturing,
-                 std::vector<Label>& labels) {
-  NumberLabels numbers(findings, view, selecting, gesturing, labels);
-  const Mesh& mesh = findings.mesh();
-  switch (view.settings.numbers) {
+void add_numbers(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels) {
+  NumberLabels numbers(seen, std::move(selected), labels);
+  const Mesh& mesh = seen.findings.mesh();
+  switch (seen.view.settings.numbers) {
     case Numbers::off:
       return;
     case Numbers::vertices:

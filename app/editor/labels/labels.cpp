@@ -6,6 +6,7 @@
 
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
+#include "app/editor/views/seen_mesh.h"
 #include "ryosen/pick/screen_segment.h"
 
 namespace ryosen {
@@ -15,7 +16,11 @@ namespace {
 bool is_step_shown(const Shown& shown) { return shown.shows(ShownBy::step); }
 
 const LabelSource sources[] = {
-    {"numbers", [](const ViewState& view) { return view.settings.numbers != Numbers::off; }, add_numbers},
+    {"numbers", [](const ViewState& view) { return view.settings.numbers != Numbers::off; },
+     [](Session& session, std::vector<Label>& labels) {
+       const Selection& selection = session.selecting.selection;
+       add_numbers(session.seen(), {selection.begin(), selection.end()}, labels);
+     }},
     {"links",
      [](const Findings& findings, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing) {
        return view.links.is_on(findings, selecting, gesturing);
@@ -25,7 +30,11 @@ const LabelSource sources[] = {
     {"step", is_step_shown, add_step},
     {"snap", [](const Gesturing& gesturing) { return gesturing.is_active() && gesturing.transform()->snapped_to(); },
      add_snap},
-    {"faceless", is_faceless, add_faceless},
+    {"faceless",
+     [](const Document& document, const Shown& shown, const Frontend& frontend) {
+       return !frontend.awaits_file && !shown.player() && is_faceless(document);
+     },
+     add_faceless},
     {"map", [](const ViewState& view) { return view.colouring.has_value(); }, add_map_legend},
 };
 
@@ -88,10 +97,10 @@ std::optional<PixelRect> nearest_room(const HasRoom& has_room, const PixelRect& 
 bool is_near(glm::dvec2 pixel) { return std::abs(pixel.x) < 5e8 && std::abs(pixel.y) < 5e8; }
 
 // What the handles of the gizmo cover, with the room in which they are taken hold of.
-void take_handles(const ViewState& view, const Pointing& pointing, const Preferences& preferences, TakenCells& cells) {
-  const std::optional<Gizmo> gizmo = pointing.gizmo();
+void take_handles(const SeenMesh& seen, const std::optional<Gizmo>& gizmo, TakenCells& cells) {
   if (!gizmo) return;
-  const double around = 8 * preferences.size_scale();
+  const ViewState& view = seen.view;
+  const double around = 8 * seen.preferences.size_scale();
   const ScreenProjection screen(view.camera, view.size);
   const auto take = [&](const glm::dvec3& place) {
     const auto at = screen.project(place);
@@ -115,9 +124,9 @@ void take_handles(const ViewState& view, const Pointing& pointing, const Prefere
 class LabelPlaces {
  public:
   // `margin`: the room around each.
-  LabelPlaces(const ViewState& view, const Pointing& pointing, const Preferences& preferences, double scale, int margin)
-      : view_(view.size), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
-    take_handles(view, pointing, preferences, handles_);
+  LabelPlaces(const SeenMesh& seen, const std::optional<Gizmo>& gizmo, double scale, int margin)
+      : view_(seen.view.size), scale_(scale), margin_(margin), taken_(view_), handles_(view_) {
+    take_handles(seen, gizmo, handles_);
   }
 
   // For one of this size at a pixel; none where it has no room.
@@ -155,23 +164,17 @@ class LabelPlaces {
   TakenCells taken_, handles_;
 };
 
-}  // namespace
-
-std::span<const LabelSource> label_sources() { return sources; }
-
-std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Size(const std::string& text)>& size_of,
-                                       double scale) {
-  std::vector<Label> labels;
-  for (const LabelSource& source : label_sources())
-    if (source.is_on(session)) source.add(session, labels);
+// `hides`: the surface hides those behind it.
+std::vector<PlacedLabel> place(std::vector<Label> labels, const SeenMesh& seen, const std::optional<Gizmo>& gizmo,
+                               bool hides, const TextSize& size_of, double scale) {
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Label& a, const Label& b) { return a.priority > b.priority; });
-  const ScreenProjection screen(session.view.camera, session.view.size);
-  const std::optional<ClipPlane> clip = session.view.clip_plane();
-  const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.is_active();
+  const ViewState& view = seen.view;
+  const ScreenProjection screen(view.camera, view.size);
+  const std::optional<ClipPlane> clip = view.clip_plane();
   // Room around each: more where there are many, so that the mesh stays visible between them.
   const int margin = static_cast<int>(std::lround((labels.size() > most_labels ? 10 : 2) * scale));
-  LabelPlaces places(session.view, session.pointing, session.preferences, scale, margin);
+  LabelPlaces places(seen, gizmo, scale, margin);
   std::vector<PlacedLabel> placed;
   for (const Label& label : labels) {
     if (placed.size() == most_labels) break;
@@ -183,12 +186,37 @@ std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Siz
     const std::optional<PixelRect> rect = places.room_of(label, size, at->pixel);
     if (!rect) continue;
     if (hides && !label.pixel && !label.through &&
-        !session.findings().picker().is_seen(session.mesh(), session.view.camera, session.view.size, *at, label.at, label.own))
+        !seen.findings.picker(view).is_seen(seen.findings.mesh(), view.camera, view.size, *at, label.at, label.own))
       continue;
     places.take(*rect, label);
     placed.push_back({{rect->x0, rect->y0}, size, label.text, label.ground});
   }
   return placed;
+}
+
+}  // namespace
+
+std::span<const LabelSource> label_sources() { return sources; }
+
+std::vector<PlacedLabel> placed_labels(Session& session, const TextSize& size_of, double scale) {
+  std::vector<Label> labels;
+  for (const LabelSource& source : label_sources())
+    if (source.is_on(session)) source.add(session, labels);
+  const bool hides = session.view.settings.xray == Xray::off && !session.gesturing.is_active();
+  return place(std::move(labels), session.seen(), session.pointing.gizmo(), hides, size_of, scale);
+}
+
+bool has_labels(const SeenMesh& compared) {
+  return compared.view.settings.numbers != Numbers::off || compared.view.colouring || is_faceless(compared.document);
+}
+
+std::vector<PlacedLabel> placed_labels(const SeenMesh& compared, const TextSize& size_of, double scale) {
+  const auto& [document, findings, view, preferences, places] = compared;
+  std::vector<Label> labels;
+  add_numbers(compared, {}, labels);
+  if (is_faceless(document)) add_faceless(document, view, preferences, labels);
+  if (view.colouring) add_map_legend(findings, view, preferences, labels);
+  return place(std::move(labels), compared, {}, view.settings.xray == Xray::off, size_of, scale);
 }
 
 }  // namespace ryosen

@@ -8,12 +8,14 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/editor/session/owners.h"
+#include "ryosen/base/element.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/view/size.h"
 
@@ -26,8 +28,8 @@ class Mesh;
 class Selecting;
 class Session;
 class Shown;
-struct Frontend;
 struct Preferences;
+struct SeenMesh;
 struct ViewState;
 
 struct Label {
@@ -70,16 +72,19 @@ struct PlacedLabel {
   friend bool operator==(const PlacedLabel&, const PlacedLabel&) = default;
 };
 
-// Those of all sources that are seen, in full within the view, and do not overlap. `size_of` gives the size of a text in
-// pixels, `scale` is that of the display. The same session gives the same labels. Cost: those elements that the sources
-// go over, and a ray for each label that has room.
-std::vector<PlacedLabel> placed_labels(Session& session, const std::function<Size(const std::string& text)>& size_of,
-                                       double scale);
+// Gives the size of a text in pixels.
+using TextSize = std::function<Size(const std::string& text)>;
+
+// Those of all sources that are seen, in full within the view, and do not overlap. `scale` is that of the display. The same
+// session gives the same labels. Cost: those elements that the sources go over, and a ray for each label that has room.
+std::vector<PlacedLabel> placed_labels(Session& session, const TextSize& size_of, double scale);
+// Those of a mesh that is compared with; whether it has any is cheap to ask.
+bool has_labels(const SeenMesh& compared);
+std::vector<PlacedLabel> placed_labels(const SeenMesh& compared, const TextSize& size_of, double scale);
 
 // Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
 // many in view, every so many-th. O(slots of that sort).
-void add_numbers(Findings& findings, ViewState& view, Selecting& selecting, Gesturing& gesturing,
-                 std::vector<Label>& labels);
+void add_numbers(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels);
 // Adds what the arrows of the selected element's links are, beside them, away from their edges.
 void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
@@ -93,8 +98,8 @@ double caption_px(const Preferences& preferences);
 // Adds sentences in the upper left corner, broken into lines that have room.
 void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
                  std::vector<Label>& labels);
-// Whether a file is open and its mesh has nothing that a picture could show as a surface or as edges.
-bool is_faceless(const Document& document, const Shown& shown, const Frontend& frontend);
+// Whether there is a file and its mesh has nothing that a picture could show as a surface or as edges.
+bool is_faceless(const Document& document);
 // Adds how much there is then, and the first warning of the file.
 void add_faceless(const Document& document, const ViewState& view, const Preferences& preferences,
                   std::vector<Label>& labels);

@@ -1,6 +1,5 @@
 #include "app/editor/labels/link_arrows.h"
 
-#include "app/editor/shown/gesturing.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
@@ -19,8 +18,8 @@ Text link_text(const char* en, const char* ja, const std::string& name) {
 // The arrows of one selected element.
 class LinksOf {
  public:
-  LinksOf(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, std::vector<LinkArrow>& arrows)
-      : m_(mesh), places_(gesturing.drawn_positions()), make_(make), arrows_(arrows) {}
+  LinksOf(const Mesh& mesh, std::span<const glm::dvec3> places, ArrowMaker& make, std::vector<LinkArrow>& arrows)
+      : m_(mesh), places_(places), make_(make), arrows_(arrows) {}
 
   void add(const Element& e) {
     switch (e.kind) {
@@ -131,9 +130,9 @@ class LinksOf {
 
 }  // namespace
 
-void add_links_of(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, const Element& e,
+void add_links_of(const Mesh& mesh, std::span<const glm::dvec3> places, ArrowMaker& make, const Element& e,
                   std::vector<LinkArrow>& arrows) {
-  LinksOf(mesh, gesturing, make, arrows).add(e);
+  LinksOf(mesh, places, make, arrows).add(e);
 }
 
 }  // namespace ryosen

@@ -23,11 +23,11 @@ inline bool has_finite_length(const glm::dvec3& way) {
   return std::isfinite(squared) && squared > 0;
 }
 
-// Lays arrows into the faces of the mesh as it is drawn. The session is needed as long.
+// Lays arrows into the faces of the mesh as it is drawn. Both are needed as long.
 class ArrowMaker {
  public:
-  explicit ArrowMaker(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing)
-      : m_(mesh), places_(gesturing.drawn_positions()), forward_(axes(view.camera).forward) {}
+  ArrowMaker(const Mesh& mesh, const ViewState& view, std::span<const glm::dvec3> places)
+      : m_(mesh), places_(places), forward_(axes(view.camera).forward) {}
 
   // None where the edge has no length.
   std::optional<LinkArrow> of(Halfedge h, LinkRole role, Text label = {}) {
@@ -99,7 +99,7 @@ class ArrowMaker {
 };
 
 // Adds the links of a living element, at most 200.
-void add_links_of(const Mesh& mesh, const Gesturing& gesturing, ArrowMaker& make, const Element& e,
+void add_links_of(const Mesh& mesh, std::span<const glm::dvec3> places, ArrowMaker& make, const Element& e,
                   std::vector<LinkArrow>& arrows);
 
 }  // namespace ryosen

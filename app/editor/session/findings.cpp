@@ -1,6 +1,6 @@
 #include "app/editor/session/findings.h"
 
-#include <cassert>
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -12,13 +12,31 @@
 namespace ryosen {
 
 Findings::Findings(const Document& document, const ViewState& view, const Preferences& preferences)
-    : document_(document), view_(view), preferences_(preferences) {
+    : document_(document), views_{&view}, preferences_(preferences) {
   changes_.begin(document.serial());
+}
+
+void Findings::remove_view(const ViewState& view) { std::erase(views_, &view); }
+
+bool Findings::any_view(bool (*wants)(const ViewState&)) const {
+  return std::any_of(views_.begin(), views_.end(), [&](const ViewState* view) { return wants(*view); });
+}
+
+bool Findings::is_shown(const HighlightRow& row) const {
+  const std::string id(row.id);
+  return std::any_of(views_.begin(), views_.end(),
+                     [&](const ViewState* view) { return view->highlights.contains(id); });
+}
+
+bool Findings::needs_corner_normals() const {
+  return any_view([](const ViewState& view) {
+    return view.settings.shading == Shading::smooth || view.settings.normals == Normals::vertices;
+  });
 }
 
 void Findings::forget() {
   preparation_.reset();  // it builds the tree of the picker
-  map_values_.reset();
+  maps_.clear();
   hidden_ = HiddenElements();
   picker_.reset();
   corner_normals_.reset();
@@ -40,6 +58,9 @@ void Findings::follow(const Journal& journal, std::size_t transaction, Document:
     file_normals_ = FileNormals();
   else if (!is_trial)
     file_normals_.follow(mesh(), touched);
+  if (touched.everything) changes_.note_everything();
+  for (Vertex v : touched.moved) changes_.note_vertex(v.index);
+  for (Face f : touched.faces) changes_.note_face(f.index);
   if (picker_) follow_picker(touched);
   follow_map_values(transaction, is_trial);
   if (highlights_) follow_highlights(journal, transaction, touched);
@@ -53,10 +74,7 @@ void Findings::follow_picker(const TouchedElements& touched) {
     changes_.note_everything();  // what was drawn with them knows nothing of this edit
   }
   if (corner_normals_) picker_->note_changed(corner_normals_->update(mesh(), picker_->triangles(), touched));
-  if (touched.everything) changes_.note_everything();
   picker_->note_changed(slots);
-  for (Vertex v : touched.moved) changes_.note_vertex(v.index);
-  for (Face f : touched.faces) changes_.note_face(f.index);
 }
 
 void Findings::follow_highlights(const Journal& journal, std::size_t transaction, const TouchedElements& touched) {
@@ -89,49 +107,67 @@ void Findings::follow_counts(std::size_t transaction, bool is_trial, const Touch
 
 Picker& Findings::picker() {
   if (!picker_) picker_.emplace(mesh(), &hidden_);
-  picker_->set_clip(view_.clip_plane());
   return *picker_;
 }
 
-const MapValues& Findings::map_values() {
-  assert(view_.colouring);
-  const std::shared_ptr<const OtherSurface> other = view_.colouring->map->against ? other_surface() : nullptr;
-  if (!map_values_ || &map_values_->map() != view_.colouring->map || map_values_->other() != other.get()) {
-    map_extent_.reset();
-    if (map_values_) changes_.note_everything();
-    map_values_.emplace(mesh(), *view_.colouring->map, 0, other);
-  }
-  return *map_values_;
+Picker& Findings::picker(const ViewState& view) {
+  picker().set_clip(view.clip_plane());
+  return *picker_;
 }
 
-MapRange Findings::map_extent() {
-  const MapValues& values = map_values();
-  if (!map_extent_) map_extent_ = extent_of(values.all()).value_or(MapRange{});
-  return *map_extent_;
+bool Findings::is_coloured_by(const ColourMap& map) const {
+  return std::any_of(views_.begin(), views_.end(),
+                     [&](const ViewState* view) { return view->colouring && view->colouring->map == &map; });
+}
+
+Findings::KeptMap& Findings::kept_map(const ColourMap& map) {
+  const std::shared_ptr<const OtherSurface> other = map.against ? other_surface() : nullptr;
+  const auto kept =
+      std::find_if(maps_.begin(), maps_.end(), [&](const KeptMap& each) { return &each.values.map() == &map; });
+  if (kept != maps_.end() && kept->values.other() == other.get()) return *kept;
+  if (kept != maps_.end()) {
+    changes_.note_everything();
+    maps_.erase(kept);
+  }
+  std::erase_if(maps_, [&](const KeptMap& each) { return !is_coloured_by(each.values.map()); });
+  return maps_.emplace_back(KeptMap{MapValues(mesh(), map, 0, other), {}});
+}
+
+const MapValues& Findings::map_values(const Colouring& colouring) { return kept_map(*colouring.map).values; }
+
+MapRange Findings::map_extent(const Colouring& colouring) {
+  KeptMap& kept = kept_map(*colouring.map);
+  if (!kept.extent) kept.extent = extent_of(kept.values.all()).value_or(MapRange{});
+  return *kept.extent;
 }
 
 // Records the triangles of what has another value, as long as the surface is coloured by it.
 void Findings::follow_map_values(std::size_t transaction, bool is_trial) {
-  if (!map_values_) return;
-  map_extent_.reset();
+  if (maps_.empty()) return;
   if (is_trial) {  // no transaction of the history
-    map_values_.reset();
+    maps_.clear();
     return changes_.note_everything();
   }
-  if (!view_.colouring) return map_values_.reset();
+  std::erase_if(maps_, [&](const KeptMap& kept) { return !is_coloured_by(kept.values.map()); });
+  for (KeptMap& kept : maps_) {
+    kept.extent.reset();
+    const auto changed = kept.values.update(mesh(), document_.journal(), transaction);
+    if (!changed) changes_.note_everything();
+    if (changed && picker_) note_coloured(kept.values.map().sort(), *changed);
+  }
+}
+
+void Findings::note_coloured(Element::Kind sort, std::span<const std::uint32_t> changed) {
   const Mesh& m = mesh();
-  const auto changed = map_values_->update(m, document_.journal(), transaction);
-  if (!changed) changes_.note_everything();
-  if (!changed || !picker_) return;
   const auto note = [&](Face f) {
     if (!f) return;
     picker_->note_changed(picker_->triangles().slots_of(m, f));
   };
-  for (const std::uint32_t i : *changed) {
-    if (view_.colouring->map->sort() == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
-    if (view_.colouring->map->sort() == Element::Kind::edge && m.is_alive(Edge(i)))
+  for (const std::uint32_t i : changed) {
+    if (sort == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
+    if (sort == Element::Kind::edge && m.is_alive(Edge(i)))
       for (unsigned side : {0u, 1u}) note(m.face(halfedge(Edge(i), side)));
-    if (view_.colouring->map->sort() == Element::Kind::vertex && m.is_alive(Vertex(i)))
+    if (sort == Element::Kind::vertex && m.is_alive(Vertex(i)))
       for_each_copy(m, Vertex(i), [&](Vertex copy) {
         for (Face f : faces_around(m, copy)) note(f);
       });
@@ -170,7 +206,7 @@ const CornerNormals& Findings::corner_normals() {
 
 void Findings::forget_unshown() {
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && !view_.highlights.contains(std::string(row.id))) highlights_->forget(row);
+    if (row.has_predicate() && !is_shown(row)) highlights_->forget(row);
 }
 
 const HighlightSets& Findings::highlights() {
@@ -181,7 +217,7 @@ const HighlightSets& Findings::highlights() {
   }
   forget_unshown();
   for (const HighlightRow& row : highlight_table()) {
-    if (highlights_->keeps(row) || !view_.highlights.contains(std::string(row.id))) continue;
+    if (highlights_->keeps(row) || !is_shown(row)) continue;
     highlights_->keep(mesh(), row);
     changes_.note_search();
   }
@@ -247,7 +283,7 @@ void Findings::prepare() {
   Preparation::Beside beside{
       vertices_on_lines(document_.file(), mesh().file_vertices()), totals_of(document_.file()).lines, {}};
   for (const HighlightRow& row : highlight_table())
-    if (row.has_predicate() && view_.highlights.contains(std::string(row.id))) beside.shown.push_back(&row);
+    if (row.has_predicate() && is_shown(row)) beside.shown.push_back(&row);
   preparation_ = std::make_unique<Preparation>(mesh(), picker(), std::move(beside));
 }
 

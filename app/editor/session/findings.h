@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +33,10 @@ class Findings {
   // normals are wanted. All three outlive it.
   Findings(const Document& document, const ViewState& view, const Preferences& preferences);
 
+  // What is found and kept up is what these views show, from the first one on. A view outlives this or is removed.
+  void add_view(const ViewState& view) { views_.push_back(&view); }
+  void remove_view(const ViewState& view);
+
   const Mesh& mesh() const { return document_.mesh(); }
 
   // Brings what has been found up to date with a change of the document. Cost: of what was touched.
@@ -39,15 +44,16 @@ class Findings {
   // Forgets everything that was found, and shows what was hidden: there was no memory to keep it up to date.
   void forget();
 
+  // What keeps the triangles of the surface and picks; the second as this view cuts the mesh.
   Picker& picker();
+  Picker& picker(const ViewState& view);
   // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
   const CornerNormals& corner_normals();
   // The sets of problems, and of the highlights that are shown.
   const HighlightSets& highlights();
-  // The values that the surface is coloured by, kept through edits; there must be such a colouring.
-  const MapValues& map_values();
-  // From the lowest to the highest of them; there must be one.
-  MapRange map_extent();
+  // The values of a map, kept through edits as long as a view is coloured by it; and from the lowest to the highest.
+  const MapValues& map_values(const Colouring& colouring);
+  MapRange map_extent(const Colouring& colouring);
   // The number of boundary loops on points; as up to date as the highlights.
   const BoundaryLoopCount& boundary_loops();
   // The terms of the Euler–Poincaré sum on points. Kept through operators that keep the topology, else O(edges).
@@ -114,11 +120,20 @@ class Findings {
   void note_marks(const TouchedElements& touched);
 
  private:
-  bool needs_corner_normals() const {
-    return view_.settings.shading == Shading::smooth || view_.settings.normals == Normals::vertices;
-  }
+  struct KeptMap {
+    MapValues values;
+    std::optional<MapRange> extent;  // while the values are the same
+  };
+
+  bool any_view(bool (*wants)(const ViewState&)) const;
+  bool is_shown(const HighlightRow& row) const;
+  bool is_coloured_by(const ColourMap& map) const;
+  bool needs_corner_normals() const;
+  KeptMap& kept_map(const ColourMap& map);
   void follow_picker(const TouchedElements& touched);
   void follow_map_values(std::size_t transaction, bool is_trial);
+  // The triangles at elements of that sort look otherwise.
+  void note_coloured(Element::Kind sort, std::span<const std::uint32_t> changed);
   void follow_highlights(const Journal& journal, std::size_t transaction, const TouchedElements& touched);
   void follow_counts(std::size_t transaction, bool is_trial, const TouchedElements& touched);
   bool note_hiding(const HiddenElements::Parts& changed);
@@ -127,7 +142,7 @@ class Findings {
   std::shared_ptr<const OtherSurface> other_surface() { return against ? against->surface() : nullptr; }
 
   const Document& document_;
-  const ViewState& view_;
+  std::vector<const ViewState*> views_;
   const Preferences& preferences_;
   ChangeFeed changes_;
   HiddenElements hidden_;
@@ -136,8 +151,7 @@ class Findings {
   std::optional<CornerNormals> corner_normals_;  // of the triangles of the picker
   std::optional<HighlightSets> highlights_;
   std::optional<Searched> searched_;
-  std::optional<MapValues> map_values_;
-  std::optional<MapRange> map_extent_;  // while the values are the same
+  std::list<KeptMap> maps_;  // of which views are coloured
   std::optional<BoundaryLoopCount> boundary_loops_;
   std::optional<EulerPoincare> euler_;
   std::optional<KindOfMesh> kind_;

@@ -26,11 +26,39 @@ Outcome only_looked_at(const Document& document) {
        name + " は比較のために表示しています。選択や編集をするには開いてください。"});
 }
 
+// As nothing is edited by it, it reaches farther on the surface.
+std::optional<Picked> reached(View& view, glm::dvec2 pixel, PickMode what, const Preferences& preferences) {
+  const double near_px = pick_radius_px * preferences.size_scale();
+  auto picked = view.pick(pixel, what, near_px);
+  if (!picked && what != PickMode::face && view.pick(pixel, PickMode::face, near_px))
+    picked = view.pick(pixel, what, 4 * near_px);
+  return picked;
+}
+
 }  // namespace
 
-Pointing::Pointing(Session& session) : session_(session), view_(session.view), selecting_(session.selecting) {}
+Pointing::Pointing(Session& session, const OpenDocument& open)
+    : session_(session), view_(session.view), selecting_(session.selecting), in_space_(open, session.view) {}
 
 const Mesh& Pointing::mesh() const { return session_.mesh(); }
+
+void Pointing::remove(const View& view) {
+  if (elsewhere_ && elsewhere_->view == &view) elsewhere_.reset();
+  if (selecting_.hover() && selecting_.hover()->view == &view) selecting_.point_to({});
+  std::erase(further_, &view);
+}
+
+View& Pointing::view_at(glm::dvec2 pixel) {
+  const auto last = std::find_if(further_.rbegin(), further_.rend(), [&](View* view) { return view->contains(pixel); });
+  return last == further_.rend() ? static_cast<View&>(in_space_) : **last;
+}
+
+bool Pointing::is_of_open_document(const View& view) const { return &view.document() == &session_.document(); }
+
+const Pointed* Pointing::pointed() const {
+  if (selecting_.hover()) return &*selecting_.hover();
+  return elsewhere_ ? &*elsewhere_ : nullptr;
+}
 
 OpTarget Pointing::target_of(const Picked& picked, Modifiers modifiers) const {
   if (picked.element.kind == Element::Kind::vertex) return {Halfedge(), 0.5, picked.element.vertex()};
@@ -51,7 +79,7 @@ void Pointing::point_at(glm::dvec2 pixel, Modifiers modifiers) {
 void Pointing::point_away() {
   leave_handles();
   if (!selecting_.is_verdict_held()) selecting_.point_to({});
-  if (session_.has_beside()) session_.beside()->pointing.point_away();
+  elsewhere_.reset();
 }
 
 std::optional<Gizmo> Pointing::gizmo() const {
@@ -86,21 +114,33 @@ const HandleRow* Pointing::handle_at(glm::dvec2 pixel, Modifiers modifiers) cons
 // The arrow that a click would select, whatever the mode; null where it would not select one.
 const LinkArrow* Pointing::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
   const bool selects = !info && selecting_.asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
-  if (!selects || session_.findings().preparing() || session_.shown.by() != ShownBy::document) return nullptr;
+  if (!selects || &view_at(pixel) != &in_space_ || session_.findings().preparing() ||
+      session_.shown.by() != ShownBy::document)
+    return nullptr;
   return view_.links.at(session_, pixel - view_.origin);
 }
 
 void Pointing::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   selecting_.point_to({});
-  if (session_.has_beside()) session_.beside()->pointing.point_away();
-  if (Session& part = session_.part_at(pixel); &part != &session_) return part.pointing.point_at(pixel);
-  pointed_axis_end_ = axis_end_at(pixel);
-  pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
-  if (pointed_handle_ || pointed_axis_end_) return;
-  const OpInfo* info = find_op(selecting_.tool);
+  elsewhere_.reset();
+  leave_handles();
   Hover hover;
+  View& view = view_at(pixel);
+  hover.document = &view.document();
+  hover.view = &view;
   hover.pixel = pixel;
   hover.modifiers = modifiers;
+  if (!is_of_open_document(view)) {
+    const auto picked = reached(view, pixel, selecting_.pointed_sort(), session_.preferences);
+    if (picked) hover.picked = *picked, elsewhere_ = hover;
+    return;
+  }
+  if (&view == &in_space_) {
+    pointed_axis_end_ = axis_end_at(pixel);
+    pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
+    if (pointed_handle_ || pointed_axis_end_) return;
+  }
+  const OpInfo* info = find_op(selecting_.tool);
   if (const LinkArrow* const arrow = arrow_at(pixel, info, modifiers)) {
     hover.picked = {.element = arrow->halfedge,
                     .halfedge = arrow->halfedge,
@@ -136,8 +176,10 @@ Outcome Pointing::select_along(glm::dvec2 pixel, Modifiers modifiers) {
 Outcome Pointing::click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers) {
   session_.gesturing.cancel();  // what is pointed at is the mesh as it is
   selecting_.release_verdict();
-  if (const AxisEnd* const end = axis_end_at(pixel)) return session_.run(line_of(*end, view_.camera));
-  if (const Session& part = session_.part_at(pixel); &part != &session_) return only_looked_at(part.document());
+  const View& view = view_at(pixel);
+  if (!is_of_open_document(view)) return only_looked_at(view.document());
+  if (const AxisEnd* const end = &view == &in_space_ ? axis_end_at(pixel) : nullptr)
+    return session_.run(line_of(*end, view_.camera));
   if (session_.shown.is_replaced()) return session_.shown.refusal();
   if (!selecting_.asked_line.empty() && with_tool.empty()) return answer(session_, pixel);
   const OpInfo* info = find_op(with_tool);
@@ -176,26 +218,18 @@ void Pointing::select_for_menu(glm::dvec2 pixel) {
 }
 
 std::optional<Picked> Pointing::pick(glm::dvec2 pixel, PickMode what) {
-  return session_.shown.by() == ShownBy::document ? pick_drawn(pixel, what) : std::nullopt;
+  const bool is_open = session_.shown.by() == ShownBy::document && is_of_open_document(view_at(pixel));
+  return is_open ? pick_drawn(pixel, what) : std::nullopt;
 }
 
 std::optional<Picked> Pointing::pick_to_select(glm::dvec2 pixel, PickMode what) {
-  constexpr double reach_px = 4 * pick_radius_px;
-  auto picked = pick(pixel, what);
-  if (!picked && what != PickMode::face && pick(pixel, PickMode::face)) picked = pick_drawn(pixel, what, reach_px);
-  return picked;
+  View& view = view_at(pixel);
+  const bool is_open = session_.shown.by() == ShownBy::document && is_of_open_document(view);
+  return is_open ? reached(view, pixel, what, session_.preferences) : std::nullopt;
 }
 
-std::optional<Picked> Pointing::pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px) {
-  const glm::dvec2 inside = pixel - view_.origin;
-  if (inside.x < 0 || inside.y < 0 || inside.x >= view_.size.width || inside.y >= view_.size.height) return std::nullopt;
-  if (session_.findings().preparing()) return std::nullopt;
-  return session_.findings().picker().pick(mesh(), view_.camera, view_.size, inside, what, pick_depth(),
-                       radius_px * session_.preferences.size_scale());
-}
-
-Picker::Depth Pointing::pick_depth() const {
-  return view_.settings.xray == Xray::on ? Picker::Depth::through : Picker::Depth::seen;
+std::optional<Picked> Pointing::pick_drawn(glm::dvec2 pixel, PickMode what) {
+  return view_at(pixel).pick(pixel, what, pick_radius_px * session_.preferences.size_scale());
 }
 
 }  // namespace ryosen

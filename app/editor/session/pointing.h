@@ -1,15 +1,17 @@
-// What a view has at a pixel, and what the pointer does there. Pixels count from the upper left corner of the picture or
-// window.
+// What the views have at a pixel, and what the pointer does there. Pixels count from the upper left corner of the picture
+// or window.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/input/corner_axes.h"
 #include "app/editor/input/gizmo.h"
 #include "app/editor/session/selecting.h"
+#include "app/editor/views/mesh_view.h"
 #include "ryosen/document/outcome.h"
 #include "ryosen/pick/picker.h"
 
@@ -19,24 +21,31 @@ class Session;
 
 class Pointing {
  public:
-  explicit Pointing(Session& session);
+  Pointing(Session& session, const OpenDocument& open);
+
+  // A further view in the picture, which lies over the earlier ones. It is removed before it goes.
+  void add(View& view) { further_.push_back(&view); }
+  void remove(const View& view);
+  // The view at a pixel; that of the open mesh in space where there is no other.
+  View& view_at(glm::dvec2 pixel);
 
   // Hovering. The picker is updated after every edit.
   void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
   void point_away();
+  // What is pointed at in any view, of whatever document; null for nothing.
+  const Pointed* pointed() const;
   // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
   // pointer is.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
   // What a menu at a pixel is about is selected, if it is not so already.
   void select_for_menu(glm::dvec2 pixel);
 
-  // The element of the document under a pixel; none outside the view, and none while another mesh is on trial.
+  // The element of the open document under a pixel; none outside its views, and none while another mesh is on trial.
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   // What a click there would select: as that edits nothing, it reaches farther on the surface.
   std::optional<Picked> pick_to_select(glm::dvec2 pixel, PickMode what);
-  // What is drawn under a pixel, for who needs its place alone.
-  std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what, double radius_px = pick_radius_px);
-  Picker::Depth pick_depth() const;
+  // What any view draws under a pixel, for who needs its place alone.
+  std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what);
   // Only the picked element; the others are none.
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;
 
@@ -57,6 +66,7 @@ class Pointing {
 
  private:
   const Mesh& mesh() const;
+  bool is_of_open_document(const View& view) const;
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
   const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);
@@ -65,6 +75,9 @@ class Pointing {
   Session& session_;
   ViewState& view_;
   Selecting& selecting_;
+  MeshView in_space_;
+  std::vector<View*> further_;
+  std::optional<Pointed> elsewhere_;  // what is pointed at of another document than the open one
   const HandleRow* pointed_handle_ = nullptr;
   const AxisEnd* pointed_axis_end_ = nullptr;
   struct Middle {

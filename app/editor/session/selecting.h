@@ -11,6 +11,7 @@
 #include "app/editor/input/input.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/selection_memory.h"
+#include "app/editor/views/view.h"
 #include "ryosen/document/document.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
 #include "ryosen/pick/picker.h"
@@ -22,11 +23,9 @@ class Session;
 // The sort of element that a tool needs under the pointer; without a tool, the mode.
 PickMode pick_mode(const OpInfo* tool, PickMode mode);
 
-// The element under the pointer, and what a click would do.
-struct Hover {
-  glm::dvec2 pixel{0};
+// The element of the open document under the pointer, and what a click would do.
+struct Hover : Pointed {
   Modifiers modifiers;
-  Picked picked;
   std::optional<AnyOp> op;  // if the tool applies to what was picked
   Preview preview;          // of that operator
 };

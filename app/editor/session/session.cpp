@@ -20,11 +20,11 @@ Session::Session(std::unique_ptr<Document> document) {
 Session::~Session() { trials.forget(); }  // one that goes on reads the document
 
 bool Session::is_at_start() const {
-  return !frontend.begins_empty && is_empty() && document_->path().empty() && document_->history().empty();
+  return !frontend.begins_empty && is_empty() && open_.document->path().empty() && open_.document->history().empty();
 }
 
 bool Session::is_empty() const {
-  return !frontend.awaits_file && !document_->is_on_trial() && mesh().live() == ElementCounts();
+  return !frontend.awaits_file && !open_.document->is_on_trial() && mesh().live() == ElementCounts();
 }
 
 // What may find no memory comes first.
@@ -41,16 +41,16 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
   covered.above = 0;  // what is played ends
   const Camera camera_then = ryosen::framing({&document->mesh()}, first, view.size, covered);
   document->before_writing = [this] {
-    findings_->end_preparation();
+    open_.findings->end_preparation();
     trials.let_write();
   };
   auto found = std::make_unique<Findings>(*document, view, preferences);
   found->after_search = [this] { gesturing.judge_as_drawn(); };
   trials.forget();
   if (frontend.autosave) frontend.autosave->begin(*document);
-  beside_.reset();
-  findings_ = std::move(found);
-  document_ = std::move(document);
+  end_comparing();
+  open_.findings = std::move(found);
+  open_.document = std::move(document);
   change_on_disk_ = FileState::Change::none;
   files = std::move(files_then);
   framing.frame(camera_then);
@@ -64,7 +64,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
 }
 
 void Session::forget_derived() {
-  findings_->forget();
+  open_.findings->forget();
   forget_pointed();
 }
 
@@ -93,23 +93,23 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   if (change == Document::Change::trial_ended) gesturing.forget();
   const TouchedElements touched = touched_elements(mesh(), journal, transaction);
   if (touched.everything) view.links.forget_trail();
-  findings_->follow(journal, transaction, change, touched);
+  open_.findings->follow(journal, transaction, change, touched);
   selecting.follow(journal, transaction, change, touched);
   if (change == Document::Change::trial_ended) shown.bring_back();
   selecting.settle();
 }
 
 void Session::prepare() {
-  trials.follow(*document_);
-  if (beside_) beside_->prepare();
+  trials.follow(*open_.document);
+  if (compared_) compared_->findings().prepare();
   selecting.ask_slice_of_verdicts();
-  findings_->prepare();
+  open_.findings->prepare();
 }
 
 bool Session::look_at_disk() {
   const FileState::Change before = change_on_disk_;
-  change_on_disk_ = document_->change_on_disk();
-  if (change_on_disk_ == FileState::Change::gone) document_->mark_unsaved();  // no file holds this mesh any more
+  change_on_disk_ = open_.document->change_on_disk();
+  if (change_on_disk_ == FileState::Change::gone) open_.document->mark_unsaved();  // no file holds this mesh any more
   return change_on_disk_ != before;
 }
 
@@ -120,7 +120,7 @@ Input& Session::input() {
 }
 
 std::string Session::document_name() const {
-  const std::string name = document_->path().filename().string();
+  const std::string name = open_.document->path().filename().string();
   if (!name.empty() || is_at_start()) return name;
   return preferences.language == Language::japanese ? "（無題）" : "(unnamed)";
 }

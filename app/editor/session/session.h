@@ -18,13 +18,14 @@
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/frontend.h"
+#include "app/editor/session/open_document.h"
 #include "app/editor/session/pointing.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/textbook/asked_question.h"
+#include "app/editor/views/compared.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {
@@ -40,12 +41,12 @@ class Session {
   explicit Session(std::unique_ptr<Document> document);
   ~Session();
 
-  Document& document() { return *document_; }
-  const Document& document() const { return *document_; }
-  const Mesh& mesh() const { return document_->mesh(); }
+  Document& document() { return *open_.document; }
+  const Document& document() const { return *open_.document; }
+  const Mesh& mesh() const { return document().mesh(); }
   // All that follows from the mesh; replaced with the document.
-  Findings& findings() { return *findings_; }
-  const Findings& findings() const { return *findings_; }
+  Findings& findings() { return *open_.findings; }
+  const Findings& findings() const { return *open_.findings; }
   // What repairs would do.
   RepairTrials trials;
 
@@ -65,7 +66,7 @@ class Session {
   // Places the view in this rectangle of the picture; the left half of it where a mesh stands beside.
   void place_view(Size whole, glm::dvec2 origin);
   Selecting selecting{*this};
-  Pointing pointing{*this};
+  Pointing pointing{*this, open_};
   Gesturing gesturing{*this};
   std::optional<AskedQuestion> asked_question;
   // User interface state changed by commands; stored without effect if there is no UI.
@@ -73,14 +74,13 @@ class Session {
   Layout layout;
   std::vector<LostSession> lost;  // as `recover list` found them last
 
-  // Another mesh beside this one in the picture, to be compared with: seen by the same camera in the same way, never
-  // edited. Null ends that. Both are framed anew.
-  void put_beside(std::unique_ptr<Session> other);
-  bool has_beside() const { return beside_ != nullptr; }
-  // Null where there is none; up to date with what is looked at and how.
-  Session* beside();
-  // This, or the mesh beside it where a pixel of the picture or window lies in its part.
-  Session& part_at(glm::dvec2 pixel);
+  // The mesh as the view shows it.
+  SeenMesh seen();
+  // Puts another mesh beside this one in the picture; null takes it away. Both are framed anew.
+  void compare_with(std::unique_ptr<Document> other);
+  // Null where there is none; looks as the view does at the moment.
+  Compared* compared();
+  bool is_comparing() const { return compared_ != nullptr; }
   // Until a file is open or somebody has asked for an empty mesh.
   bool is_at_start() const;
   // There is no mesh, and none is shown or read.
@@ -115,11 +115,11 @@ class Session {
   void follow(const Journal& journal, std::size_t transaction, Document::Change change);
   void update_derived(const Journal& journal, std::size_t transaction, Document::Change change);
   void forget_derived();
+  void end_comparing();
   void forget_pointed();  // and what was put aside for a trial
 
-  std::unique_ptr<Session> beside_;
-  std::unique_ptr<Document> document_;
-  std::unique_ptr<Findings> findings_;
+  std::unique_ptr<Compared> compared_;
+  OpenDocument open_;
   FileState::Change change_on_disk_ = FileState::Change::none;
   std::vector<std::string> log_;
   std::string running_;              // the first word of the line that is carried out

@@ -14,47 +14,43 @@ constexpr int gap_px = 2;
 void Session::place_view(Size whole, glm::dvec2 origin) {
   view.size = whole;
   view.origin = origin;
-  if (!beside_) return;
+  if (!compared_) return;
   view.size.width = std::max(1, (whole.width - gap_px) / 2);
-  beside_->view.size = {std::max(1, whole.width - gap_px - view.size.width), whole.height};
-  beside_->view.origin = origin + glm::dvec2(view.size.width + gap_px, 0);
+  compared_->place({std::max(1, whole.width - gap_px - view.size.width), whole.height},
+                   origin + glm::dvec2(view.size.width + gap_px, 0));
 }
 
-void Session::put_beside(std::unique_ptr<Session> other) {
-  const Size whole = beside_ ? Size{view.size.width + gap_px + beside_->view.size.width, view.size.height} : view.size;
+void Session::end_comparing() {
+  if (!compared_) return;
+  pointing.remove(compared_->view());
+  open_.findings->against = nullptr;
+  compared_.reset();
+}
+
+void Session::compare_with(std::unique_ptr<Document> other) {
+  Size whole = view.size;
+  if (compared_) whole.width += gap_px + compared_->state().size.width;
   if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
-  beside_ = std::move(other);
-  findings_->against = beside_ ? &beside_->findings() : nullptr;
-  if (beside_) beside_->findings().against = findings_.get();
+  auto compared = other ? std::make_unique<Compared>(std::move(other), preferences) : nullptr;
+  end_comparing();
+  compared_ = std::move(compared);
+  if (compared_) {
+    pointing.add(compared_->view());
+    open_.findings->against = &compared_->findings();
+    compared_->findings().against = open_.findings.get();
+  }
   place_view(whole, view.origin);
   framing.frame_all();
 }
 
-Session* Session::beside() {
-  if (!beside_) return nullptr;
-  Session& other = *beside_;
-  other.view.camera = view.camera;
-  other.view.settings = view.settings;
-  other.preferences.language = preferences.language;
-  other.view.highlights = view.highlights;
-  other.view.colouring = view.colouring;
-  other.preferences.crease_deg = preferences.crease_deg;
-  other.preferences.ui_scale = preferences.ui_scale;
-  other.preferences.display_scale = preferences.display_scale;
-  other.preferences.samples = preferences.samples;
-  other.view.cut = view.cut;
-  other.selecting.mode = selecting.pointed_sort();
-  if (view.colouring && view.colouring->map->against) other.findings().map_values();  // where this mesh has changed
-  return &other;
+Compared* Session::compared() {
+  if (!compared_) return nullptr;
+  compared_->look_as(view);
+  // Where this mesh has changed, so have the distances from it.
+  if (view.colouring && view.colouring->map->against) compared_->findings().map_values(*view.colouring);
+  return compared_.get();
 }
 
-Session& Session::part_at(glm::dvec2 pixel) {
-  Session* const other = beside();
-  if (!other) return *this;
-  const glm::dvec2 inside = pixel - other->view.origin;
-  const bool is_there =
-      inside.x >= 0 && inside.y >= 0 && inside.x < other->view.size.width && inside.y < other->view.size.height;
-  return is_there ? *other : *this;
-}
+SeenMesh Session::seen() { return {document(), findings(), view, preferences, gesturing.drawn_positions()}; }
 
 }  // namespace ryosen

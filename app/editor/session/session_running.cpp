@@ -12,16 +12,16 @@
 namespace ryosen {
 
 Outcome Session::run(const std::string& line) {
-  const std::uint64_t serial = document_->serial();
-  const std::size_t position = document_->position();
+  const std::uint64_t serial = open_.document->serial();
+  const std::size_t position = open_.document->position();
   try {
     return run_line(line);
   } catch (const std::bad_alloc&) {
     running_.clear();
     shown.forget();
     forget_derived();  // some of it may be half made
-    if (document_->serial() == serial) {
-      document_->take_back(position);
+    if (open_.document->serial() == serial) {
+      open_.document->take_back(position);
       drop_lost(selecting.selection.changed(), mesh(), false);
     }
     return failed(ExitCode::out_of_memory, out_of_memory().message.text);
@@ -39,11 +39,11 @@ Outcome Session::run_line(const std::string& line) {
   Shown::Passage passage(shown, effect, line);
   if (passage.answered) return *std::move(passage.answered);
   if (is_logged(effect)) gesturing.cancel();
-  [[maybe_unused]] const std::uint64_t serial = document_->serial();
-  [[maybe_unused]] const std::size_t position = document_->position();
-  [[maybe_unused]] const std::size_t entries = document_->history().size();
+  [[maybe_unused]] const std::uint64_t serial = open_.document->serial();
+  [[maybe_unused]] const std::size_t position = open_.document->position();
+  [[maybe_unused]] const std::size_t entries = open_.document->history().size();
   [[maybe_unused]] const std::size_t logged = lines_logged_;
-  [[maybe_unused]] const bool was_on_trial = document_->is_on_trial();
+  [[maybe_unused]] const bool was_on_trial = open_.document->is_on_trial();
   // What is needed once the command is done is made before.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
@@ -54,8 +54,8 @@ Outcome Session::run_line(const std::string& line) {
   passage.finish(outcome);
   // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.
   assert(is_logged(effect) || lines_logged_ > logged ||
-         (document_->position() == position && document_->history().size() == entries &&
-          (document_->serial() == serial || was_on_trial || document_->is_on_trial())));
+         (open_.document->position() == position && open_.document->history().size() == entries &&
+          (open_.document->serial() == serial || was_on_trial || open_.document->is_on_trial())));
   if (!outcome.done() || !is_logged(effect)) return outcome;
   if (effect == Effect::edits || effect == Effect::steps)
     if (outcome.performed.empty()) outcome.performed = std::move(usual);

@@ -126,8 +126,8 @@ void Gesturing::begin_with(PointTransform::Kind kind, Elements elements) {
                                  {},
                                  start + session_.view.origin});
   TransformGesture& transform = ongoing_->transform;
-  if (const Vertex held = held_point(session_.findings(), session_.view, session_.pointing, session_.preferences,
-                                     transform.moved(), start))
+  if (const Vertex held =
+          held_point(session_.findings(), session_.view, session_.preferences, transform.moved(), start))
     transform.hold(mesh(), held);
   session_.selecting.point_to({});
   session_.selecting.release_verdict();
@@ -218,8 +218,7 @@ void Gesturing::follow(glm::dvec2 pixel, Modifiers modifiers) {
                                 .size_scale = session_.preferences.size_scale()};
   if (modifiers.ctrl && g.transform.is_movement()) {
     if (!g.own) g.own = passed_over(g.touched);
-    where.under =
-        snap_target(session_.findings(), session_.view, session_.pointing, session_.preferences, where.pixel, *g.own);
+    where.under = snap_target(session_.findings(), session_.view, session_.preferences, where.pixel, *g.own);
     if (!where.under && !g.step) g.step = step_of_ground(mesh());
     where.step = g.step.value_or(where.step);
   }

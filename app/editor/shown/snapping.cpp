@@ -28,7 +28,7 @@ struct NearPoint {
 
 }  // namespace
 
-Vertex held_point(Findings& findings, const ViewState& view, const Pointing& pointing, const Preferences& preferences,
+Vertex held_point(Findings& findings, const ViewState& view, const Preferences& preferences,
                   const std::vector<MovedPoint>& moved, glm::dvec2 pixel) {
   if (moved.size() == 1) return moved[0].point;
   const Mesh& mesh = findings.mesh();
@@ -41,23 +41,24 @@ Vertex held_point(Findings& findings, const ViewState& view, const Pointing& poi
     if (distance_px <= radius_px) near.push_back({distance_px, *seen, each.point});
   }
   std::sort(near.begin(), near.end());
-  const bool is_all_seen = pointing.pick_depth() == Picker::Depth::through || findings.preparing();
+  const bool is_all_seen = pick_depth(view) == Picker::Depth::through || findings.preparing();
   for (const NearPoint& each : near)
-    if (is_all_seen || findings.picker().is_seen(mesh, view.camera, view.size, each.seen, mesh.position(each.point)))
+    if (is_all_seen ||
+        findings.picker(view).is_seen(mesh, view.camera, view.size, each.seen, mesh.position(each.point)))
       return each.point;
   return {};
 }
 
-std::optional<SnapTarget> snap_target(Findings& findings, const ViewState& view, const Pointing& pointing,
-                                      const Preferences& preferences, glm::dvec2 pixel, const PassedOver& own) {
+std::optional<SnapTarget> snap_target(Findings& findings, const ViewState& view, const Preferences& preferences,
+                                      glm::dvec2 pixel, const PassedOver& own) {
   const Size size = view.size;
   if (findings.preparing() || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height)
     return std::nullopt;
   constexpr std::pair<PickMode, double> sorts[] = {
       {PickMode::vertex, snap_radius_px}, {PickMode::edge, pick_radius_px}, {PickMode::face, 0}};
   for (const auto& [what, radius_px] : sorts)
-    if (const auto picked = findings.picker().pick(findings.mesh(), view.camera, size, pixel, what,
-                                                   pointing.pick_depth(), radius_px * preferences.size_scale(), &own))
+    if (const auto picked = findings.picker(view).pick(findings.mesh(), view.camera, size, pixel, what,
+                                                       pick_depth(view), radius_px * preferences.size_scale(), &own))
       return SnapTarget{picked->element, picked->place, name_to_select(findings.mesh(), picked->element)};
   return std::nullopt;
 }

@@ -53,7 +53,7 @@ ImU32 colour_of(const ColourMap& map, MapRange range, double value) {
 void ColoursPanel::count_again(const Document& document, Findings& findings, const ViewState& view) {
   const std::uint64_t serial = document.serial(), revision = document.revision();
   if (counted_ == view.colouring && counted_serial_ == serial && counted_revision_ == revision) return;
-  const MapValues& values = findings.map_values();
+  const MapValues& values = findings.map_values(*view.colouring);
   span_ = view.colouring->range;
   double bars = most_bars;
   if (values.map().is_count) {  // a bar for each value, as far as they have room

@@ -59,19 +59,19 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
   if (!chosen.empty()) context.run(chosen);
 }
 
-// What is pointed at of the mesh beside the open one; false where nothing is.
-bool draw_beside(PanelContext& context) {
-  const Session* const other = context.session.beside();
-  if (!other || !other->selecting.hover()) return false;
-  wrapped_text(name_and_slot(other->mesh(), other->selecting.hover()->picked.element).c_str());
-  const std::string file = other->document().path().filename().string();
+// What is pointed at of a mesh that is compared with; false where nothing is.
+bool draw_compared(PanelContext& context) {
+  const Pointed* const pointed = context.pointing.pointed();
+  if (!pointed || pointed->document == &context.document()) return false;
+  wrapped_text(name_and_slot(pointed->document->mesh(), pointed->picked.element).c_str());
+  const std::string file = pointed->document->path().filename().string();
   dim_text(context, (context.text("of ", "") + file + context.text(", to be compared with", "（比較用）")).c_str());
   return true;
 }
 
 // What a click would do, or why it would not.
 void draw_verdict(PanelContext& context) {
-  if (draw_beside(context)) return;
+  if (draw_compared(context)) return;
   if (!context.selecting.hover()) {
     const PickModeRow& sort = pick_modes[static_cast<std::size_t>(context.selecting.pointed_sort())];
     return dim_text(context, context.text(sort.point_en, sort.point_ja));

@@ -55,14 +55,14 @@ Scene sphere_scene(int rings) {
   return scene;
 }
 
-std::unique_ptr<View> front_view(const Scene& scene, Size size, double height) {
+std::unique_ptr<Renderer> front_view(const Scene& scene, Size size, double height) {
   test_context();
-  Result<std::unique_ptr<View>> made = View::make();
+  Result<std::unique_ptr<Renderer>> made = Renderer::make();
   if (!made) {
     ADD_FAILURE() << made.failure().message.text.en;
     std::exit(1);
   }
-  View& view = **made;
+  Renderer& view = **made;
   view.resize(size);
   view.set_mesh(scene.source());
   Camera camera;

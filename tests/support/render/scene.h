@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/image.h"
-#include "render/view.h"
+#include "render/renderer.h"
 
 namespace ryosen {
 
@@ -36,7 +36,7 @@ Scene square_scene(int cells);
 Scene sphere_scene(int rings);
 
 // A view made in the test context. Straight from the front at +Z, orthographic: the view's height shows `height` units.
-std::unique_ptr<View> front_view(const Scene& scene, Size size, double height);
+std::unique_ptr<Renderer> front_view(const Scene& scene, Size size, double height);
 
 // Pixels whose channels differ from the colour by at most `tolerance`.
 int count_pixels(const Image& image, Rgba colour, int tolerance = 8);

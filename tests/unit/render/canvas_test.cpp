@@ -55,7 +55,7 @@ class canvas : public testing::Test {
   }
 
   Interface interface_;
-  std::unique_ptr<View> view_;
+  std::unique_ptr<Renderer> view_;
   std::unique_ptr<Canvas> canvas_;
 };
 

@@ -90,11 +90,14 @@ TEST(overlays, the_ends_of_highlighted_edges_are_dots_where_vertices_are_drawn) 
   for_each_mark(row, [&](Mark mark) {
     ViewSettings settings = session.view.settings;
     settings.dots = Dots::always;
-    const Overlay overlay = highlight_overlay(session.findings(), session.gesturing, row, mark, 0, 100000, settings, 0);
+    const Overlay overlay =
+        highlight_overlay(session.findings(), session.gesturing.drawn_positions(), row, mark, 0, 100000, settings, 0);
     lines += overlay.lines.size();
     points += overlay.points.size();
     settings.dots = Dots::never;
-    plain += highlight_overlay(session.findings(), session.gesturing, row, mark, 0, 100000, settings, 0).points.size();
+    plain +=
+        highlight_overlay(session.findings(), session.gesturing.drawn_positions(), row, mark, 0, 100000, settings, 0)
+            .points.size();
   });
   EXPECT_GT(lines, 0u);
   EXPECT_EQ(points, lines) << "on loops as many";

@@ -36,7 +36,7 @@ class ViewportTest : public testing::Test {
   Image picture(Session& session) {
     viewport_->follow(session);
     viewport_->draw();
-    return viewport_->view().read_pixels();
+    return viewport_->renderer().read_pixels();
   }
   Image picture(Session& session, const std::string& line) {
     EXPECT_TRUE(session.run(line).done()) << line;
@@ -148,7 +148,7 @@ TEST_F(ViewportTest, several_on_one_session_draw_the_same) {
     for (Viewport* const each : {viewport_.get(), second.get(), third.get()}) {
       if (!each) continue;
       each->draw();
-      images.push_back(each->view().read_pixels());
+      images.push_back(each->renderer().read_pixels());
     }
     return images;
   };
@@ -273,8 +273,8 @@ TEST_F(ViewportTest, handles_and_guides_that_come_and_go_are_drawn_as_in_a_full_
   for (const std::string& line : lines) {
     EXPECT_TRUE(session.run(line).done()) << line;
     const Image followed = picture(session);
-    viewport_->view().draw(PixelRect::all(session.view.size));
-    EXPECT_TRUE(followed.pixels == viewport_->view().read_pixels().pixels) << line;
+    viewport_->renderer().draw(PixelRect::all(session.view.size));
+    EXPECT_TRUE(followed.pixels == viewport_->renderer().read_pixels().pixels) << line;
   }
 }
 

@@ -100,7 +100,7 @@ TEST(overlay_parts, only_what_changed_is_drawn_again) {
   EXPECT_LT(rect.x1, 160);
 }
 
-int coloured(View& view, double length, bool thins_out, LineStyle style = LineStyle::solid) {
+int coloured(Renderer& view, double length, bool thins_out, LineStyle style = LineStyle::solid) {
   Overlay overlay;
   overlay.lines.push_back({{-0.5 * length, 0, 0}, {0.5 * length, 0, 0}, rgb(0xFF00FF), style, 6});
   overlay.lines[0].thins_out = thins_out;

@@ -123,8 +123,9 @@ TEST(framing, named_views_show_what_all_is_framed_by) {
   Session session(std::move(Document::open(test::asset("cube.obj"))).value());
   ASSERT_TRUE(session.run("compare " + file).done());
   ASSERT_TRUE(session.run("view front").done());
-  ASSERT_TRUE(session.beside());
-  EXPECT_TRUE(shows_all(session.view.camera, session.beside()->view.size, {}, session.beside()->mesh().positions()));
+  ASSERT_TRUE(session.compared());
+  EXPECT_TRUE(
+      shows_all(session.view.camera, session.compared()->state().size, {}, session.compared()->mesh().positions()));
 }
 
 TEST(framing, goes_out_of_the_way_of_the_axes_where_something_would_lie_under_them) {

@@ -27,10 +27,10 @@ TEST(commands_measuring, colours_say_what_the_numbers_are_and_keep_their_range) 
   ASSERT_TRUE(session->run("colours area 0 4").done());
   ASSERT_TRUE(session->run("poke f0").done());
   EXPECT_EQ(session->view.colouring->range, (MapRange{0, 4}));
-  EXPECT_EQ(figures_of(session->findings().map_values().all()).count, 9u);
-  EXPECT_DOUBLE_EQ(figures_of(session->findings().map_values().all()).lowest, 0.25);
+  EXPECT_EQ(figures_of(session->findings().map_values(*session->view.colouring).all()).count, 9u);
+  EXPECT_DOUBLE_EQ(figures_of(session->findings().map_values(*session->view.colouring).all()).lowest, 0.25);
   ASSERT_TRUE(session->run("undo").done());
-  EXPECT_EQ(figures_of(session->findings().map_values().all()).count, 6u);
+  EXPECT_EQ(figures_of(session->findings().map_values(*session->view.colouring).all()).count, 6u);
   ASSERT_TRUE(session->run("colours off").done());
   EXPECT_FALSE(session->view.colouring);
 }
@@ -39,13 +39,13 @@ TEST(commands_measuring, colours_show_the_middle_of_the_values_first_and_all_whe
   auto document = Document::open(test::asset("torus.off"));
   Session session(std::move(document).value());
   ASSERT_TRUE(session.run("colours area").done());
-  const MapFigures figures = figures_of(session.findings().map_values().all());
+  const MapFigures figures = figures_of(session.findings().map_values(*session.view.colouring).all());
   EXPECT_EQ(session.view.colouring->range, first_range(*session.view.colouring->map, figures));
   ASSERT_TRUE(session.run("colours area all").done());
   EXPECT_EQ(session.view.colouring->range, (MapRange{figures.lowest, figures.highest}));
-  EXPECT_EQ(session.findings().map_extent(), (MapRange{figures.lowest, figures.highest}));
+  EXPECT_EQ(session.findings().map_extent(*session.view.colouring), (MapRange{figures.lowest, figures.highest}));
   ASSERT_TRUE(session.run("move_vertex v0 9,9,9").done());
-  EXPECT_GT(session.findings().map_extent().high, figures.highest) << "followed";
+  EXPECT_GT(session.findings().map_extent(*session.view.colouring).high, figures.highest) << "followed";
 }
 
 TEST(commands_measuring, a_legend_of_equal_values_says_the_value_once) {

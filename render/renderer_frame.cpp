@@ -1,8 +1,8 @@
-// Where the planes of a view lie, and what its passes are told of a picture.
+// Where the planes of a picture lie, and what its passes are told of a picture.
 #include <algorithm>
 #include <limits>
 
-#include "render/view.h"
+#include "render/renderer.h"
 #include "ryosen/base/parallel.h"
 
 namespace ryosen {
@@ -56,7 +56,7 @@ DepthRange depths_of(std::span<const Cluster> clusters, const glm::dmat4& view) 
 
 }  // namespace
 
-void View::changed(std::span<const TouchedBox> touched) {
+void Renderer::changed(std::span<const TouchedBox> touched) {
   if (planes_stale_ || touched.empty()) return;
   const Frame whole = frame(PixelRect::all(size_), 1);
   DepthRange range;
@@ -71,7 +71,7 @@ void View::changed(std::span<const TouchedBox> touched) {
   }
 }
 
-void View::place_planes() {
+void Renderer::place_planes() {
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());
   DepthRange range = depths_of(mesh_.clusters(), view);
   for (const OverlayBuffer& overlay : overlays_) range.add(overlay.bounds(), view);
@@ -91,7 +91,7 @@ void View::place_planes() {
   planes_stale_ = false;
 }
 
-Frame View::frame(const PixelRect& rect, int scale) const {
+Frame Renderer::frame(const PixelRect& rect, int scale) const {
   const double aspect = double(size_.width) / double(size_.height);
   const Camera camera = in_buffer(camera_, mesh_.space());
   const glm::dmat4 view = view_from_buffer(camera_, mesh_.space());

@@ -1,4 +1,4 @@
-#include "render/view.h"
+#include "render/renderer.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@ constexpr PixelFormat picture_formats[] = {PixelFormat::rgba8};
 
 }  // namespace
 
-Result<std::unique_ptr<View>> View::make() {
+Result<std::unique_ptr<Renderer>> Renderer::make() {
   Result<SurfacePass> surface = SurfacePass::make();
   if (!surface) return surface.failure();
   Result<CutPass> cut = CutPass::make();
@@ -29,12 +29,12 @@ Result<std::unique_ptr<View>> View::make() {
   if (!ids) return ids.failure();
   Result<LabelsPass> labels = LabelsPass::make();
   if (!labels) return labels.failure();
-  return std::unique_ptr<View>(
-      new View({std::move(*surface), std::move(*cut), std::move(*xray), std::move(*background), std::move(*grid),
-                std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
+  return std::unique_ptr<Renderer>(
+      new Renderer({std::move(*surface), std::move(*cut), std::move(*xray), std::move(*background), std::move(*grid),
+                    std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
 }
 
-View::View(Passes passes)
+Renderer::Renderer(Passes passes)
     : passes_(std::move(passes)),
       overlays_{OverlayBuffer("normals"),  OverlayBuffer("account"),  OverlayBuffer("highlights"),
                 OverlayBuffer("verdicts"), OverlayBuffer("question"), OverlayBuffer("selection"),
@@ -47,13 +47,13 @@ View::View(Passes passes)
   resize(size_);
 }
 
-void View::all_changed() {
+void Renderer::all_changed() {
   waiting_.clear();
   dirty_.clear();
   dirty_.add(PixelRect::all(size_));
 }
 
-void View::resize(Size size, int supersample) {
+void Renderer::resize(Size size, int supersample) {
   size_ = {std::max(size.width, 1), std::max(size.height, 1)};
   supersample_ = std::clamp(supersample, 1, 8);
   rendered_.resize({size_.width * supersample_, size_.height * supersample_});
@@ -67,78 +67,78 @@ void View::resize(Size size, int supersample) {
   all_changed();
 }
 
-void View::set_settings(const ViewSettings& settings) {
+void Renderer::set_settings(const ViewSettings& settings) {
   if (settings == settings_) return;
   settings_ = settings;
   all_changed();
 }
 
-void View::set_display_scale(float scale) {
+void Renderer::set_display_scale(float scale) {
   if (scale == display_scale_) return;
   display_scale_ = scale;
   for (OverlayBuffer& overlay : overlays_) overlay.set_display_scale(scale);
   all_changed();
 }
 
-void View::set_clip(const std::optional<ClipPlane>& plane) {
+void Renderer::set_clip(const std::optional<ClipPlane>& plane) {
   if (plane == clip_) return;
   clip_ = plane;
   all_changed();
 }
 
-void View::set_transparent(bool transparent) {
+void Renderer::set_transparent(bool transparent) {
   if (transparent == transparent_) return;
   transparent_ = transparent;
   all_changed();
 }
 
-void View::set_camera(const Camera& camera) {
+void Renderer::set_camera(const Camera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
   planes_stale_ = true;
   all_changed();
 }
 
-void View::set_thinning(std::uint32_t thinning) {
+void Renderer::set_thinning(std::uint32_t thinning) {
   if (thinning == thinning_) return;
   thinning_ = thinning;
   planes_stale_ = true;  // the clusters are placed by it
   all_changed();
 }
 
-void View::set_tints(std::span<const DrawnTint> tints) {
+void Renderer::set_tints(std::span<const DrawnTint> tints) {
   if (std::equal(tints.begin(), tints.end(), tints_.begin(), tints_.end())) return;
   tints_.assign(tints.begin(), tints.end());
   all_changed();
 }
 
-void View::set_overlay(Layer layer, const Overlay& overlay) {
+void Renderer::set_overlay(Layer layer, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set(overlay, mesh_.space(), touched);
   if (is_shown_[static_cast<std::size_t>(layer)]) changed(touched);
 }
 
-void View::show_layer(Layer layer, bool shown) {
+void Renderer::show_layer(Layer layer, bool shown) {
   bool& is_shown = is_shown_[static_cast<std::size_t>(layer)];
   if (std::exchange(is_shown, shown) != shown && overlays_[static_cast<std::size_t>(layer)].has_elements())
     all_changed();
 }
 
-void View::reserve_overlay(Layer layer, std::size_t elements) {
+void Renderer::reserve_overlay(Layer layer, std::size_t elements) {
   overlays_[static_cast<std::size_t>(layer)].reserve(elements);
 }
 
-void View::set_labels(std::span<const DrawnLabel> texts) {
+void Renderer::set_labels(std::span<const DrawnLabel> texts) {
   for (const PixelRect& rect : passes_.labels.set(texts)) dirty_.add(intersection(rect, PixelRect::all(size_)));
 }
 
-void View::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay) {
+void Renderer::set_overlay_part(Layer layer, std::uint32_t part, const Overlay& overlay) {
   std::vector<TouchedBox> touched;
   overlays_[static_cast<std::size_t>(layer)].set_part(part, overlay, mesh_.space(), touched);
   if (is_shown_[static_cast<std::size_t>(layer)]) changed(touched);
 }
 
-void View::set_mesh(const TriangleSource& source) {
+void Renderer::set_mesh(const TriangleSource& source) {
   const Box box = bounds_of(source.positions);
   mesh_.set(source, box.lowest, box.highest);
   std::vector<TouchedBox> nothing_left;
@@ -147,8 +147,8 @@ void View::set_mesh(const TriangleSource& source) {
   all_changed();
 }
 
-void View::update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
-                       std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
+void Renderer::update_mesh(const TriangleSource& source, std::span<const std::uint32_t> vertices,
+                           std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces) {
   const MeshChange change = mesh_.update(source, vertices, triangles, faces);
   if (planes_stale_) return;
   const Frame whole = frame(PixelRect::all(size_), 1);
@@ -158,13 +158,13 @@ void View::update_mesh(const TriangleSource& source, std::span<const std::uint32
   changed(touched);
 }
 
-void View::follow_camera() {
+void Renderer::follow_camera() {
   if (!planes_stale_) return;
   place_planes();
   all_changed();
 }
 
-void View::follow_ground() {
+void Renderer::follow_ground() {
   if (settings_.ground == GroundGrid::off) return;
   const Ground ground = ground_below(mesh_.bounds(), mesh_.space());
   if (ground == ground_) return;
@@ -172,12 +172,12 @@ void View::follow_ground() {
   all_changed();
 }
 
-std::size_t View::triangles_in_view() {
+std::size_t Renderer::triangles_in_view() {
   follow_camera();
   return places_.triangles_inside(mesh_.clusters(), PixelRect::all(size_));
 }
 
-Image View::read_pixels() const {
+Image Renderer::read_pixels() const {
   Image image(size_);
   picture().read(0, PixelRect::all(size_), image.pixels.data());
   if (!transparent_) return image;
@@ -190,7 +190,7 @@ Image View::read_pixels() const {
   return image;
 }
 
-IdImage View::read_ids() {
+IdImage Renderer::read_ids() {
   follow_camera();
   const Frame f = frame(PixelRect::all(size_), 1);
   const Framebuffer& target = passes_.ids.draw(f, mesh_, places_.inside(mesh_.clusters(), PixelRect::all(size_)));

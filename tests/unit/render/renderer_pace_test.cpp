@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/view.h"
+#include "render/renderer.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {
@@ -95,7 +95,7 @@ TEST(view, slices_follow_what_changes_between_them) {
 }
 
 // Draws on until nothing is left to be refined, and says in how many parts.
-int refine(View& view) {
+int refine(Renderer& view) {
   int parts = 0;
   view.set_refining(true);
   for (; !view.is_refined(); ++parts) view.draw();
@@ -104,7 +104,7 @@ int refine(View& view) {
 }
 
 // All that is drawn: tints, patterned lines, points, arrows, ghosts.
-std::unique_ptr<View> full_view(Scene& scene, Size size, Xray xray) {
+std::unique_ptr<Renderer> full_view(Scene& scene, Size size, Xray xray) {
   for (std::size_t f = 0; f < scene.tints.size(); ++f)
     scene.tints[f] = std::array<std::uint8_t, 5>{0, 1, 2, 3, 0}[f % 5];
   auto view = front_view(scene, size, 2.4);

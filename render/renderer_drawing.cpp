@@ -1,17 +1,17 @@
 // How a view draws what has changed: rectangle by rectangle, each by all passes.
 #include <algorithm>
 
-#include "render/view.h"
+#include "render/renderer.h"
 
 namespace ryosen {
 
-bool View::is_too_much(const PixelRect& rect, std::size_t most_triangles) const {
+bool Renderer::is_too_much(const PixelRect& rect, std::size_t most_triangles) const {
   constexpr int least = 16;  // pixels; below, halving gains nothing
   return most_triangles != 0 && std::max(rect.width(), rect.height()) >= 2 * least &&
          places_.triangles_inside(mesh_.clusters(), rect) / thinning_ > most_triangles;
 }
 
-PixelRect View::take_waiting() {
+PixelRect Renderer::take_waiting() {
   while (is_too_much(waiting_.back(), most_triangles_)) {
     PixelRect &rest = waiting_.back(), part = rest;
     const bool is_wide = rest.width() > rest.height();
@@ -26,7 +26,7 @@ PixelRect View::take_waiting() {
   return next;
 }
 
-PixelRect View::draw() {
+PixelRect Renderer::draw() {
   follow_camera();
   follow_ground();
   waiting_.insert(waiting_.end(), dirty_.rects().begin(), dirty_.rects().end());
@@ -48,7 +48,7 @@ PixelRect View::draw() {
   return redrawn_.bounds();
 }
 
-void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
+void Renderer::draw_all(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   target.bind(frame.rect);
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 0);
@@ -60,7 +60,7 @@ void View::draw_all(const Frame& frame, const DrawTarget& target, std::span<cons
                            static_cast<Layer>(i) <= Layer::hover ? OverlayPass::Of::mesh : OverlayPass::Of::view);
 }
 
-void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
+void Renderer::draw_scene(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   const bool is_xray = frame.settings.xray == Xray::on;
   if (!is_xray) {
     draw_surface(frame, target, clusters);
@@ -71,7 +71,7 @@ void View::draw_scene(const Frame& frame, const DrawTarget& target, std::span<co
   if (is_xray) passes_.xray.draw(frame, mesh_, clusters, tints_);
 }
 
-void View::draw_surface(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
+void Renderer::draw_surface(const Frame& frame, const DrawTarget& target, std::span<const std::uint32_t> clusters) {
   // To look costs about as much as to draw so many triangles, and some for each pixel.
   constexpr std::size_t worth_looking = 100000, worth_pixels = 4, most_looks = 4;
   const std::size_t pixels = std::size_t(frame.rect.width()) * std::size_t(frame.rect.height());
@@ -90,7 +90,7 @@ void View::draw_surface(const Frame& frame, const DrawTarget& target, std::span<
   passes_.surface.draw(frame, mesh_, left, tints_);
 }
 
-void View::draw(const PixelRect& asked) {
+void Renderer::draw(const PixelRect& asked) {
   PixelRect rect = intersection(asked, PixelRect::all(size_));
   follow_ground();
   if (planes_stale_) {

@@ -1,4 +1,4 @@
-// A view of a mesh: its content, its camera, and the rendered picture.
+// Renders a mesh with what lies over it, as a camera sees it, and keeps the picture.
 #pragma once
 
 #include <array>
@@ -60,11 +60,11 @@ struct IdImage {
 };
 
 // Keeps a picture of the mesh and redraws only what has changed. Setters only record changes; draw() does the work and
-// needs the context that was current when the view was made. Rectangles are in picture pixels.
-class View {
+// needs the context that was current when the renderer was made. Rectangles are in picture pixels.
+class Renderer {
  public:
   // Fails with ExitCode::no_backend if a shader does not compile or link.
-  static Result<std::unique_ptr<View>> make();
+  static Result<std::unique_ptr<Renderer>> make();
 
   // The picture's size, and the supersampling factor per dimension (1 to 8).
   void resize(Size size, int supersample = 1);
@@ -153,7 +153,7 @@ class View {
     LabelsPass labels;
   };
 
-  explicit View(Passes passes);
+  explicit Renderer(Passes passes);
   void all_changed();
   void changed(std::span<const TouchedBox> touched);
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn

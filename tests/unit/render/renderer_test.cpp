@@ -1,4 +1,4 @@
-#include "render/view.h"
+#include "render/renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@ namespace {
 constexpr Size view_size{320, 240};
 
 // The picture after drawing all of it anew.
-Image full_picture(View& view) {
+Image full_picture(Renderer& view) {
   view.draw(PixelRect::all(view.size()));
   return view.read_pixels();
 }
 
 Rgba pixel_at(const Image& image, int x, int y) { return image.at(x, y); }
 
-int surface_pixels(View& view) {
+int surface_pixels(Renderer& view) {
   const IdImage ids = view.read_ids();
   int count = 0;
   for (const std::uint32_t t : ids.triangle) count += t != no_index;

@@ -1,11 +1,11 @@
 // How a view is refined: tile by tile, in parts that cost no more than a frame may take.
 #include <algorithm>
 
-#include "render/view.h"
+#include "render/renderer.h"
 
 namespace ryosen {
 
-double View::effort_of(const PixelRect& rect) const {
+double Renderer::effort_of(const PixelRect& rect) const {
   // What a software renderer takes on one core, in nanoseconds: for a sample with and without a surface, a triangle, a
   // line, point or ghost, and a sample of these.
   constexpr double empty_sample = 18, surface_sample = 60, triangle = 250, element = 300, element_sample = 10;
@@ -22,7 +22,7 @@ double View::effort_of(const PixelRect& rect) const {
   return effort;
 }
 
-void View::refine() {
+void Renderer::refine() {
   constexpr int least_px = 8;  // below, what reaches into a part costs more than what lies in it
   while (auto part = refinement_.take()) {
     double effort = effort_of(part->rect);
@@ -38,7 +38,7 @@ void View::refine() {
   }
 }
 
-void View::prepare_refining() {
+void Renderer::prepare_refining() {
   if (size_.width == 0 || size_.height == 0) return;
   const PixelRect all = PixelRect::all(size_);
   const PixelRect one{all.x0, all.y0, all.x0 + 1, all.y0 + 1};
@@ -46,7 +46,7 @@ void View::prepare_refining() {
   dirty_.add(one);
 }
 
-void View::refine(const Refinement::Part& part) {
+void Renderer::refine(const Refinement::Part& part) {
   constexpr int scale = Refinement::samples, tile_px = Refinement::tile_px;
   const PixelRect rect = part.rect;
   fine_.resize({tile_px * scale, tile_px * scale});

@@ -1,0 +1,16 @@
+// A document with what is found in it. What is hidden and the feed of changes belong to it, too.
+#pragma once
+
+#include <memory>
+
+#include "app/editor/session/findings.h"
+#include "ryosen/document/document.h"
+
+namespace ryosen {
+
+struct OpenDocument {
+  std::unique_ptr<Document> document;
+  std::unique_ptr<Findings> findings;  // reads the document, so that it ends first
+};
+
+}  // namespace ryosen

@@ -11,6 +11,9 @@ namespace ryosen::test {
 
 inline bool is_long_run() { return std::getenv("RYOSEN_LONG") != nullptr; }
 
+// Whether only a sample is tried, which need not meet everything.
+inline bool is_sample() { return !is_long_run() && std::getenv("RYOSEN_ONE_OF"); }
+
 // Of `few` seeds those that this run tries, or all `many` of a long run; one at least.
 inline std::uint64_t seed_count(std::uint64_t few, std::uint64_t many) {
   if (is_long_run()) return many;

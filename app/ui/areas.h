@@ -1,4 +1,4 @@
-// Which part of a window is the view's, and which the columns'.
+// Which part of a window is the views', and which the columns'. Session::place_view divides the former.
 #pragma once
 
 #include "app/editor/preferences/layout.h"

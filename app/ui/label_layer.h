@@ -20,8 +20,8 @@ class LabelLayer {
 
   // Of the display; 1 at first.
   void set_scale(float scale);
-  // Places the labels as they are now and passes them to the renderer: those of the open mesh, or of one that is compared
-  // with.
+  // Places the labels as they are now and passes them to the renderer: those of the open mesh, or of one that is
+  // compared with.
   void follow(Session& session, Renderer& renderer);
   void follow(const SeenMesh& compared, Renderer& renderer);
 

@@ -1,5 +1,5 @@
-// The overlays of the view's layers: highlights, selection, hovered element and preview. `places`: where the vertices are
-// drawn.
+// The overlays of the view's layers: highlights, selection, hovered element and preview. `places`: where the vertices
+// are drawn.
 #pragma once
 
 #include <glm/vec3.hpp>

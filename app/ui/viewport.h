@@ -1,4 +1,4 @@
-// The drawn view of a mesh in space: passes changes of mesh, highlights, selection and hover preview to the renderer.
+// Draws what MeshView picks in: passes changes of a mesh, its highlights, selection and hover preview to the renderer.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +65,7 @@ class Viewport {
   Renderer& renderer() { return *renderer_; }
   // That of a mesh that is compared with, as of the last follow(); null where there is none.
   Viewport* compared() { return compared_.get(); }
-  // All views with their places in the picture.
+  // The picture of the mesh, and of one that is compared with, with their places in the window.
   std::vector<Canvas::Placed> placed() const;
 
  private:

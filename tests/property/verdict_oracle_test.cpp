@@ -105,7 +105,7 @@ PolygonList random_list(std::uint64_t seed) {
 }
 
 TEST(verdict_oracle, reading_gives_the_same_copies) {
-  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 20000u : 6000u); ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 20000u : 3000u); ++seed) {
     const PolygonList points = random_list(seed);
     const oracle::CopyList expected = oracle::read_copies(points);
     const Mesh mesh = kernel_mesh(points, seed);
@@ -119,7 +119,7 @@ TEST(verdict_oracle, reading_gives_the_same_copies) {
 TEST(verdict_oracle, every_operation_on_every_edge) {
   std::uint64_t meshes = 0;
   int verdicts = 0, reports = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 20000 : 2500;
+  const std::uint64_t seeds = test::is_long_run() ? 20000 : 1200;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     const Mesh mesh = kernel_mesh(points, seed);

@@ -150,7 +150,7 @@ std::size_t bytes_in_use() { return mallinfo2().uordblks; }
 
 TEST_P(MonkeyTest, breaks_nothing_and_all_is_undone) {
   const unsigned seed = 20261123;
-  const int rounds = test::is_long_run() ? 10 : 2, events = test::is_long_run() ? 1000 : 500;
+  const int rounds = test::is_long_run() ? 10 : 1, events = test::is_long_run() ? 1000 : 500;
   RecordProperty("seed", static_cast<int>(seed));
   Monkey monkey(*session_, seed);
   std::size_t edits = 0, bytes = 0;

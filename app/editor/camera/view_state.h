@@ -1,5 +1,5 @@
-// The state of a view: camera, size, settings, and what it shows of the mesh. A session has one, and its mesh beside
-// another.
+// The state of a view in space: camera, place in the picture, settings, and what it shows of the mesh. The open mesh has
+// one, and a mesh that is compared with another.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -57,7 +57,7 @@ Outcome run_drag(Session& session, Words arguments, std::string_view) {
 }
 
 Outcome run_gesture(Gesturing& gesturing, Words arguments, std::string_view) {
-  if (arguments.size() == 1 && arguments[0] == "extrude") return gesturing.begin_pull();
+  if (arguments.size() == 1 && arguments[0] == "extrude") return gesturing.begin_extrusion();
   if (arguments.size() == 1 && arguments[0] == "split") return gesturing.begin_split();
   if (arguments.size() == 1 && arguments[0] == "duplicate") return gesturing.begin_copy();
   const std::string_view kinds[] = {"move", "turn", "scale"}, axes[] = {"x", "y", "z", "normal", "yz", "zx", "xy"};

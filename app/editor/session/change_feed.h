@@ -1,5 +1,5 @@
-// The changes of a mesh that is shown, for any number of readers, each at its own pace. Each document has one feed;
-// only the thread of the frames writes and reads it.
+// The changes of a mesh that is shown, for any number of views, each at its own pace. Each document has one feed, in its
+// findings; only the thread of the frames writes and reads it.
 #pragma once
 
 #include <cstdint>

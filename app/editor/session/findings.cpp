@@ -16,6 +16,10 @@ Findings::Findings(const Document& document, const ViewState& view, const Prefer
   changes_.begin(document.serial());
 }
 
+void Findings::take_views_of(const Findings& other) {
+  views_.insert(views_.end(), other.views_.begin() + 1, other.views_.end());
+}
+
 void Findings::remove_view(const ViewState& view) { std::erase(views_, &view); }
 
 bool Findings::any_view(bool (*wants)(const ViewState&)) const {
@@ -107,6 +111,7 @@ void Findings::follow_counts(std::size_t transaction, bool is_trial, const Touch
 
 Picker& Findings::picker() {
   if (!picker_) picker_.emplace(mesh(), &hidden_);
+  picker_->set_clip({});
   return *picker_;
 }
 
@@ -153,7 +158,7 @@ void Findings::follow_map_values(std::size_t transaction, bool is_trial) {
     kept.extent.reset();
     const auto changed = kept.values.update(mesh(), document_.journal(), transaction);
     if (!changed) changes_.note_everything();
-    if (changed && picker_) note_coloured(kept.values.map().sort(), *changed);
+    if (changed) note_coloured(kept.values.map().sort(), *changed);
   }
 }
 
@@ -161,7 +166,8 @@ void Findings::note_coloured(Element::Kind sort, std::span<const std::uint32_t> 
   const Mesh& m = mesh();
   const auto note = [&](Face f) {
     if (!f) return;
-    picker_->note_changed(picker_->triangles().slots_of(m, f));
+    changes_.note_face(f.index);
+    if (picker_) picker_->note_changed(picker_->triangles().slots_of(m, f));
   };
   for (const std::uint32_t i : changed) {
     if (sort == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));

@@ -29,13 +29,15 @@ struct EdgeAccount;
 
 class Findings {
  public:
-  // Each is found when it is first asked for. The view and the preferences say which highlights, which values and which
+  // Each is found when it is first asked for. The views and the preferences say which highlights, which values and which
   // normals are wanted. All three outlive it.
   Findings(const Document& document, const ViewState& view, const Preferences& preferences);
 
   // What is found and kept up is what these views show, from the first one on. A view outlives this or is removed.
   void add_view(const ViewState& view) { views_.push_back(&view); }
   void remove_view(const ViewState& view);
+  // The further views of another document, whose place this one takes.
+  void take_views_of(const Findings& other);
 
   const Mesh& mesh() const { return document_.mesh(); }
 
@@ -44,7 +46,7 @@ class Findings {
   // Forgets everything that was found, and shows what was hidden: there was no memory to keep it up to date.
   void forget();
 
-  // What keeps the triangles of the surface and picks; the second as this view cuts the mesh.
+  // What keeps the triangles of the surface and picks; the second as this view cuts the mesh, until either is asked again.
   Picker& picker();
   Picker& picker(const ViewState& view);
   // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.

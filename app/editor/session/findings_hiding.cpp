@@ -52,14 +52,12 @@ void Findings::drop_hidden(Elements& elements) const {
 bool Findings::note_hiding(const HiddenElements::Parts& changed) {
   if (changed.empty()) return false;
   changes_.note_hiding();
+  for (const Face f : changed.faces) changes_.note_face(f.index);
   if (picker_) {
     picker_->update_hidden(mesh(), changed);
     constexpr std::size_t few = 10000;  // more are found in one pass over all triangles
-    for (const Face f : changed.faces) {
-      changes_.note_face(f.index);
-      if (changed.faces.size() > few) continue;
-      picker_->note_changed(picker_->triangles().slots_of(mesh(), f));
-    }
+    for (const Face f : changed.faces)
+      if (changed.faces.size() <= few) picker_->note_changed(picker_->triangles().slots_of(mesh(), f));
   }
   if (highlights_) note_marks(looks_touched(mesh(), changed));
   return true;

@@ -1,4 +1,4 @@
-// A document with what is found in it. What is hidden and the feed of changes belong to it, too.
+// A document with what is found in it; the findings keep what is hidden, too, and the feed of its changes.
 #pragma once
 
 #include <memory>

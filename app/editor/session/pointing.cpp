@@ -44,13 +44,21 @@ const Mesh& Pointing::mesh() const { return session_.mesh(); }
 
 void Pointing::remove(const View& view) {
   if (elsewhere_ && elsewhere_->view == &view) elsewhere_.reset();
-  if (selecting_.hover() && selecting_.hover()->view == &view) selecting_.point_to({});
+  if (selecting_.hover() && selecting_.hover()->view == &view) {
+    selecting_.release_verdict();
+    selecting_.point_to({});
+  }
   std::erase(further_, &view);
 }
 
 View& Pointing::view_at(glm::dvec2 pixel) {
+  session_.compared();  // looks as the view does now
   const auto last = std::find_if(further_.rbegin(), further_.rend(), [&](View* view) { return view->contains(pixel); });
   return last == further_.rend() ? static_cast<View&>(in_space_) : **last;
+}
+
+bool Pointing::is_in_space(glm::dvec2 pixel) const {
+  return std::none_of(further_.begin(), further_.end(), [&](const View* view) { return view->contains(pixel); });
 }
 
 bool Pointing::is_of_open_document(const View& view) const { return &view.document() == &session_.document(); }
@@ -98,12 +106,12 @@ std::optional<CornerAxes> Pointing::axes_in_corner() const {
 }
 
 const AxisEnd* Pointing::axis_end_at(glm::dvec2 pixel) const {
-  const auto axes = axes_in_corner();
+  const auto axes = is_in_space(pixel) ? axes_in_corner() : std::nullopt;
   return axes ? end_at(*axes, pixel - view_.origin) : nullptr;
 }
 
 const HandleRow* Pointing::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
-  if (modifiers.shift || modifiers.alt) return nullptr;
+  if (modifiers.shift || modifiers.alt || !is_in_space(pixel)) return nullptr;
   const auto handles = gizmo();
   const GizmoHandle* const found =
       handles ? ryosen::handle_at(*handles, view_.camera, view_.size, pixel - view_.origin, session_.preferences.size_scale())
@@ -114,8 +122,7 @@ const HandleRow* Pointing::handle_at(glm::dvec2 pixel, Modifiers modifiers) cons
 // The arrow that a click would select, whatever the mode; null where it would not select one.
 const LinkArrow* Pointing::arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers) {
   const bool selects = !info && selecting_.asked_line.empty() && !modifiers.shift && !modifiers.ctrl && !modifiers.alt;
-  if (!selects || &view_at(pixel) != &in_space_ || session_.findings().preparing() ||
-      session_.shown.by() != ShownBy::document)
+  if (!selects || !is_in_space(pixel) || session_.findings().preparing() || session_.shown.by() != ShownBy::document)
     return nullptr;
   return view_.links.at(session_, pixel - view_.origin);
 }
@@ -131,15 +138,13 @@ void Pointing::look_at(glm::dvec2 pixel, Modifiers modifiers) {
   hover.pixel = pixel;
   hover.modifiers = modifiers;
   if (!is_of_open_document(view)) {
-    const auto picked = reached(view, pixel, selecting_.pointed_sort(), session_.preferences);
-    if (picked) hover.picked = *picked, elsewhere_ = hover;
+    if (const auto picked = reached(view, pixel, selecting_.pointed_sort(), session_.preferences))
+      elsewhere_ = Pointed{&view.document(), &view, pixel, *picked};
     return;
   }
-  if (&view == &in_space_) {
-    pointed_axis_end_ = axis_end_at(pixel);
-    pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
-    if (pointed_handle_ || pointed_axis_end_) return;
-  }
+  pointed_axis_end_ = axis_end_at(pixel);
+  pointed_handle_ = pointed_axis_end_ ? nullptr : handle_at(pixel, modifiers);
+  if (pointed_handle_ || pointed_axis_end_) return;
   const OpInfo* info = find_op(selecting_.tool);
   if (const LinkArrow* const arrow = arrow_at(pixel, info, modifiers)) {
     hover.picked = {.element = arrow->halfedge,
@@ -178,8 +183,7 @@ Outcome Pointing::click(glm::dvec2 pixel, const std::string& with_tool, Modifier
   selecting_.release_verdict();
   const View& view = view_at(pixel);
   if (!is_of_open_document(view)) return only_looked_at(view.document());
-  if (const AxisEnd* const end = &view == &in_space_ ? axis_end_at(pixel) : nullptr)
-    return session_.run(line_of(*end, view_.camera));
+  if (const AxisEnd* const end = axis_end_at(pixel)) return session_.run(line_of(*end, view_.camera));
   if (session_.shown.is_replaced()) return session_.shown.refusal();
   if (!selecting_.asked_line.empty() && with_tool.empty()) return answer(session_, pixel);
   const OpInfo* info = find_op(with_tool);
@@ -217,15 +221,17 @@ void Pointing::select_for_menu(glm::dvec2 pixel) {
   session_.run("select " + name_to_select(mesh(), picked->element));
 }
 
+bool Pointing::can_pick_in(const View& view) const {
+  return session_.shown.by() == ShownBy::document && is_of_open_document(view);
+}
+
 std::optional<Picked> Pointing::pick(glm::dvec2 pixel, PickMode what) {
-  const bool is_open = session_.shown.by() == ShownBy::document && is_of_open_document(view_at(pixel));
-  return is_open ? pick_drawn(pixel, what) : std::nullopt;
+  return can_pick_in(view_at(pixel)) ? pick_drawn(pixel, what) : std::nullopt;
 }
 
 std::optional<Picked> Pointing::pick_to_select(glm::dvec2 pixel, PickMode what) {
   View& view = view_at(pixel);
-  const bool is_open = session_.shown.by() == ShownBy::document && is_of_open_document(view);
-  return is_open ? reached(view, pixel, what, session_.preferences) : std::nullopt;
+  return can_pick_in(view) ? reached(view, pixel, what, session_.preferences) : std::nullopt;
 }
 
 std::optional<Picked> Pointing::pick_drawn(glm::dvec2 pixel, PickMode what) {

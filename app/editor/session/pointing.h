@@ -1,5 +1,5 @@
-// What the views have at a pixel, and what the pointer does there. Pixels count from the upper left corner of the picture
-// or window.
+// What the views have at a pixel, and what the pointer does there. Pixels count from the upper left corner of the
+// picture or window.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Pointing {
  public:
   Pointing(Session& session, const OpenDocument& open);
 
-  // A further view in the picture, which lies over the earlier ones. It is removed before it goes.
+  // A further view in the picture: it is asked before the earlier ones where they overlap. It is removed before it goes.
   void add(View& view) { further_.push_back(&view); }
   void remove(const View& view);
   // The view at a pixel; that of the open mesh in space where there is no other.
@@ -66,7 +66,9 @@ class Pointing {
 
  private:
   const Mesh& mesh() const;
+  bool is_in_space(glm::dvec2 pixel) const;  // of the open mesh
   bool is_of_open_document(const View& view) const;
+  bool can_pick_in(const View& view) const;
   void look_at(glm::dvec2 pixel, Modifiers modifiers);
   const LinkArrow* arrow_at(glm::dvec2 pixel, const OpInfo* info, Modifiers modifiers);
   Outcome select_along(glm::dvec2 pixel, Modifiers modifiers);

@@ -45,6 +45,7 @@ void Session::set_document(std::unique_ptr<Document> document, std::optional<std
     trials.let_write();
   };
   auto found = std::make_unique<Findings>(*document, view, preferences);
+  if (open_.findings) found->take_views_of(*open_.findings);
   found->after_search = [this] { gesturing.judge_as_drawn(); };
   trials.forget();
   if (frontend.autosave) frontend.autosave->begin(*document);

@@ -168,13 +168,13 @@ void Gesturing::judge_as_drawn() {
   HighlightSets* const sets = session_.findings().found_highlights();
   if (!ongoing_ || !sets) return;
   Ongoing& g = *ongoing_;
-  if (g.pull && !g.unlisted) {
-    g.unlisted = coincident_by_made(mesh(), sets->problems(), g.pull->first_made);
+  if (g.made && !g.unlisted) {
+    g.unlisted = coincident_by_made(mesh(), sets->problems(), g.made->first_made);
     list_coincident(false);
   }
-  const bool is_unmoved = g.pull && g.transform.does_nothing();
+  const bool is_unmoved = g.made && g.transform.does_nothing();
   const auto judged = [&](const ProblemRow& row, Face f) {
-    if (is_unmoved && std::binary_search(g.pull->made.begin(), g.pull->made.end(), f)) return false;
+    if (is_unmoved && std::binary_search(g.made->faces.begin(), g.made->faces.end(), f)) return false;
     return row.face_at(mesh(), f, g.places);
   };
   judge_faces(*sets, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { session_.findings().changes().note_mark(marked); });
@@ -254,23 +254,23 @@ Outcome Gesturing::end() {
   if (!ongoing_) return {};
   const Ongoing& g = *ongoing_;
   const bool does_nothing = g.transform.does_nothing();
-  if (does_nothing && !g.pull) return give_up();
-  const std::optional<Ongoing::Pull> pull = g.pull;
+  if (does_nothing && !g.made) return give_up();
+  const std::optional<Ongoing::Made> made = g.made;
   const std::string line =
-      !pull          ? g.transform.line(mesh())
-      : does_nothing ? pull->line + pull->by_nothing
-                     : pull->line + format_place(pull->from.value_or(glm::dvec3(0)) + *g.transform.movement());
+      !made          ? g.transform.line(mesh())
+      : does_nothing ? made->line + made->no_way
+                     : made->line + format_place(made->from.value_or(glm::dvec3(0)) + *g.transform.movement());
   cancel();
   Outcome outcome = session_.run(line);
-  if (!outcome.done() || !pull) return outcome;
-  if (!pull->selected.empty()) session_.selecting.selection = pull->selected;
-  if (does_nothing && !pull->made_by_nothing.en.empty()) outcome.say(pull->made_by_nothing);
+  if (!outcome.done() || !made) return outcome;
+  if (!made->selected.empty()) session_.selecting.selection = made->selected;
+  if (does_nothing && !made->unmoved.en.empty()) outcome.say(made->unmoved);
   return outcome;
 }
 
 Outcome Gesturing::give_up() {
   Outcome outcome;
-  if (ongoing_ && ongoing_->pull) outcome.sentence = ongoing_->pull->given_up;
+  if (ongoing_ && ongoing_->made) outcome.sentence = ongoing_->made->given_up;
   cancel();
   return outcome;
 }

@@ -1,6 +1,6 @@
-// Moves, turns or scales the selection by hand, or what an extrusion, a split or a copy makes of it. While that lasts
-// only the view changes; its end is one command.
-// Commands that edit end it without one.
+// Moves, turns or scales points by hand: those of the selection, or of what an extrusion, a split or a copy has made of it
+// before anything moves. While that lasts only the view changes; its end is one command. Commands that edit end it without
+// one.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Gesturing {
 
   Outcome begin(PointTransform::Kind kind);
   // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
-  Outcome begin_pull();
+  Outcome begin_extrusion();
   // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
   Outcome begin_split();
   // Duplicates the selection and moves the copy, in the same way.

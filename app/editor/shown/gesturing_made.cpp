@@ -60,21 +60,21 @@ Outcome Gesturing::begin_copy() {
   }
   begin_with(PointTransform::Kind::move, copy);
   ongoing_->transform.is_part_of({std::string(row.name_en), std::string(row.name_ja)});
-  ongoing_->pull = {.line = "duplicate elements=selected by=",
-                      .by_nothing = "0,0,0",
-                      .made_by_nothing = {"The copy lies exactly on the original; undo takes it away.",
-                                          "複製は元とちょうど重なっています。「元に戻す」で取り消せます。"},
-                      .given_up = {"No copy is left; Enter instead of Esc leaves one in its place.",
-                                   "複製は残していません。その場に残すには Esc ではなく Enter を押します。"},
-                      .first_made = vertices_before,
-                      .selected = copy};
+  ongoing_->made = {.line = "duplicate elements=selected by=",
+                    .no_way = "0,0,0",
+                    .unmoved = {"The copy lies exactly on the original; undo takes it away.",
+                                "複製は元とちょうど重なっています。「元に戻す」で取り消せます。"},
+                    .given_up = {"No copy is left; Enter instead of Esc leaves one in its place.",
+                                 "複製は残していません。その場に残すには Esc ではなく Enter を押します。"},
+                    .first_made = vertices_before,
+                    .selected = copy};
   session_.selecting.selection = copy;  // until the trial ends
   show();    // the copy lies on nothing yet
   return {};
 }
 
 // Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
-Outcome Gesturing::begin_pull() {
+Outcome Gesturing::begin_extrusion() {
   session_.shown.end();
   cancel();
   Elements faces, edges;
@@ -99,20 +99,19 @@ Outcome Gesturing::begin_pull() {
   const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
   begin_with(PointTransform::Kind::move, faces.empty() ? made : faces);
   ongoing_->transform.is_part_of(name_of(info_of(*extrusion.op)));
-  ongoing_->pull = {
-      .line = std::move(line),
-      .by_nothing = "0",
-      .made_by_nothing = {"Extruded by nothing: the new faces have no extent until something is moved or "
-                          "scaled; undo takes them away.",
-                          "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
-                          "「元に戻す」で取り消せます。"},
-      .first_made = before.vertices,
-      .made = new_faces(ongoing_->touched.faces, before),
-      .selected = made};
+  ongoing_->made = {.line = std::move(line),
+                    .no_way = "0",
+                    .unmoved = {"Extruded by nothing: the new faces have no extent until something is moved or "
+                                "scaled; undo takes them away.",
+                                "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
+                                "「元に戻す」で取り消せます。"},
+                    .first_made = before.vertices,
+                    .faces = new_faces(ongoing_->touched.faces, before),
+                    .selected = made};
   if (!faces.empty()) {
     key("N");
   } else {
-    session_.selecting.selection = ongoing_->pull->selected;  // until the trial ends
+    session_.selecting.selection = ongoing_->made->selected;  // until the trial ends
     show();                          // without what has no extent yet
   }
   return outcome;
@@ -142,7 +141,7 @@ Outcome Gesturing::begin_split() {
   const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
   begin_with(PointTransform::Kind::move, {made});
   ongoing_->transform.is_part_of(name_of(SplitEdge::info));
-  ongoing_->pull = {.line = line, .by_nothing = format_double(split.along), .from = place};
+  ongoing_->made = {.line = line, .no_way = format_double(split.along), .from = place};
   return outcome;
 }
 

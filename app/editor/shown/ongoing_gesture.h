@@ -16,16 +16,16 @@ struct Gesturing::Ongoing {
   std::optional<RoundStep> step = {};  // of the ground, in the same way
   glm::dvec2 pixel{0};                 // of the window, where the pointer was last
   Modifiers modifiers = {};
-  struct Pull {
-    std::string line, by_nothing;         // the line that makes it, up to how far, and the words for not at all
+  struct Made {
+    std::string line, no_way;  // the line that makes it, up to how far, as "extrude f3 "; and not at all, as "0"
     std::optional<glm::dvec3> from = {};  // where it takes a place in place of a way, that which the way begins at
-    Text made_by_nothing = {};            // said where it ends without a movement
+    Text unmoved = {};                    // said where it ends without a movement
     Text given_up = {};                   // and where it is given up
     std::uint32_t first_made = no_index;  // of the vertices
-    std::vector<Face> made = {};          // without extent until something is moved; ascending
+    std::vector<Face> faces = {};         // without extent until something is moved; ascending
     Elements selected = {};               // in the end
   };
-  std::optional<Pull> pull = {};  // of one that moves what is made by a line, which is on trial
+  std::optional<Made> made = {};  // of one that moves what is made by a line, which is on trial
   // Points that would be listed as coincident only by what is on trial, once they are known.
   std::optional<std::vector<Vertex>> unlisted = {};
 };

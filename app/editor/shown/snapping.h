@@ -9,7 +9,6 @@ namespace ryosen {
 class Mesh;
 
 class Findings;
-class Pointing;
 struct Preferences;
 struct ViewState;
 

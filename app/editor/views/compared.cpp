@@ -9,7 +9,7 @@ Compared::Compared(std::unique_ptr<Document> document, const Preferences& prefer
   open_.findings = std::make_unique<Findings>(*open_.document, state_, preferences);
 }
 
-SeenMesh Compared::seen() const {
+SeenMesh Compared::seen() {
   return {*open_.document, *open_.findings, state_, preferences_, open_.document->mesh().positions()};
 }
 

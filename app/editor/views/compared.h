@@ -1,5 +1,5 @@
-// A mesh beside the open one in the picture, to be compared with: seen by the same camera in the same way, pointed at, never
-// edited.
+// A mesh beside the open one in the picture, to be compared with: seen by the same camera in the same way, pointed at,
+// never edited.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ class Compared {
   Findings& findings() { return *open_.findings; }
   MeshView& view() { return view_; }
   const ViewState& state() const { return state_; }
-  SeenMesh seen() const;
+  SeenMesh seen();
 
   // Puts its view there in the picture.
   void place(Size size, glm::dvec2 origin);

@@ -18,7 +18,6 @@ class MeshView final : public View {
   // Both are needed as long as the view.
   MeshView(const OpenDocument& open, const ViewState& state) : open_(open), state_(state) {}
 
-  const ViewState& state() const { return state_; }
   const Document& document() const override;
   bool contains(glm::dvec2 pixel) const override;
   // None while a large mesh is prepared in the background.

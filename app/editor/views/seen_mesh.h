@@ -1,5 +1,5 @@
-// A mesh as a view in space shows it: all that its picture and its labels are made from, but for what belongs to the mesh
-// that is edited.
+// A mesh as a view in space shows it: all that its picture and its labels are made from, but for what belongs to the
+// mesh that is edited.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,7 @@
-// A view of a document: a part of the picture that shows it. Each kind of view draws and picks in its own way; what is
-// hovered and selected are elements of the document, so that all its views mark the same.
+// A view of a document: a part of the picture that shows it, and what is under a pixel there. What is hovered and selected
+// are elements of the document, so that all its views mark the same; what has changed is told by `findings().changes()` of
+// the session. Drawing is no part of this, since scripts point and pick without a picture: app/ui draws a view, as
+// viewport.h does that in space, and Session::place_view gives it its place.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -27,8 +29,8 @@ class View {
   virtual const Document& document() const = 0;
   // Whether a pixel of the picture lies in it.
   virtual bool contains(glm::dvec2 pixel) const = 0;
-  // The nearest element of that sort that is drawn within so many pixels of a pixel of the picture; of faces the one there.
-  // None where there is none, and outside the view.
+  // The nearest element of that sort that is drawn within so many pixels of a pixel of the picture; of faces the one
+  // there. None where there is none, and outside the view.
   virtual std::optional<Picked> pick(glm::dvec2 pixel, PickMode what, double radius_px) = 0;
 };
 

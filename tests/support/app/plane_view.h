@@ -1,5 +1,5 @@
-// A small view of a mesh in the plane: from above, with its edges as lines. It shows that another kind of view needs nothing
-// of the one in space: hover, selection and changes come by the session.
+// A small view of a mesh in the plane: from above, with its edges as lines. It shows that another kind of view needs
+// nothing of the one in space: hover, selection and changes come by the session.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // How much the tests try. `tests/run.sh --long` sets RYOSEN_LONG and asks for the long random walks and comparisons. Its
-// short run sets RYOSEN_ONE_OF to a number under the sanitizers, where all is many times slower: there one seed is tried of
-// so many of the other build.
+// short run sets RYOSEN_ONE_OF to a number under the sanitizers, where all is many times slower: there one seed is tried
+// of so many of the other build.
 #pragma once
 
 #include <algorithm>

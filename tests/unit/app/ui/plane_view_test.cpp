@@ -127,8 +127,43 @@ TEST_F(PlaneViewTest, what_follows_edits_is_what_is_drawn_anew) {
     const PlaneView anew(session_, glm::dvec2(400, 20), Size{200, 200}, glm::dvec2(-0.5), n + 1);
     EXPECT_EQ(plane_->draw(), anew.draw()) << "step " << step;
   }
-  EXPECT_LE(plane_->rebuilds(), rebuilds + 10);
+  EXPECT_LE(plane_->rebuilds(), rebuilds + 10) << "but where more has changed than the feed keeps";
   EXPECT_GT(session_.document().history().size(), 20u);
+}
+
+TEST_F(PlaneViewTest, a_movement_by_hand_is_followed_at_each_step) {
+  session_.run("select v30");
+  ASSERT_TRUE(session_.gesturing.begin(PointTransform::Kind::move).done());
+  const Image before = plane_->draw();
+  session_.gesturing.follow(session_.view.origin + glm::dvec2(300, 200), {});
+  plane_->follow();
+  EXPECT_NE(plane_->draw(), before);
+  session_.gesturing.give_up();
+  plane_->follow();
+  EXPECT_EQ(count(plane_->draw(), PlaneView::line), count(before, PlaneView::line));
+}
+
+TEST_F(PlaneViewTest, a_verdict_that_is_held_ends_with_it) {
+  session_.run("tool swap");
+  const glm::dvec2 on_boundary = plane_->pixel_of({3.5, 0});
+  ASSERT_EQ(session_.pointing.click(on_boundary, "swap").exit_code, ExitCode::refused);
+  ASSERT_TRUE(session_.selecting.is_verdict_held());
+  plane_.reset();
+  EXPECT_FALSE(session_.selecting.is_verdict_held());
+  EXPECT_TRUE(session_.run("move_vertex 0 0,0,1").done());
+}
+
+TEST_F(PlaneViewTest, it_hides_handles_that_lie_below_it) {
+  session_.run("select v40");
+  session_.run("gizmo move");
+  ASSERT_TRUE(session_.pointing.gizmo());
+  std::optional<glm::dvec2> at;
+  for (double y = 0; y < 240 && !at; y += 2)
+    for (double x = 0; x < 320 && !at; x += 2)
+      if (session_.pointing.handle_at({x, y}, {})) at = glm::dvec2(x, y);
+  ASSERT_TRUE(at);
+  const PlaneView over(session_, *at - glm::dvec2(10), Size{20, 20}, {0, 0}, n);
+  EXPECT_FALSE(session_.pointing.handle_at(*at, {}));
 }
 
 TEST_F(PlaneViewTest, nothing_of_it_is_left_where_it_goes) {

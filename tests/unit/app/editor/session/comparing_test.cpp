@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "app/editor/camera/navigation.h"
+#include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 
@@ -102,16 +104,60 @@ TEST(comparing, the_wheel_goes_to_what_is_under_the_pointer_in_either_half) {
   Session session(opened("cube.obj"));
   session.place_view({800, 600}, {0, 0});
   ASSERT_TRUE(session.run("compare " + test::asset("cube.obj")).done());
+  const glm::dvec2 other = session.compared()->state().origin;
+  session.run("view top");  // and nothing is drawn between that and the wheel
   const Camera before = session.view.camera;
   const glm::dvec2 here = 0.5 * glm::dvec2(session.view.size.width, session.view.size.height) + glm::dvec2(20, 30);
   Navigation navigation;
   navigation.wheel(session, here, 2);
   const Camera left = session.view.camera;
   session.view.camera = before;
-  navigation.wheel(session, here + session.compared()->state().origin, 2);
+  navigation.wheel(session, here + other, 2);
   EXPECT_NE(session.view.camera, before);
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(session.view.camera.eye[k], left.eye[k], 1e-9) << "the same mesh, the same camera";
+}
+
+TEST(comparing, points_with_the_camera_as_it_is) {
+  Session session(opened("cube.obj"));
+  session.place_view({800, 600}, {0, 0});
+  ASSERT_TRUE(session.run("compare " + test::asset("cube.obj")).done());
+  const glm::dvec2 other = session.compared()->state().origin;
+  session.run("mode face");
+  for (const char* const line : {"view top", "view left", "view front"}) {
+    session.run(line);
+    const glm::dvec2 here = 0.5 * glm::dvec2(session.view.size.width, session.view.size.height) + glm::dvec2(5, 9);
+    session.pointing.point_at(here);
+    ASSERT_TRUE(session.pointing.pointed());
+    const Element in_open = session.pointing.pointed()->picked.element;
+    session.pointing.point_at(here + other);
+    ASSERT_TRUE(session.pointing.pointed());
+    EXPECT_EQ(session.pointing.pointed()->picked.element, in_open) << line;
+    EXPECT_EQ(session.pointing.pointed()->document, &session.compared()->document());
+  }
+}
+
+TEST(comparing, labels_of_the_other_are_in_the_language_and_of_its_own_elements) {
+  Session session(opened("cube.obj"));
+  session.place_view({800, 600}, {0, 0});
+  ASSERT_TRUE(session.run("compare " + test::asset("tetrahedron.off")).done());
+  const auto size_of = [](const std::string& text) { return Size{static_cast<int>(7 * text.size()), 12}; };
+  const auto texts = [&] {
+    std::set<std::string> found;
+    for (const PlacedLabel& label : placed_labels(session.compared()->seen(), size_of, 1)) found.insert(label.text);
+    return found;
+  };
+  EXPECT_FALSE(has_labels(session.compared()->seen()));
+  session.run("numbers vertices");
+  EXPECT_TRUE(has_labels(session.compared()->seen()));
+  EXPECT_TRUE(texts().contains("v3"));
+  EXPECT_FALSE(texts().contains("v7")) << "which the open one has";
+  session.run("numbers off");
+  session.run("colours area");
+  const std::set<std::string> english = texts();
+  EXPECT_FALSE(english.empty());
+  session.run("language ja");
+  EXPECT_NE(texts(), english);
 }
 
 }  // namespace

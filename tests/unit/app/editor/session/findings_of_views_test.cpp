@@ -1,8 +1,11 @@
 // What is found in a mesh serves each of its views: what one shows of it takes nothing from another.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/editor/session/findings.h"
 #include "app/editor/session/session.h"
+#include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {
@@ -17,8 +20,16 @@ class FindingsOfViews : public testing::Test {
   }
   Findings& findings() { return session_.findings(); }
 
-  Session session_{Document::open(test::asset("stanford_bunny.obj")).value()};
+  // Whether the feed says more than what has changed, since it was asked last.
+  bool is_all_anew() {
+    const ChangeFeed::Changes changes = findings().changes().since(seen_);
+    seen_ = changes.now;
+    return changes.everything;
+  }
+
   ViewState second_;
+  Session session_{Document::open(test::asset("stanford_bunny.obj")).value()};
+  ChangeFeed::Cursor seen_;
 };
 
 TEST_F(FindingsOfViews, highlights_are_kept_while_any_shows_them) {
@@ -44,10 +55,13 @@ TEST_F(FindingsOfViews, each_is_coloured_by_its_own_map_and_both_follow_edits) {
   second_.colouring = Colouring{valence, {}};
   const MapValues* const of_first = &findings().map_values(*session_.view.colouring);
   const MapValues* const of_second = &findings().map_values(*second_.colouring);
+  EXPECT_NE(of_first, of_second);
   EXPECT_EQ(&findings().map_values(*session_.view.colouring), of_first) << "kept";
+  is_all_anew();
   ASSERT_TRUE(session_.run("split e0").done());
   EXPECT_EQ(&findings().map_values(*session_.view.colouring), of_first) << "followed, not made anew";
   EXPECT_EQ(&findings().map_values(*second_.colouring), of_second);
+  EXPECT_FALSE(is_all_anew());
   for (const ColourMap* const map : {area, valence}) {
     const MapValues anew(session_.mesh(), *map, 0, nullptr);
     const Colouring colouring{map, {}};
@@ -67,7 +81,6 @@ TEST_F(FindingsOfViews, each_picks_where_it_is_cut_itself) {
   const auto whole = pick(session_.view);
   ASSERT_TRUE(whole);
   ASSERT_TRUE(session_.run("clip view").done());
-  second_.cut.reset();
   const auto cut = pick(session_.view);
   EXPECT_TRUE(!cut || cut->element != whole->element) << "what lay in front is cut off";
   ASSERT_TRUE(pick(second_));
@@ -77,10 +90,43 @@ TEST_F(FindingsOfViews, each_picks_where_it_is_cut_itself) {
 TEST_F(FindingsOfViews, normals_are_kept_while_any_is_smooth) {
   second_.settings.shading = Shading::smooth;
   session_.view.settings.shading = Shading::flat;
-  const CornerNormals* const normals = &findings().corner_normals();
+  findings().corner_normals();
+  is_all_anew();
   ASSERT_TRUE(session_.run("split e0").done());
-  EXPECT_EQ(&findings().corner_normals(), normals);
-  EXPECT_EQ(normals->packed().size(), findings().picker().triangles().slots());
+  EXPECT_FALSE(is_all_anew()) << "followed";
+  EXPECT_EQ(findings().corner_normals().packed().size(), findings().picker().triangles().slots());
+  findings().remove_view(second_);
+  ASSERT_TRUE(session_.run("split e1").done());
+  EXPECT_TRUE(is_all_anew()) << "nobody wants them any more";
+}
+
+TEST_F(FindingsOfViews, another_document_serves_the_same_views) {
+  const HighlightRow& row = *std::find_if(highlight_table().begin(), highlight_table().end(),
+                                          [](const HighlightRow& each) { return each.has_predicate(); });
+  session_.view.highlights.erase(std::string(row.id));
+  second_.highlights.insert(std::string(row.id));
+  ASSERT_TRUE(session_.run("open " + test::asset("cube.obj")).done());
+  EXPECT_TRUE(findings().highlights().keeps(row));
+}
+
+// Nobody has asked for the triangles here.
+TEST(findings, the_feed_tells_what_is_hidden_and_coloured_where_nothing_is_picked) {
+  Session session(Document::open(test::asset("cube.obj")).value());
+  ChangeFeed::Cursor seen = session.findings().changes().since({}).now;
+  const auto faces = [&] {
+    ChangeFeed::Changes changes = session.findings().changes().since(seen);
+    seen = changes.now;
+    EXPECT_FALSE(changes.everything);
+    return changes.faces;
+  };
+  ASSERT_TRUE(session.run("hide f3").done());
+  EXPECT_EQ(faces(), std::vector<std::uint32_t>{3});
+  session.view.colouring = Colouring{find_colour_map("area"), {}};
+  session.findings().map_values(*session.view.colouring);
+  ASSERT_TRUE(session.run("move_vertex 0 5,5,5").done());
+  const std::vector<std::uint32_t> changed = faces();
+  for (const Face f : faces_around(session.mesh(), Vertex(0)))
+    EXPECT_NE(std::find(changed.begin(), changed.end(), f.index), changed.end()) << f.index;
 }
 
 }  // namespace

@@ -1,15 +1,11 @@
-// The mesh beside the open one: its part of the picture, and how it follows the view.
+// The parts that the views have in the picture, and the mesh that is compared with.
 #include <algorithm>
 
 #include "app/editor/session/session.h"
 
 namespace ryosen {
 
-namespace {
-
-constexpr int gap_px = 2;
-
-}  // namespace
+static constexpr int gap_px = 2;  // between the halves
 
 void Session::place_view(Size whole, glm::dvec2 origin) {
   view.size = whole;
@@ -32,10 +28,12 @@ void Session::compare_with(std::unique_ptr<Document> other) {
   if (compared_) whole.width += gap_px + compared_->state().size.width;
   if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
   auto compared = other ? std::make_unique<Compared>(std::move(other), preferences) : nullptr;
+  if (compared) pointing.add(compared->view());  // may find no memory
   end_comparing();
   compared_ = std::move(compared);
+  // Distances are measured from another mesh.
+  if (view.colouring && view.colouring->map->against) open_.findings->changes().note_everything();
   if (compared_) {
-    pointing.add(compared_->view());
     open_.findings->against = &compared_->findings();
     compared_->findings().against = open_.findings.get();
   }

@@ -33,7 +33,7 @@ ctest --test-dir "$root/build/release" --output-on-failure -j "$(($(nproc) + 1))
 
 # The walks again (in a long run also the tests of each class), built by another compiler and under the sanitizers, with
 # the mesh checked after every edit. The oracles and what goes over whole tables or real meshes are slow there and touch
-# nothing that the walks do not. A short run does not optimise, which builds in half the time, tries one seed of eight,
+# nothing that the walks do not. A short run does not optimise, which builds in half the time, tries one seed of 16,
 # and leaves out of undefined behaviour what shows in ASan or costs most to compile.
 sanitizers=address,bool,bounds,builtin,enum,float-cast-overflow,integer-divide-by-zero,nonnull-attribute,return,shift
 sanitizers=$sanitizers,signed-integer-overflow,unreachable
@@ -42,7 +42,7 @@ guided=OFF
 fuzz_seconds=0
 compared=hashes
 optimised="-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0"
-export RYOSEN_ONE_OF=8
+export RYOSEN_ONE_OF=16
 if [ -n "${RYOSEN_LONG:-}" ]; then
   sanitizers=address,undefined
   checked="property core"

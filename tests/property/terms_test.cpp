@@ -144,8 +144,9 @@ TEST(terms, isolated_vertices_are_those_that_can_be_removed) {
       EXPECT_EQ(RemoveVertex{Vertex(i)}.check(mesh).legal(), sets.of(ProblemKind::isolated_vertex).contains(i)) << seed;
     }
   }
-  EXPECT_GT(listed, seeds / 10);
-  EXPECT_GT(ends_of_wires, seeds / 10);
+  if (is_sample()) return;
+  EXPECT_GT(listed, 50u);
+  EXPECT_GT(ends_of_wires, 50u);
 }
 
 }  // namespace

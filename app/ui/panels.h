@@ -1,7 +1,7 @@
 // What a panel is, and what panels share. A new one is one file in panels/, with the state it keeps, and one line in
-// app/editor/preferences/panels.def. It draws itself with Dear ImGui and widgets.h (a curve
-// with log_plot.h, a histogram as ColoursPanel in colours.cpp); what it computes it keeps for a serial number and revision
-// of the document, as that does. While a gesture goes on the mesh has no new revision: what is to follow it compares
+// app/editor/preferences/panels.def. It draws itself with Dear ImGui and widgets.h (a curve with log_plot.h, a
+// histogram as ColoursPanel in colours.cpp); what it computes it keeps for a serial number and revision of the
+// document, as that does. While a gesture goes on the mesh has no new revision: what is to follow it compares
 // Gesturing::step(), too, and reads drawn_positions(). Golden pictures show the panels that are shown at first.
 #pragma once
 

@@ -63,7 +63,7 @@ class Viewport {
   std::size_t rebuilds() const { return rebuilds_; }
 
   Renderer& renderer() { return *renderer_; }
-  // That of a mesh that is compared with, as of the last follow(); null where there is none.
+  // The viewport of a mesh that is compared with, as of the last follow(); null where there is none.
   Viewport* compared() { return compared_.get(); }
   // The picture of the mesh, and of one that is compared with, with their places in the window.
   std::vector<Canvas::Placed> placed() const;

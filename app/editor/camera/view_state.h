@@ -1,5 +1,5 @@
-// The state of a view in space: camera, place in the picture, settings, and what it shows of the mesh. The open mesh has
-// one, and a mesh that is compared with another.
+// The state of a view in space: camera, place in the picture, settings, and what it shows of the mesh. The open mesh
+// has one, and a mesh that is compared with another.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -75,11 +75,11 @@ struct PlacedLabel {
 // Gives the size of a text in pixels.
 using TextSize = std::function<Size(const std::string& text)>;
 
-// Those of all sources that are seen, in full within the view, and do not overlap. `scale` is that of the display. The
+// Labels of all sources that are seen, in full within the view, and do not overlap. `scale` is that of the display. The
 // same session gives the same labels. Cost: those elements that the sources go over, and a ray for each label that has
 // room.
 std::vector<PlacedLabel> placed_labels(Session& session, const TextSize& size_of, double scale);
-// Those of a mesh that is compared with; whether it has any is cheap to ask.
+// Labels of a mesh that is compared with; whether it has any is cheap to ask.
 bool has_labels(const SeenMesh& compared);
 std::vector<PlacedLabel> placed_labels(const SeenMesh& compared, const TextSize& size_of, double scale);
 

@@ -1,4 +1,4 @@
-// The changes of a mesh that is shown, for any number of views, each at its own pace. Each document has one feed, in its
+// The changes of a mesh that is shown, for any number of views, each at its own pace. A document has one feed, in its
 // findings; only the thread of the frames writes and reads it.
 #pragma once
 

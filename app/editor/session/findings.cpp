@@ -22,14 +22,13 @@ void Findings::take_views_of(const Findings& other) {
 
 void Findings::remove_view(const ViewState& view) { std::erase(views_, &view); }
 
-bool Findings::any_view(bool (*wants)(const ViewState&)) const {
+template <class Wants>
+bool Findings::any_view(Wants wants) const {
   return std::any_of(views_.begin(), views_.end(), [&](const ViewState* view) { return wants(*view); });
 }
 
 bool Findings::is_shown(const HighlightRow& row) const {
-  const std::string id(row.id);
-  return std::any_of(views_.begin(), views_.end(),
-                     [&](const ViewState* view) { return view->highlights.contains(id); });
+  return any_view([id = std::string(row.id)](const ViewState& view) { return view.highlights.contains(id); });
 }
 
 bool Findings::needs_corner_normals() const {
@@ -121,8 +120,7 @@ Picker& Findings::picker(const ViewState& view) {
 }
 
 bool Findings::is_coloured_by(const ColourMap& map) const {
-  return std::any_of(views_.begin(), views_.end(),
-                     [&](const ViewState* view) { return view->colouring && view->colouring->map == &map; });
+  return any_view([&](const ViewState& view) { return view.colouring && view.colouring->map == &map; });
 }
 
 Findings::KeptMap& Findings::kept_map(const ColourMap& map) {

@@ -29,11 +29,11 @@ struct EdgeAccount;
 
 class Findings {
  public:
-  // Each is found when it is first asked for. The views and the preferences say which highlights, which values and which
-  // normals are wanted. All three outlive it.
+  // Each is found when it is first asked for. The views and the preferences say which highlights, values and normals
+  // are wanted. All three outlive it.
   Findings(const Document& document, const ViewState& view, const Preferences& preferences);
 
-  // What is found and kept up is what these views show, from the first one on. A view outlives this or is removed.
+  // Another view: what it shows is found and kept up, too. It outlives this or is removed.
   void add_view(const ViewState& view) { views_.push_back(&view); }
   void remove_view(const ViewState& view);
   // The further views of another document, whose place this one takes.
@@ -46,7 +46,7 @@ class Findings {
   // Forgets everything that was found, and shows what was hidden: there was no memory to keep it up to date.
   void forget();
 
-  // What keeps the triangles of the surface and picks; the second as this view cuts the mesh, until either is asked again.
+  // The triangles of the surface, and what picks among them; with a view as that cuts the mesh, until it is asked anew.
   Picker& picker();
   Picker& picker(const ViewState& view);
   // For smooth shading, and where normals of vertices are drawn. Kept up with edits as long as one of them is set.
@@ -127,7 +127,8 @@ class Findings {
     std::optional<MapRange> extent;  // while the values are the same
   };
 
-  bool any_view(bool (*wants)(const ViewState&)) const;
+  template <class Wants>
+  bool any_view(Wants wants) const;  // wants(view)
   bool is_shown(const HighlightRow& row) const;
   bool is_coloured_by(const ColourMap& map) const;
   bool needs_corner_normals() const;

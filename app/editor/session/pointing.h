@@ -1,5 +1,5 @@
-// What the views have at a pixel, and what the pointer does there. Pixels count from the upper left corner of the
-// picture or window.
+// The elements that views have at a pixel, and what the pointer does there. Pixels count from the upper left corner of
+// the picture or window.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Pointing {
  public:
   Pointing(Session& session, const OpenDocument& open);
 
-  // A further view in the picture: it is asked before the earlier ones where they overlap. It is removed before it goes.
+  // A further view in the picture, asked before the earlier ones where they overlap. It is removed before it goes.
   void add(View& view) { further_.push_back(&view); }
   void remove(const View& view);
   // The view at a pixel; that of the open mesh in space where there is no other.
@@ -32,7 +32,7 @@ class Pointing {
   // Hovering. The picker is updated after every edit.
   void point_at(glm::dvec2 pixel, Modifiers modifiers = {});
   void point_away();
-  // What is pointed at in any view, of whatever document; null for nothing.
+  // The element that is pointed at in any view, of whatever document; null for none.
   const Pointed* pointed() const;
   // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
   // pointer is.
@@ -44,7 +44,7 @@ class Pointing {
   std::optional<Picked> pick(glm::dvec2 pixel, PickMode what);
   // What a click there would select: as that edits nothing, it reaches farther on the surface.
   std::optional<Picked> pick_to_select(glm::dvec2 pixel, PickMode what);
-  // What any view draws under a pixel, for who needs its place alone.
+  // The element that any view draws under a pixel, for who needs its place alone.
   std::optional<Picked> pick_drawn(glm::dvec2 pixel, PickMode what);
   // Only the picked element; the others are none.
   OpTarget target_of(const Picked& picked, Modifiers modifiers) const;

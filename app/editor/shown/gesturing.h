@@ -1,6 +1,6 @@
-// Moves, turns or scales points by hand: those of the selection, or of what an extrusion, a split or a copy has made of it
-// before anything moves. While that lasts only the view changes; its end is one command. Commands that edit end it without
-// one.
+// Moves, turns or scales points by hand: those of the selection, or of what an extrusion, a split or a copy has made of
+// it before anything moves. While that lasts only the view changes; its end is one command. Commands that edit end it
+// without one.
 #pragma once
 
 #include <cstdint>

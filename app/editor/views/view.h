@@ -1,6 +1,6 @@
-// A view of a document: a part of the picture that shows it, and what is under a pixel there. What is hovered and selected
-// are elements of the document, so that all its views mark the same; what has changed is told by `findings().changes()` of
-// the session. Drawing is no part of this, since scripts point and pick without a picture: app/ui draws a view, as
+// A view of a document: a part of the picture that shows it, and what is under a pixel there. Elements of the document
+// are hovered and selected, so that all its views mark the same; `findings().changes()` of the session tells what has
+// changed. Drawing is no part of this, since scripts point and pick without a picture: app/ui draws a view, as
 // viewport.h does that in space, and Session::place_view gives it its place.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace ryosen {
 class Document;
 class View;
 
-// What a view has under a pixel.
+// An element that a view has under a pixel.
 struct Pointed {
   const Document* document = nullptr;  // that it is an element of
   const View* view = nullptr;          // that has it there

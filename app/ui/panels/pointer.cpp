@@ -59,7 +59,7 @@ void draw_remedy(PanelContext& context, const Verdict& verdict) {
   if (!chosen.empty()) context.run(chosen);
 }
 
-// What is pointed at of a mesh that is compared with; false where nothing is.
+// The element that is pointed at of a mesh that is compared with; false where none is.
 bool draw_compared(PanelContext& context) {
   const Pointed* const pointed = context.pointing.pointed();
   if (!pointed || pointed->document == &context.document()) return false;

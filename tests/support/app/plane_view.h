@@ -36,7 +36,7 @@ class PlaneView final : public View {
   void follow();
   Image draw() const;
   std::size_t rebuilds() const { return rebuilds_; }
-  // Of the picture that all views share.
+  // The pixel, of the picture that all views share, of a place.
   glm::dvec2 pixel_of(glm::dvec2 place) const;
 
  private:

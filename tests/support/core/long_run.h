@@ -1,6 +1,6 @@
-// How much the tests try. `tests/run.sh --long` sets RYOSEN_LONG and asks for the long random walks and comparisons. Its
-// short run sets RYOSEN_ONE_OF to a number under the sanitizers, where all is many times slower: there one seed is tried
-// of so many of the other build.
+// How much the tests try. `tests/run.sh --long` sets RYOSEN_LONG and asks for the long random walks and comparisons. A
+// short run sets RYOSEN_ONE_OF to a number under the sanitizers, where all is many times slower: one seed of so many is
+// tried there.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline bool is_long_run() { return std::getenv("RYOSEN_LONG") != nullptr; }
 // Whether only a sample is tried, which need not meet everything.
 inline bool is_sample() { return !is_long_run() && std::getenv("RYOSEN_ONE_OF"); }
 
-// Of `few` seeds those that this run tries, or all `many` of a long run; one at least.
+// The number of seeds that this run tries of `few`, or all `many` of a long run; one at least.
 inline std::uint64_t seed_count(std::uint64_t few, std::uint64_t many) {
   if (is_long_run()) return many;
   const char* one_of = std::getenv("RYOSEN_ONE_OF");

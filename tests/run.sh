@@ -55,7 +55,7 @@ fi
 cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ $optimised \
   -DRYOSEN_FUZZ=ON -DRYOSEN_FUZZ_GUIDED=$guided -DRYOSEN_CHECKED=ON -DRYOSEN_SANITIZE=$sanitizers >&2
 for kind in $checked; do
-  build "$root/build/fuzz" "test_$kind" hashes fuzz_targets
+  build "$root/build/fuzz" "test_$kind" hashes fuzz
   ctest --test-dir "$root/build/fuzz" --output-on-failure -j "$(nproc)" --timeout "$seconds" -L "$kind" \
     -E "^oracle_|oracle\.|agrees_on_all_triangle_sets|reasons_table|laws|pinch|real_meshes|shared_meshes|plain_check|[Ff]orms|all_pairs_are_welded|whole_numbers_on_grids"
 done

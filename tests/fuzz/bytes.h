@@ -11,7 +11,7 @@ namespace ryosen::fuzz {
 // Past the end every read gives 0, so each input means something.
 class Bytes {
  public:
-  Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+  explicit Bytes(std::span<const std::uint8_t> all) : rest_(all) {}
 
   bool at_end() const { return rest_.empty(); }
   std::uint8_t byte() {

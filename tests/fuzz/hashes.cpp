@@ -115,7 +115,7 @@ void walk(const std::string& name, Mesh mesh, std::uint64_t seed) {
   Dice dice(seed);
   std::vector<std::uint8_t> data;
   for (std::size_t i = 0; i < bytes_per_walk; ++i) data.push_back(static_cast<std::uint8_t>(dice.below(256)));
-  Bytes bytes(data.data(), data.size());
+  Bytes bytes(data);
   std::uint64_t digest = mesh.hash();
   while (!bytes.at_end()) {
     std::string line;

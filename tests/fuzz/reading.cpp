@@ -62,9 +62,4 @@ std::optional<MeshFile> read_any(const Format& format, std::string_view bytes) {
   return std::move(*file);
 }
 
-int fuzz_reader(std::string_view format, const std::uint8_t* data, std::size_t size) {
-  read_any(*find_format(format), {reinterpret_cast<const char*>(data), size});
-  return 0;
-}
-
 }  // namespace ryosen::fuzz

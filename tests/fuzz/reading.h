@@ -1,4 +1,4 @@
-// What the targets that hand any bytes to a reader have in common.
+// Any bytes read as a file.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,5 @@ namespace ryosen::fuzz {
 // The bytes read as a file of this format, in any case without a crash. A refusal has a code and its sentences; of a
 // file that is read every face is kept or set aside, and what is kept can be connected. None if it is refused.
 std::optional<MeshFile> read_any(const Format& format, std::string_view bytes);
-
-// The body of a target for one reader.
-int fuzz_reader(std::string_view format, const std::uint8_t* data, std::size_t size);
 
 }  // namespace ryosen::fuzz

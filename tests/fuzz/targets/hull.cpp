@@ -7,6 +7,7 @@
 #include "ryosen/hull/hull_steps.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/failure.h"
+#include "tests/fuzz/targets/targets.h"
 #include "tests/support/core/brute_hull.h"
 
 namespace ryosen::fuzz {
@@ -78,13 +79,12 @@ void expect_hull(const std::vector<glm::dvec3>& points, const test::BruteHull& e
 }
 
 }  // namespace
-}  // namespace ryosen::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  ryosen::fuzz::Bytes bytes(data, size);
-  const std::vector<glm::dvec3> points = ryosen::fuzz::points_of(bytes);
-  for (const glm::dvec3& p : points)
-    ryosen::fuzz::tell(std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z));
-  ryosen::fuzz::expect_hull(points, ryosen::fuzz::expected_of(points));
-  return 0;
+void fuzz_hull(Input input) {
+  Bytes bytes(input);
+  const std::vector<glm::dvec3> points = points_of(bytes);
+  for (const glm::dvec3& p : points) tell(std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z));
+  expect_hull(points, expected_of(points));
 }
+
+}  // namespace ryosen::fuzz

@@ -7,6 +7,7 @@
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/reading.h"
+#include "tests/fuzz/targets/targets.h"
 #include "tests/support/core/all_targets.h"
 #include "tests/support/core/file_difference.h"
 
@@ -104,11 +105,10 @@ void round_trip(Bytes choices, std::string_view bytes) {
 }
 
 }  // namespace
-}  // namespace ryosen::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace ryosen::fuzz;
-  const std::size_t head = std::min(size, choice_bytes);
-  round_trip(Bytes(data, head), Bytes(data + head, size - head).rest());
-  return 0;
+void fuzz_round_trip(Input input) {
+  const std::size_t head = std::min(input.size(), choice_bytes);
+  round_trip(Bytes(input.first(head)), Bytes(input.subspan(head)).rest());
 }
+
+}  // namespace ryosen::fuzz

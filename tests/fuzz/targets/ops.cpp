@@ -2,7 +2,6 @@
 // must be sound, every refusal and every way back exact, every logged line replayable.
 #include <cmath>
 
-#include "app/editor/session/session.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/invariants.h"
 #include "ryosen/geometry/is_finite.h"
@@ -13,6 +12,7 @@
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/starts.h"
+#include "tests/fuzz/targets/targets.h"
 #include "tests/support/core/kernel_sum.h"
 
 namespace ryosen::fuzz {
@@ -180,15 +180,14 @@ class Session {
 };
 
 }  // namespace
-}  // namespace ryosen::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace ryosen::fuzz;
-  Bytes bytes(data, size);
+void fuzz_ops(Input input) {
+  Bytes bytes(input);
   const std::size_t number = bytes.below(start_count());
   tell("start " + std::to_string(number));
   Session session(start(number));
   for (std::size_t i = 0; i < most_steps && !bytes.at_end() && !session.is_large(); ++i) session.step(bytes);
   session.finish();
-  return 0;
 }
+
+}  // namespace ryosen::fuzz

@@ -69,6 +69,7 @@ class Remesher {
     double turn_cosine = cosine_of_turn, longest = 0, sine = needle_sine, move_sine = sliver_sine;
     double reach = 1;                                         // of the keeper
     double beside = std::numeric_limits<double>::infinity();  // of the length: how far from the surface faces may lie
+    bool in_two_steps = false;                                // whether its surroundings may change first
     double mended = std::numeric_limits<double>::infinity();  // the length of the edge that goes
   };
 
@@ -99,6 +100,8 @@ class Remesher {
   bool mend_all(Progress& progress, std::size_t& left);
   bool is_short(Edge e, double length) const;
   bool mend_short(Edge e);
+  bool mend_at_once(Edge e);
+  bool mend_in_two_steps(Edge e);
   bool swap_longer(Halfedge h);
   bool is_guarded_swap(Halfedge h) const;
   bool move_apart(Halfedge h);

@@ -19,12 +19,13 @@ constexpr double clearly = 1 + 1e-6;
 // of the surface as it was are left only at last.
 bool Remesher::remove_shortest(Progress& progress) {
   constexpr double any_turn = -2, least = needle_sine, any = std::numeric_limits<double>::infinity();
-  for (const Guard& guard : {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
-                             Guard{cosine_of_turn, 2 * most_, least}, Guard{0.1, 2 * most_, least},
-                             Guard{0.1, 2 * most_, least, least, 1.5, 0.5}, Guard{0.1, any, least, least, 1.5, 0.5},
-                             Guard{any_turn, any, least, least, 1.5, 0.5}, Guard{any_turn, any, least, least, any, 0.5},
-                             Guard{any_turn, 2 * most_, least, least, any, 1},
-                             Guard{any_turn, 2 * most_, least, least, any}, Guard{any_turn, any, 0, 0, any}}) {
+  for (const Guard& guard :
+       {Guard{cosine_of_turn, 0, sliver_sine}, Guard{cosine_of_turn, 0, 0.5 * sliver_sine},
+        Guard{cosine_of_turn, 2 * most_, least}, Guard{0.1, 2 * most_, least},
+        Guard{0.1, 2 * most_, least, least, 1.5, 0.5}, Guard{0.1, any, least, least, 1.5, 0.5},
+        Guard{any_turn, any, least, least, 1.5, 0.5}, Guard{any_turn, any, least, least, any, 0.5},
+        Guard{any_turn, 2 * most_, least, least, any, 1}, Guard{any_turn, 2 * most_, least, least, any},
+        Guard{any_turn, any, 0, 0, any}, Guard{any_turn, any, 0, 0, 1.5, 1, true}, Guard{any_turn, any, 0, 0, any}}) {
     std::size_t left = 0;
     guard_ = guard;
     keeper_.widen(guard.reach);
@@ -66,9 +67,31 @@ std::size_t Remesher::short_edges() const {
 }
 
 bool Remesher::mend_short(Edge e) {
+  if (guard_.reach > 1) guard_.mended = length_of(e);
+  return mend_at_once(e) || (guard_.in_two_steps && mend_in_two_steps(e));
+}
+
+// Swaps an edge beside the short one, or removes a vertex around it, where that opens a way. Steps that open none stay.
+bool Remesher::mend_in_two_steps(Edge e) {
+  const auto is_mended = [&] { return !mesh_.is_alive(e) || !is_short(e, length_of(e)) || mend_at_once(e); };
+  const std::array<Halfedge, 2> sides{halfedge(e), twin(halfedge(e))};
+  for (const Halfedge side : sides) {
+    if (!mesh_.face(side)) continue;
+    for (const Halfedge beside : {mesh_.next(side), mesh_.prev(side)})
+      if (swap_longer(beside) && is_mended()) return true;
+  }
+  std::vector<Vertex> around;
+  for (const Halfedge side : sides)
+    for (const Halfedge h : outgoing(mesh_, mesh_.from(side)))
+      if (edge(h) != e) around.push_back(mesh_.to(h));
+  for (const Vertex v : around)
+    if (mesh_.is_alive(v) && remove_vertex(v) && is_mended()) return true;
+  return false;
+}
+
+bool Remesher::mend_at_once(Edge e) {
   const Halfedge h = halfedge(e);
   const std::array<Halfedge, 2> sides{h, twin(h)};
-  if (guard_.reach > 1) guard_.mended = length_of(e);
   if (!(is_fixed(mesh_.from(h)) && is_fixed(mesh_.to(h))) && try_collapse(e)) return true;
   if (swap_longer(h)) return true;
   for (const Halfedge side : sides)
@@ -96,7 +119,8 @@ bool Remesher::move_apart(Halfedge h) {
     for (const double length : {1.0, 1.1}) {
       const glm::dvec3 way = std::cos(turn_rad) * along + std::sin(turn_rad) * across;
       const auto nearest = target_.nearest(other + length * least_ * clearly * way, normal, nearby_[v.index]);
-      if (!nearest || !(glm::distance(nearest->place, other) >= least_) || !try_move(v, nearest->place, judge_)) continue;
+      if (!nearest || !(glm::distance(nearest->place, other) >= least_) || !try_move(v, nearest->place, judge_))
+        continue;
       wanted_[v.index] = nearest->length;
       nearby_[v.index] = nearest->triangle;
       return true;

@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <glm/common.hpp>
-#include <map>
+#include <numeric>
 #include <string>
+#include <unordered_map>
 
 namespace ryosen::test {
 
@@ -31,10 +33,15 @@ std::u32string without_spaces(std::string_view text) {
 
 DrawnText::DrawnText(const Gui& gui) {
   // A glyph is four vertices; the first has the upper left corner of its picture in the atlas.
-  std::map<std::pair<float, float>, unsigned> letters;
-  for (const ImFont* font : gui.fonts().Fonts)
+  const auto corner_in_atlas = [](float u, float v) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(u)} << 32 | std::bit_cast<std::uint32_t>(v);
+  };
+  std::unordered_map<std::uint64_t, unsigned> letters;
+  for (const ImFont* font : gui.fonts().Fonts) {
+    letters.reserve(letters.size() + static_cast<std::size_t>(font->Glyphs.Size));
     for (const ImFontGlyph& glyph : font->Glyphs)
-      if (glyph.Visible) letters[{glyph.U0, glyph.V0}] = glyph.Codepoint;
+      if (glyph.Visible) letters[corner_in_atlas(glyph.U0, glyph.V0)] = glyph.Codepoint;
+  }
   const ImDrawData& drawn = gui.draw_data();
   for (int i = 0; i < drawn.CmdListsCount; ++i) {
     const ImDrawList& list = *drawn.CmdLists[i];
@@ -43,7 +50,7 @@ DrawnText::DrawnText(const Gui& gui) {
       for (unsigned n = 0; n < command.ElemCount; ++n) {
         const int k = list.IdxBuffer[static_cast<int>(command.IdxOffset + n)] + static_cast<int>(command.VtxOffset);
         if (is_read[static_cast<std::size_t>(k)] || k + 2 >= list.VtxBuffer.Size) continue;
-        const auto letter = letters.find({list.VtxBuffer[k].uv.x, list.VtxBuffer[k].uv.y});
+        const auto letter = letters.find(corner_in_atlas(list.VtxBuffer[k].uv.x, list.VtxBuffer[k].uv.y));
         if (letter == letters.end() || (list.VtxBuffer[k].col & IM_COL32_A_MASK) == 0) continue;
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
@@ -102,9 +109,18 @@ std::string DrawnText::overlapping() const {
     const glm::dvec2 both = glm::min(g.last, h.last) - glm::max(g.first, h.first), size = g.last - g.first;
     return both.x > 0 && both.y > 0 ? both.x * both.y / (size.x * size.y) : 0;
   };
+  std::vector<std::size_t> by_top(glyphs_.size());
+  std::iota(by_top.begin(), by_top.end(), std::size_t{0});
+  std::sort(by_top.begin(), by_top.end(),
+            [&](std::size_t a, std::size_t b) { return glyphs_[a].first.y < glyphs_[b].first.y; });
+  double highest = 0;
+  for (const Glyph& g : glyphs_) highest = std::max(highest, g.last.y - g.first.y);
   return letters_that([&](std::size_t i) {
-    for (std::size_t k = 0; k < glyphs_.size(); ++k)
-      if (k != i && glyphs_[k].window == glyphs_[i].window && share(glyphs_[i], glyphs_[k]) > 0.4) return true;
+    const Glyph& g = glyphs_[i];
+    const auto begins_above = [&](std::size_t k, double y) { return glyphs_[k].first.y < y; };
+    auto at = std::lower_bound(by_top.begin(), by_top.end(), g.first.y - highest, begins_above);
+    for (; at != by_top.end() && begins_above(*at, g.last.y); ++at)
+      if (*at != i && glyphs_[*at].window == g.window && share(g, glyphs_[*at]) > 0.4) return true;
     return false;
   });
 }

@@ -307,11 +307,20 @@ TEST(check, says_when_more_pairs_meet_than_it_lists) {
   std::string stack;
   for (int i = 0; i < 1500; ++i) stack += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
   const std::string path = folder.write("stack.obj", stack);
-  const Json problem = run_program({"check", path, "--json", "--self-intersections"}).line()["problems"][0];
+  ProgramRun run = run_unchecked({"check", path, "--json", "--self-intersections"});
+  // Half a million pairs take long to parse: they are counted, and one is left.
+  const std::string pairs = "\"pairs\":[";
+  const std::size_t begin = run.out.find(pairs) + pairs.size(), end = run.out.find("]]", begin) + 1;
+  ASSERT_LT(begin, end);
+  const auto pair_count = std::count(run.out.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     run.out.begin() + static_cast<std::ptrdiff_t>(end), '[');
+  run.out.erase(begin, run.out.rfind('[', end) - begin);
+  const Json problem = run.line()["problems"][0];
   EXPECT_EQ(problem["kind"], "self_intersection");
   EXPECT_EQ(problem["count"], 1500);
-  const std::string listed = std::to_string(problem["pairs"].size()), all = std::to_string(1500 * 1499 / 2);
-  EXPECT_GT(problem["pairs"].size(), 500000u);
+  EXPECT_EQ(problem["pairs"].size(), 1u);
+  const std::string listed = std::to_string(pair_count), all = std::to_string(1500 * 1499 / 2);
+  EXPECT_GT(pair_count, 500000);
   EXPECT_EQ(problem["complete"], false);
   EXPECT_NE(problem["en"].get<std::string>().find("Of " + all + " pairs " + listed + " are listed."),
             std::string::npos);

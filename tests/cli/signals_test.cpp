@@ -115,7 +115,7 @@ TEST(signals, end_every_long_command_soon_and_leave_nothing) {
   std::mt19937 random(seed);
   std::printf("seed %u\n", seed);
   std::fflush(stdout);  // or each process would print it again
-  const int moments = is_long_run() ? 150 : 2;
+  const int moments = is_long_run() ? 150 : 1;
   std::vector<Seconds> times;
   for (const std::vector<std::string>& words : long_lines()) {
     LongCommand command(words);

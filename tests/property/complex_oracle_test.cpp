@@ -385,7 +385,7 @@ class Comparison {
 
 TEST(complex_oracle, every_operator_on_random_complexes) {
   Count count;
-  const std::uint64_t seeds = test::is_long_run() ? 4000 : 40;
+  const std::uint64_t seeds = test::is_long_run() ? 4000 : 16;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) Comparison(seed, count).all();
   std::cout << count.verdicts << " verdicts, " << count.disagreements << " disagreements\n";
   for (const auto& [id, reports] : count.reports) std::cout << id << ": " << reports << " disagreements\n";

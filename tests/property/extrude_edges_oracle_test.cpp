@@ -129,7 +129,7 @@ TEST(extrude_edges_oracle, every_set_of_edges_where_wires_are) {
 
 TEST(extrude_edges_oracle, sets_of_edges_of_random_meshes) {
   SetsOfEdges all;
-  const std::uint64_t seeds = is_long_run() ? 1000 : 12;
+  const std::uint64_t seeds = is_long_run() ? 1000 : 6;
   for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     all.all_sets(make_mesh(random.faces, random.points));

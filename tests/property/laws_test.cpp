@@ -14,6 +14,7 @@
 #include "ryosen/ops/rules/face_lists.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/stated_changes.h"
@@ -24,7 +25,7 @@ namespace {
 using namespace test;
 
 // Enough that every operator is done many times.
-constexpr std::uint64_t law_seeds = 400;
+const std::uint64_t law_seeds = seed_count(150, 400);
 constexpr int tries = 12;  // per operator and mesh
 
 Change difference(const KernelSum& was, const KernelSum& is) {

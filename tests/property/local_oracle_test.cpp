@@ -134,7 +134,7 @@ void report(const std::map<std::string, LocalCount>& counts) {
 
 TEST(local_oracle, every_verdict_and_every_result_on_random_meshes) {
   std::map<std::string, LocalCount> counts;
-  const std::uint64_t seeds = test::is_long_run() ? 6000 : 400;
+  const std::uint64_t seeds = test::is_long_run() ? 6000 : 160;
   for (std::uint64_t seed = 0; seed < seeds && !HasFatalFailure(); ++seed) {
     RandomMesh random = random_mesh(seed);
     LocalComparison comparison(oracle::polygon_list(random.points, std::move(random.faces)), seed);

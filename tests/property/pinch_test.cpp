@@ -9,6 +9,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/rings.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
@@ -103,8 +104,9 @@ Mesh face_and_round_of_wires() {
 
 TEST(pinch, is_warned_of_where_a_point_gets_more_fans_and_nowhere_else) {
   std::map<std::string, std::size_t> count;
-  for (std::uint64_t seed = 0; seed < 160; ++seed) {
-    Mesh first = seed < 150 ? random_complex(seed) : face_and_round_of_wires();
+  const std::uint64_t seeds = seed_count(50, 160);
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    Mesh first = seed < seeds - 5 ? random_complex(seed) : face_and_round_of_wires();
     Dice dice(seed);
     for (std::size_t place = 0; place < all_ops().size(); ++place)
       for (int i = 0; i < 12; ++i) {

@@ -13,6 +13,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/ops/outlook/preview.h"
 #include "ryosen/ops/outlook/remedy.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
@@ -29,7 +30,8 @@ struct Instance {
   AnyOp op;
 };
 
-constexpr std::size_t most_instances = 60;
+// Of each reason so many instances are kept and remedied.
+const std::size_t most_instances = is_long_run() ? 60 : 20;
 
 std::set<Key> listed(RuleSeverity severity) {
   std::set<Key> keys;
@@ -82,7 +84,7 @@ class Survey {
     Dice dice(1);
     for (const Mesh& mesh : registry())
       for (std::size_t place = 0; place < all_ops().size(); ++place)
-        for (int i = 0; i < 40; ++i) ask(mesh, random_op(mesh, place, dice));
+        for (int i = is_long_run() ? 40 : 14; i > 0; --i) ask(mesh, random_op(mesh, place, dice));
     ask_where_chance_does_not_lead(dice);
   }
 
@@ -107,7 +109,7 @@ class Survey {
     ask(hexagon, op_of(hexagon, "split 1-2 1.5"));
     ask(hexagon, op_of(hexagon, "separate_edge 1-2 -0.5"));
     // A corner so near to the edge that the point on it, rounded, lies on the other side.
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = is_long_run() ? 2000 : 400; i > 0; --i) {
       const glm::dvec3 b{1 + dice.unit(), dice.unit(), 0};
       IndexedMesh sliver;
       sliver.positions = {{0, 0, 0}, b, {0.4 * b.x, std::nextafter(0.4 * b.y, dice.one_in(2) ? 0.0 : 9.0), 0}};

@@ -107,7 +107,7 @@ TEST(walk, named_shapes) {
   for (std::uint32_t seed = 1; seed <= seed_count(4, 40); ++seed)
     for (const Polygons& faces : {tetrahedron(), cube(), torus_grid(5, 4), two_quads(), closed_fan(6), bow_tie(), fin(),
                                   moebius_strip(), two_tetrahedra_on_an_edge()})
-      walk(make_mesh(faces), "shape", seed, 400, 2000, count);
+      walk(make_mesh(faces), "shape", seed, is_sample() ? 100 : 400, 2000, count);
   report(count);
 }
 
@@ -138,7 +138,7 @@ TEST(walk, real_meshes) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(shared))
       if (entry.path().extension() == ".off" || entry.path().extension() == ".obj") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
-  const std::size_t steps = (is_long_run() ? 1000000 : 100000) / files.size();
+  const std::size_t steps = (is_long_run() ? 1000000 : 40000) / files.size();
   for (const auto& path : files) {
     Result<MeshFile> file = read_mesh_file(path);
     if (!file || file->mesh.corners.empty()) continue;

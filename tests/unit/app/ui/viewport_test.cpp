@@ -9,6 +9,7 @@
 #include "app/editor/session/session.h"
 #include "render/context/context.h"
 #include "tests/support/app/program.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen {
 namespace {
@@ -91,7 +92,7 @@ TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
     ASSERT_TRUE(session.run(i % 2 == 0 ? "shading flat" : "shading smooth").done());
     viewport_->forget();
     picture(session, "show all");
-    for (int step = 0; step < 60; ++step) {
+    for (int step = 0; step < (test::is_long_run() ? 60 : 30); ++step) {
       // What is hidden, changed and shown again without a picture between is not the same any more.
       if (step % 6 == 2) {
         EXPECT_TRUE(session.run("show creases off").done());
@@ -214,7 +215,7 @@ TEST_F(ViewportTest, a_coloured_surface_follows_edits_as_if_drawn_anew) {
     const Image bare = picture(session, "show all off");
     EXPECT_NE(picture(session, std::string("colours ") + map).pixels, bare.pixels) << map;
     int edits = 0;
-    for (int step = 0; step < 25; ++step) {
+    for (int step = 0; step < (test::is_long_run() ? 25 : 12); ++step) {
       edits += session.run(random_line(session, random)).done();
       const Image followed = picture(session);
       viewport_->forget();

@@ -263,8 +263,8 @@ TEST(overlap_tree, finds_what_asking_all_pairs_finds_in_stacked_cups) {
 // Not as the pairs of cups, of which all boxes overlap.
 TEST(overlap_tree, overlaps_in_stacked_cups_grow_little_faster_than_their_number) {
   for (const double growth : {0.0, 0.02}) {
-    const std::size_t of_few = overlapping_pairs(from_indexed(cups(40, 12, growth).mesh)),
-                      of_many = overlapping_pairs(from_indexed(cups(160, 12, growth).mesh));
+    const std::size_t of_few = overlapping_pairs(from_indexed(cups(24, 12, growth).mesh)),
+                      of_many = overlapping_pairs(from_indexed(cups(96, 12, growth).mesh));
     EXPECT_LT(of_many, 9 * of_few) << growth << ": " << of_few << " and " << of_many;
   }
 }

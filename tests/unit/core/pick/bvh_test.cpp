@@ -11,6 +11,7 @@
 
 #include "ryosen/pick/nearest.h"
 #include "tests/support/core/bvh_inspector.h"
+#include "tests/support/core/long_run.h"
 #include "tests/unit/core/pick/pick_fixtures.h"
 
 namespace ryosen {
@@ -146,7 +147,7 @@ TEST(bvh, random_soups_of_any_size_and_place) {
       ASSERT_EQ(find_defect(bvh, scene.positions), nullptr);
       EXPECT_EQ(bvh.size(), count);
       Comparison comparison(center, size, 5);
-      comparison.rays(bvh, scene, 400);
+      comparison.rays(bvh, scene, test::is_long_run() ? 400 : 150);
       EXPECT_GE(comparison.hits, count >= 300 ? 20 : 0);
       if (size > 1e100 || size < 1e-100) continue;  // squares of lengths leave the double range
       comparison.frustums(bvh, scene, 30);
@@ -343,10 +344,11 @@ TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
   const dvec3 center = (lowest + highest) * 0.5;
   const double size = glm::distance(lowest, highest) * 0.25;
   Comparison comparison(center, size, 9);
-  comparison.rays(bvh, scene, 150);
-  comparison.frustums(bvh, scene, 20);
-  comparison.places(bvh, scene, 20);
-  EXPECT_GT(comparison.hits, 50);
+  const int rays = test::is_long_run() ? 150 : 40, others = test::is_long_run() ? 20 : 6;
+  comparison.rays(bvh, scene, rays);
+  comparison.frustums(bvh, scene, others);
+  comparison.places(bvh, scene, others);
+  EXPECT_GT(comparison.hits, rays / 3);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (std::uint32_t i = 0; i < 20000; ++i) {
@@ -362,8 +364,8 @@ TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
   for (dvec3& p : scene.positions) p += dvec3(unit(random), unit(random), unit(random)) * size * 0.01;
   for (std::uint32_t slot = 0; slot < scene.primitives.size(); ++slot) bvh.update(scene.positions, slot);
   ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
-  comparison.rays(bvh, scene, 150);
-  comparison.frustums(bvh, scene, 20);
+  comparison.rays(bvh, scene, rays);
+  comparison.frustums(bvh, scene, others);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "ryosen/ops/all.h"
 #include "ryosen/steps/all.h"
 #include "tests/support/core/asset_mesh.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/played_steps.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/random_ops.h"
@@ -258,7 +259,7 @@ TEST(relation_steps, after_every_deletion_every_form_finds_what_the_faces_say) {
     if (mesh.live().faces > 0 && mesh.live().faces < 8 && !mesh.has_rings())
       meshes.emplace_back("seed " + std::to_string(seed), std::move(mesh));
   }
-  std::size_t deletions = 0, answered = 0;
+  std::size_t asked = 0, deletions = 0, answered = 0;
   for (const auto& [name, mesh] : meshes) {
     std::vector<std::string> lines;
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
@@ -266,6 +267,7 @@ TEST(relation_steps, after_every_deletion_every_form_finds_what_the_faces_say) {
     for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) lines.push_back("delete v" + std::to_string(i));
     for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) lines.push_back("delete e" + std::to_string(i));
     for (const std::string& line : lines) {
+      if (!is_long_run() && asked++ % 3 != 0) continue;  // of each mesh others
       const Parsed<AnyOp> op = parse_line(mesh, line);
       Mesh after = mesh;
       if (!op.op || !try_apply(after, nullptr, *op.op)) continue;

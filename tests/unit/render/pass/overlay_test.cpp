@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "tests/support/core/long_run.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {
@@ -79,9 +80,9 @@ void compare(unsigned seed, std::uint32_t most, int steps) {
   EXPECT_EQ(by_parts->read_pixels(), at_once->read_pixels()) << "the whole replaces all parts";
 }
 
-TEST(overlay_parts, look_as_if_drawn_at_once) { compare(1, 12, 150); }
+TEST(overlay_parts, look_as_if_drawn_at_once) { compare(1, 12, test::is_long_run() ? 150 : 60); }
 
-TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, 12); }
+TEST(overlay_parts, large_ones_move_within_the_buffer) { compare(2, 1500, test::is_long_run() ? 12 : 6); }
 
 TEST(overlay_parts, only_what_changed_is_drawn_again) {
   const auto view = front_view(square_scene(1), overlay_size, 2.4);

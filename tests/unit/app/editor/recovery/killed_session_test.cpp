@@ -23,6 +23,7 @@
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen {
 namespace {
@@ -131,7 +132,8 @@ TEST(killed_session, is_recovered_as_it_was_after_the_last_edit) {
 
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
-  constexpr int rounds = 100, signals[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGKILL};
+  const int rounds = test::is_long_run() ? 100 : 50;
+  constexpr int signals[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGKILL};
   int recovered = 0, saved = 0;
   std::vector<std::chrono::duration<double>> times;
   for (int round = 0; round < rounds; ++round) {

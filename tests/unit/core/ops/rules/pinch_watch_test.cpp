@@ -85,7 +85,7 @@ TEST(pinch_watch, costs_what_is_near_the_faces) {
     return watch.looks();
   };
   for (const auto family : {fan, bipyramid, book, book_of_squares, equal_triangles, apex_soup})
-    EXPECT_LE(looks(family(1200)), 5 * looks(family(300))) << "four times the faces";
+    EXPECT_LE(looks(family(800)), 5 * looks(family(200))) << "four times the faces";
 }
 
 }  // namespace

@@ -159,7 +159,9 @@ void prove_on_columns(Mesh& mesh, const AnyOp& op) {
 }
 
 void prove_every_op(const Mesh& mesh, std::map<std::string, Counts>& counts) {
+  std::size_t asked = 0;
   for (const AnyOp& op : all_ops_on(mesh)) {
+    if (is_sample() && asked++ % 3 != 0) continue;
     Mesh copy = mesh;
     Counts& count = counts[std::string(info_of(op).id)];
     if (check(copy, op).legal()) {
@@ -211,7 +213,7 @@ TEST(every_element, every_operator_leaves_sound_columns_and_no_other_trace) {
     ASSERT_NO_FATAL_FAILURE(prove_every_op(meshes[i], counts));
     if (HasFailure()) return;
   }
-  for (std::uint32_t seed = 1; seed <= seed_count(40); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(20, 40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     if (random.points > 9) continue;

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "render/screen.h"
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 
 namespace ryosen {
 

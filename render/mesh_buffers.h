@@ -15,7 +15,7 @@
 #include "render/gl/number_lists.h"
 #include "render/gl/program.h"
 #include "render/screen.h"
-#include "ryosen/pick/surface_triangles.h"
+#include "ryosen/analysis/surface_triangles.h"
 
 namespace ryosen {
 

@@ -8,7 +8,7 @@
 
 #include "render/gl/object.h"
 #include "render/gl/own_memory.h"
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 
 namespace ryosen {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "ryosen/analysis/one_ring_sums.h"
+#include "ryosen/base/column_memory.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/mesh/column_memory.h"
 #include "ryosen/mesh/lookahead.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/outlook/collapsible_edges.h"

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/base/index_set.h"
 
 namespace ryosen {
 

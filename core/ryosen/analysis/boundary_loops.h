@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen {

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/element.h"
 #include "ryosen/base/enum_table.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/message.h"
 #include "ryosen/indexed/indexed.h"
 

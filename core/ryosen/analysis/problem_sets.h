@@ -8,8 +8,8 @@
 
 #include "ryosen/analysis/coincident_points.h"
 #include "ryosen/analysis/edit_reach.h"
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/analysis/problem_kinds.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/journal.h"
 
 namespace ryosen {

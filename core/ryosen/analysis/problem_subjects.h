@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/element.h"
+#include "ryosen/base/index_set.h"
 
 namespace ryosen {
 

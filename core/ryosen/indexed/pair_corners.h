@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/comparison_counter.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/indexed/indexed.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/indexed/indexed.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <utility>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/io/descriptor.h"
 #include "ryosen/io/system_reason.h"
-#include "ryosen/mesh/column_memory.h"
 #include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {

@@ -1,10 +1,10 @@
 // Joining of the builders of the pieces of an OBJ file.
 #include <algorithm>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/release.h"
 #include "ryosen/io/obj_builder.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/geometry/place_hash.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/io/ply_strips.h"
 #include "ryosen/io/ply_values.h"
-#include "ryosen/mesh/column_memory.h"
 #include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/release.h"
 #include "ryosen/io/ply_strips.h"
-#include "ryosen/mesh/column_memory.h"
 #include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {

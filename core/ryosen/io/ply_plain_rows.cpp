@@ -6,9 +6,9 @@
 #include <cstring>
 #include <vector>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <atomic>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/io/place_table.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {

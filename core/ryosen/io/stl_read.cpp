@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstring>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/io/face_list.h"
@@ -11,7 +12,6 @@
 #include "ryosen/io/stl_facets.h"
 #include "ryosen/io/stl_text.h"
 #include "ryosen/io/text_lines.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 namespace {

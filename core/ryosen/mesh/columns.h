@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/handle.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ryosen/analysis/components.h"
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/rules/turn_faces.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/lines/arguments.h"

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/base/element.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/touched.h"
 

@@ -4,9 +4,9 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/mesh/column_memory.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/pick/screen_segment.h"
 #include "ryosen/pick/seen_place.h"

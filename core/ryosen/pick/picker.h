@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/analysis/surface_triangles.h"
 #include "ryosen/base/element.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/base/recent_cells.h"
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/touched.h"
-#include "ryosen/pick/bvh.h"
 #include "ryosen/pick/hidden_elements.h"
 #include "ryosen/pick/screen_region.h"
-#include "ryosen/pick/surface_triangles.h"
 #include "ryosen/view/camera.h"
 #include "ryosen/view/clip_plane.h"
 

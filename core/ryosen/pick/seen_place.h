@@ -1,9 +1,9 @@
 // Whether the surface hides a place from the eye.
 #pragma once
 
+#include "ryosen/geometry/ray.h"
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/pick/bvh.h"
-#include "ryosen/pick/ray.h"
 
 namespace ryosen {
 

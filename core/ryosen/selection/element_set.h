@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "ryosen/analysis/index_set.h"
 #include "ryosen/base/element.h"
+#include "ryosen/base/index_set.h"
 
 namespace ryosen {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "ryosen/geometry/box.h"
-#include "ryosen/pick/ray.h"
+#include "ryosen/geometry/ray.h"
 #include "ryosen/view/size.h"
 
 namespace ryosen {

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "ryosen/pick/ray.h"
+#include "ryosen/geometry/ray.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/analysis/surface_triangles.h"
 #include "ryosen/mesh/touched.h"
-#include "ryosen/pick/surface_triangles.h"
 #include "ryosen/view/file_normals.h"
 
 namespace ryosen {

@@ -1,7 +1,7 @@
 // Holds the nodes, boxes and slots of a tree against what they must be.
 #pragma once
 
-#include "ryosen/pick/bvh.h"
+#include "ryosen/geometry/trees/bvh.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/append_mesh.h"

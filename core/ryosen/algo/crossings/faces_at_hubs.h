@@ -13,9 +13,9 @@
 #include "ryosen/algo/crossings/seen_from.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/triangle_corners.h"
-#include "ryosen/pick/bvh.h"
 
 namespace ryosen {
 

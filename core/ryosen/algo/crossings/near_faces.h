@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "ryosen/algo/crossings/faces_at_hubs.h"
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/triangle_corners.h"
-#include "ryosen/pick/bvh.h"
 
 namespace ryosen {
 

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/frustum.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/triangle_corners.h"
-#include "ryosen/view/frustum.h"
 
 namespace ryosen::seen_from {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ryosen/algo/measure/subtriangles.h"
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ryosen/pick/surface_triangles.h"
+#include "ryosen/analysis/surface_triangles.h"
 
 namespace ryosen {
 

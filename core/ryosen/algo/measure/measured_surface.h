@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/pick/triangle_tree.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ryosen/algo/measure/distance.h"
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen {
 

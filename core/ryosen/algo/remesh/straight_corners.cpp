@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/euler/unite_series.h"
 #include "ryosen/ops/rules/surgery.h"
-#include "ryosen/pick/nearest.h"
 
 namespace ryosen::remesh {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/pick/nearest.h"
+#include "ryosen/geometry/trees/nearest.h"
 
 namespace ryosen::remesh {
 

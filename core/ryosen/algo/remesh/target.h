@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ryosen/algo/remesh/sizing.h"
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen::remesh {
 

@@ -9,10 +9,10 @@
 
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/analysis/box_tree.h"
+#include "ryosen/analysis/surface_triangles.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/pick/ray.h"
-#include "ryosen/pick/surface_triangles.h"
+#include "ryosen/geometry/ray.h"
 
 namespace ryosen {
 

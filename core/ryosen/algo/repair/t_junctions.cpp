@@ -11,8 +11,8 @@
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/place_order.h"
-#include "ryosen/pick/bvh.h"
-#include "ryosen/pick/nearest.h"
+#include "ryosen/geometry/trees/bvh.h"
+#include "ryosen/geometry/trees/nearest.h"
 
 namespace ryosen {
 

@@ -12,7 +12,7 @@
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/simplify/quadric.h"
 #include "ryosen/algo/simplify/scaled_places.h"
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/prefetch.h"
 

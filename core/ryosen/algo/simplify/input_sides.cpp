@@ -3,10 +3,10 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "ryosen/geometry/frustum.h"
 #include "ryosen/geometry/point_triangle.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/triangle_corners.h"
-#include "ryosen/view/frustum.h"
 
 namespace ryosen {
 

@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/pick/bvh.h"
 
 namespace ryosen {
 

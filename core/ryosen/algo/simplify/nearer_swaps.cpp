@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/ops/swap_edge.h"
-#include "ryosen/pick/nearest.h"
 
 namespace ryosen {
 

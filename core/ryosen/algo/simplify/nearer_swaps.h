@@ -6,8 +6,8 @@
 
 #include "ryosen/algo/simplify/collapse_surface.h"
 #include "ryosen/base/progress.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 #include "ryosen/mesh/edit.h"
-#include "ryosen/pick/triangle_tree.h"
 
 namespace ryosen {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/vec4.hpp>
 
+#include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/pick/nearest.h"
 
 namespace ryosen {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "ryosen/algo/subdivide/limit_normals.h"
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/mesh/column_memory.h"
 
 namespace ryosen::subdivide {
 

@@ -6,11 +6,11 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/pick/bvh.h"
 
 namespace ryosen {
 

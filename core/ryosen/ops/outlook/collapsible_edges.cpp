@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/rules/common_neighbours.h"
 #include "ryosen/ops/rules/plain_check.h"

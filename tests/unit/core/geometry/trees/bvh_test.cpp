@@ -1,4 +1,4 @@
-#include "ryosen/pick/bvh.h"
+#include "ryosen/geometry/trees/bvh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <limits>
 #include <set>
 
-#include "ryosen/pick/nearest.h"
+#include "ryosen/geometry/trees/nearest.h"
 #include "tests/support/core/bvh_inspector.h"
 #include "tests/support/core/long_run.h"
-#include "tests/unit/core/pick/pick_fixtures.h"
+#include "tests/unit/core/geometry/trees/pick_fixtures.h"
 
 namespace ryosen {
 namespace {
@@ -220,7 +220,7 @@ TEST(bvh, places_that_are_not_finite_are_left_out_until_they_are) {
 }
 
 // Random edits in step with a plain list.
-void edit_at_random(Bvh& bvh, Scene& scene, std::mt19937& random, int count, double size) {
+void edit_tree_at_random(Bvh& bvh, Scene& scene, std::mt19937& random, int count, double size) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const auto vector = [&] { return dvec3(unit(random), unit(random), unit(random)) * size; };
   for (int i = 0; i < count; ++i) {
@@ -255,7 +255,7 @@ TEST(bvh, stays_right_through_random_edits) {
     bvh.build(scene.positions, scene.primitives);
     std::mt19937 random(seed);
     for (int round = 0; round < 12; ++round) {
-      edit_at_random(bvh, scene, random, 150, 1.0);
+      edit_tree_at_random(bvh, scene, random, 150, 1.0);
       ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
       Comparison comparison(dvec3(0), 1.0, seed + 100);
       comparison.rays(bvh, scene, 60);

@@ -3,9 +3,9 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/interruption.h"
-#include "ryosen/mesh/column_memory.h"
-#include "ryosen/pick/bvh.h"
+#include "ryosen/geometry/trees/bvh.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "ryosen/pick/primitive.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen {
 

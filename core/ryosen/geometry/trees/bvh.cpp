@@ -1,4 +1,4 @@
-#include "ryosen/pick/bvh.h"
+#include "ryosen/geometry/trees/bvh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/pick/nearest.h"
-#include "ryosen/pick/small_stack.h"
+#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/small_stack.h"
 
 namespace ryosen {
 namespace {
 
 // Relative error bound of the float box test.
-constexpr float margin = 0x1p-20f;
+constexpr float ray_margin = 0x1p-20f;
 
 // Relative tolerance of the plane-box test in double.
 constexpr double plane_margin = 0x1p-46;
@@ -35,8 +35,8 @@ struct Bvh::LocalRay {
   LocalRay(const Bvh& bvh, const Ray& ray) : world_length(largest_magnitude(ray.direction)), scale(bvh.scale_) {
     const glm::dvec3 origin = (ray.origin - bvh.origin_) * bvh.scale_;
     const double reach = largest_magnitude(origin);
-    nearest = local_limit(ray.t_min, -margin);
-    farthest = local_limit(ray.t_max, margin);
+    nearest = local_limit(ray.t_min, -ray_margin);
+    farthest = local_limit(ray.t_max, ray_margin);
     // Origin too far away for floats: every box counts as hit (a zero inverse makes all entry parameters zero).
     if (!(reach < 1e15)) {
       nearest = 0.0f;
@@ -44,7 +44,7 @@ struct Bvh::LocalRay {
       unlimited_ = true;
       return;
     }
-    const auto growth = static_cast<float>(reach + bvh.reach_) * margin;
+    const auto growth = static_cast<float>(reach + bvh.reach_) * ray_margin;
     std::array<float, 3> slope{};
     for (std::size_t i = 0; i < 3; ++i) {
       slope[i] = static_cast<float>(ray.direction[static_cast<int>(i)] / world_length);
@@ -64,7 +64,7 @@ struct Bvh::LocalRay {
   }
 
   void shorten(double t) {
-    if (!unlimited_) farthest = local_limit(t, margin);
+    if (!unlimited_) farthest = local_limit(t, ray_margin);
   }
 
   // The parameter at which the ray enters a box, or `missed` (infinity).
@@ -73,7 +73,7 @@ struct Bvh::LocalRay {
     const Float4 b = (node.upper_lanes() - before_highest) * inverse;
     const float start = std::max(largest_of_three(smaller(a, b)), nearest);
     const float end = std::min(smallest_of_three(larger(a, b)), farthest);
-    return start * (1.0f - margin) <= end * (1.0f + margin) ? start : missed;
+    return start * (1.0f - ray_margin) <= end * (1.0f + ray_margin) ? start : missed;
   }
 
   static constexpr float missed = std::numeric_limits<float>::infinity();
@@ -102,7 +102,7 @@ std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray
       const float right = local.enter(node(child + 1));
       const std::uint32_t right_first = right < left ? 1u : 0u;
       if (std::max(left, right) != LocalRay::missed) {
-        stack.push({child + 1 - right_first, std::max(left, right) * (1.0f - margin)});
+        stack.push({child + 1 - right_first, std::max(left, right) * (1.0f - ray_margin)});
       }
       if (std::min(left, right) != LocalRay::missed) {
         here = &node(child + right_first);

@@ -1,4 +1,4 @@
-#include "ryosen/pick/nearest.h"
+#include "ryosen/geometry/trees/nearest.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "ryosen/pick/nearest.h"
+#include "ryosen/geometry/trees/nearest.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/pick/surface_triangles.h"
+#include "ryosen/analysis/surface_triangles.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "ryosen/mesh/column_memory.h"
+#include "ryosen/base/column_memory.h"
 
 #include <cstdint>
 

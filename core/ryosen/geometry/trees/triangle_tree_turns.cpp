@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "ryosen/geometry/box.h"
-#include "ryosen/pick/float_box.h"
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/float_box.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "ryosen/view/frustum.h"
+#include "ryosen/geometry/frustum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -10,12 +10,12 @@
 #include <type_traits>
 #include <vector>
 
-#include "ryosen/analysis/index_set.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/progress.h"
-#include "ryosen/pick/float_box.h"
-#include "ryosen/pick/primitive.h"
-#include "ryosen/pick/ray.h"
-#include "ryosen/view/frustum.h"
+#include "ryosen/geometry/frustum.h"
+#include "ryosen/geometry/ray.h"
+#include "ryosen/geometry/trees/float_box.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "ryosen/pick/ray.h"
+#include "ryosen/geometry/ray.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "ryosen/pick/bvh.h"
-#include "ryosen/pick/small_stack.h"
+#include "ryosen/geometry/trees/bvh.h"
+#include "ryosen/geometry/trees/small_stack.h"
 
 namespace ryosen {
 namespace {

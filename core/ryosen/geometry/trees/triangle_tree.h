@@ -10,10 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/geometry/point_triangle.h"
-#include "ryosen/mesh/column_memory.h"
-#include "ryosen/pick/primitive.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen {
 

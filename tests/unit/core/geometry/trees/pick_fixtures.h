@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ryosen/pick/primitive.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen::test {
 

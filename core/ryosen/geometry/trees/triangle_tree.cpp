@@ -1,4 +1,4 @@
-#include "ryosen/pick/triangle_tree.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include "ryosen/base/interruption.h"
 #include "ryosen/geometry/box.h"
-#include "ryosen/pick/float_box.h"
-#include "ryosen/pick/small_stack.h"
+#include "ryosen/geometry/trees/float_box.h"
+#include "ryosen/geometry/trees/small_stack.h"
 
 namespace ryosen {
 

@@ -4,6 +4,7 @@
 
 #include "render/renderer.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "app/editor/session/session.h"
 #include "ryosen/analysis/problems.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/middle.h"
 #include "ryosen/mesh/names.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/editor/commands/script.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/ops/op.h"
 
 namespace ryosen {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/face_polygon.h"
 
 namespace ryosen {

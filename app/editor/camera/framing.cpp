@@ -10,6 +10,7 @@
 #include "app/editor/textbook/playing.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/pick/screen_segment.h"
 
 namespace ryosen {

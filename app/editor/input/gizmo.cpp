@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/editor/input/axis_letters.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 

@@ -6,6 +6,7 @@
 #include "app/editor/camera/framing.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 

@@ -8,6 +8,7 @@
 
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"

@@ -1,4 +1,5 @@
 #include "ryosen/pick/screen_segment.h"
+#include "ryosen/geometry/unit_vector.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

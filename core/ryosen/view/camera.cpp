@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 namespace {
@@ -19,20 +20,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov_y_deg) / 2); }
 
 double target_depth(const Camera& camera) { return length_of(camera.target - camera.eye); }
-
-double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-// Such that 2^-exponent brings the vector to about unit size.
-int exponent_of(const glm::dvec3& v) {
-  int exponent = 0;
-  std::frexp(largest_of(v), &exponent);
-  return exponent;
-}
-
-// Times a power of two: exact, but for numbers too large or too small.
-glm::dvec3 scaled(const glm::dvec3& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
 
 glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle_rad) {
   return glm::dvec3(glm::rotate(glm::dmat4(1.0), angle_rad, axis) * glm::dvec4(vector, 0.0));
@@ -58,7 +45,7 @@ Extent extent_of(std::span<const glm::dvec3> points, const CameraAxes& a, const 
   const bool is_usual = std::abs(exponent) < 1000;
   const double factor = is_usual ? std::ldexp(1.0, -exponent) : 1.0;
   for (const glm::dvec3& point : points) {
-    const glm::dvec3 p = is_usual ? (point - origin) * factor : scaled(point - origin, -exponent);
+    const glm::dvec3 p = is_usual ? (point - origin) * factor : times_power_of_two(point - origin, -exponent);
     const glm::dvec3 q(glm::dot(p, a.right), glm::dot(p, a.up), glm::dot(p, a.forward));
     if (!is_finite(q)) continue;
     e.low = glm::min(e.low, q);
@@ -87,17 +74,6 @@ Found of_parts(std::span<const glm::dvec3> points, const Of& of, const Unite& un
   for (unsigned t = 1; t < parts; ++t) found[0] = unite(found[0], found[t]);
   return found[0];
 }
-
-}  // namespace
-
-double length_of(const glm::dvec3& vector) {
-  const int exponent = exponent_of(vector);
-  return std::ldexp(glm::length(scaled(vector, -exponent)), exponent);
-}
-
-glm::dvec3 unit_vector(const glm::dvec3& vector) { return glm::normalize(scaled(vector, -exponent_of(vector))); }
-
-namespace {
 
 // From the eye to the target, or half of it where that is more than the largest number.
 glm::dvec3 way_to_target(const Camera& camera) {
@@ -149,14 +125,14 @@ namespace {
 // Where a point lies that is `offset` from the origin in units of 2^exponent. A point beyond the largest number comes back
 // along `way`, which has length 1, as far as it must.
 glm::dvec3 place(const glm::dvec3& origin, const glm::dvec3& offset, int exponent, const glm::dvec3& way) {
-  const glm::dvec3 far_off = scaled(origin, -exponent) + offset;
+  const glm::dvec3 far_off = times_power_of_two(origin, -exponent) + offset;
   const double largest = std::ldexp(std::numeric_limits<double>::max() / 2, -exponent) * 2 * (1 - 1e-9);
   double back = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double beyond = std::abs(far_off[axis]) - largest;
     if (beyond > 0 && far_off[axis] * way[axis] < 0) back = std::max(back, beyond / std::abs(way[axis]));
   }
-  return scaled(far_off + way * back, exponent);
+  return times_power_of_two(far_off + way * back, exponent);
 }
 
 // How much of each half of the view is free, behind the margin: of the whole it is as much on both sides.
@@ -178,7 +154,7 @@ Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double a
   const Box box = bounds_of(points);
   const glm::dvec3 origin = box.middle();
   const glm::dvec3 half_size = 0.5 * box.highest - 0.5 * box.lowest;
-  const int exponent = largest_of(half_size) > 0 ? exponent_of(half_size) : 0;
+  const int exponent = largest_magnitude(half_size) > 0 ? exponent_of(half_size) : 0;
   const Extent e = of_parts<Extent>(
       points, [&](auto part) { return extent_of(part, a, origin, exponent, slopes); }, of_both);
   if (!(e.low.x <= e.high.x)) return result;

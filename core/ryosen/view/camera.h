@@ -15,10 +15,6 @@
 
 namespace ryosen {
 
-// Length and unit vector, robust against overflow and underflow of the squares.
-double length_of(const glm::dvec3& vector);
-glm::dvec3 unit_vector(const glm::dvec3& vector);
-
 // The axis-aligned bounding box of the finite points; a degenerate box at the origin if there are none.
 Box bounds_of(std::span<const glm::dvec3> points);
 

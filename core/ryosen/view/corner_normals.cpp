@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/view/camera.h"
 #include "ryosen/view/packed_normal.h"
 
 namespace ryosen {

@@ -1,4 +1,5 @@
 #include "ryosen/view/named_views.h"
+#include "ryosen/geometry/unit_vector.h"
 
 #include <array>
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 

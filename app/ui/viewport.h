@@ -17,8 +17,8 @@
 #include "app/ui/verdict_layer.h"
 #include "render/canvas.h"
 #include "render/renderer.h"
+#include "ryosen/base/element.h"
 #include "ryosen/pick/picker.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

@@ -9,10 +9,10 @@
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/ops/lines/syntax.h"
 #include "ryosen/selection/element_set.h"
 #include "ryosen/selection/selectors.h"
-#include "ryosen/selection/slot_ranges.h"
 
 namespace ryosen {
 

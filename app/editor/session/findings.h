@@ -17,8 +17,9 @@
 #include "ryosen/algo/measure/other_surface.h"
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
-#include "ryosen/selection/spread.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/view/corner_normals.h"
 
 namespace ryosen {

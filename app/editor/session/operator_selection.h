@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ryosen/base/element.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

@@ -11,7 +11,8 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/selection/slot_ranges.h"
+#include "ryosen/mesh/slot_ranges.h"
+#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

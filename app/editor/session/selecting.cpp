@@ -7,7 +7,7 @@
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/selection/slot_ranges.h"
+#include "ryosen/mesh/slot_ranges.h"
 
 namespace ryosen {
 

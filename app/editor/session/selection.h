@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "ryosen/base/element.h"
 #include "ryosen/base/enum_table.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "ryosen/algo/algorithms.h"
+#include "ryosen/base/element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

@@ -10,8 +10,9 @@
 #include <string>
 
 #include "app/editor/shown/transform_gesture.h"
+#include "ryosen/base/element.h"
 #include "ryosen/document/outcome.h"
-#include "ryosen/selection/spread.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 

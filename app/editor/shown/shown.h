@@ -13,8 +13,8 @@
 #include "ryosen/algo/algorithms.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
-#include "ryosen/selection/spread.h"
 #include "ryosen/view/camera.h"
 
 namespace ryosen {

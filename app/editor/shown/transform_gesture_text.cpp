@@ -3,9 +3,9 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/shown/transform_gesture.h"
+#include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op.h"
-#include "ryosen/selection/slot_ranges.h"
 
 namespace ryosen {
 

@@ -12,10 +12,10 @@
 #include "ryosen/base/split_list.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/lines/syntax.h"
 #include "ryosen/ops/op.h"
-#include "ryosen/selection/slot_ranges.h"
 
 namespace ryosen {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "ryosen/base/handle.h"
 
@@ -26,5 +27,7 @@ struct Element {
 
   friend constexpr auto operator<=>(const Element&, const Element&) = default;
 };
+
+using Elements = std::vector<Element>;
 
 }  // namespace ryosen

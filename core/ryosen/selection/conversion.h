@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "ryosen/base/element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

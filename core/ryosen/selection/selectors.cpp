@@ -14,6 +14,7 @@
 #include "ryosen/ops/op.h"
 #include "ryosen/selection/conversion.h"
 #include "ryosen/selection/element_set.h"
+#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

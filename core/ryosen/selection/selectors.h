@@ -8,9 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
 #include "ryosen/highlights/colour_maps.h"
-#include "ryosen/selection/spread.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 

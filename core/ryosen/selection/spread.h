@@ -13,8 +13,6 @@
 
 namespace ryosen {
 
-using Elements = std::vector<Element>;
-
 // With all neighbours.
 Elements grown(const Mesh& mesh, std::span<const Element> selection);
 // Without the elements that have a neighbour which is not selected.

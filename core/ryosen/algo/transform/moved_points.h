@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/base/element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/selection/spread.h"
 
 namespace ryosen {
 

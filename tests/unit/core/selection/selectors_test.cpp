@@ -7,6 +7,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/selection/spread.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

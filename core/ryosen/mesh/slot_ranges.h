@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "ryosen/selection/spread.h"
+#include "ryosen/base/element.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "ryosen/selection/slot_ranges.h"
+#include "ryosen/mesh/slot_ranges.h"
 
 #include <array>
 #include <charconv>

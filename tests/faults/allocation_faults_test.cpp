@@ -16,7 +16,7 @@
 #include "app/cli/run.h"
 #include "app/cli/signals.h"
 #include "app/editor/session/session.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/faults/failing_memory.h"
 #include "tests/support/core/long_run.h"
 

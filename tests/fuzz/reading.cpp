@@ -1,9 +1,9 @@
 #include "tests/fuzz/reading.h"
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/fuzz/failure.h"
 
 namespace ryosen::fuzz {

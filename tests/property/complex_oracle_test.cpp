@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"

@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"

@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"

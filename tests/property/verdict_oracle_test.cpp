@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/edit.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/split_edge.h"

@@ -8,9 +8,9 @@
 #include <map>
 #include <random>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"

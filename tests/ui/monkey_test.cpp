@@ -12,7 +12,7 @@
 #include "app/editor/input/keys.h"
 #include "app/editor/session/session.h"
 #include "app/ui/headless.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/window_size.h"
 #include "tests/support/core/long_run.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #ifdef RYOSEN_CHECKED
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #endif
 
 namespace ryosen {

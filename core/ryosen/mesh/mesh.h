@@ -28,7 +28,7 @@ namespace ryosen {
 class Mesh {
  public:
   Mesh() = default;
-  // The columns must satisfy the invariants (analysis/invariants.h); ryosen/indexed builds them.
+  // The columns must satisfy the invariants (mesh/invariants.h); ryosen/indexed builds them.
   explicit Mesh(MeshColumns columns) : columns_(std::move(columns)) {}
 
   // Number of slots, live and dead. Handle indices are below these.

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/outlook/preview.h"
 #include "ryosen/ops/outlook/remedy.h"
 #include "tests/fuzz/any_op.h"

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "tests/support/core/kernel_sum.h"

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/oracle/complex.h"

@@ -4,13 +4,13 @@
 
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/algo/repair/pockets.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_meshes.h"
 

@@ -8,10 +8,10 @@
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/run_algorithm.h"
 

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/mesh/names.h"
 #include "tests/support/core/kernel_sum.h"
 

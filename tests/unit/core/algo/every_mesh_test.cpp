@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "ryosen/algo/algorithms.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/random_ops.h"

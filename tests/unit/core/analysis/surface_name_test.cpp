@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/proof.h"

@@ -8,11 +8,11 @@
 #include <random>
 #include <set>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/forms/opposite_array.h"
 #include "ryosen/forms/opposite_map.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::forms {

@@ -8,9 +8,9 @@
 #include <random>
 #include <set>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/forms/dcel.h"
 #include "ryosen/geometry/predicates.h"
+#include "ryosen/mesh/invariants.h"
 
 namespace ryosen {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/bridges.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 
 namespace ryosen {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

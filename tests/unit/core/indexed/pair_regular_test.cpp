@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <random>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/pair_corners.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {

@@ -5,8 +5,8 @@
 #include <array>
 #include <chrono>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"

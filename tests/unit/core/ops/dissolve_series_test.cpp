@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/each.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/random_ops.h"

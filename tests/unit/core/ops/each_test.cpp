@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

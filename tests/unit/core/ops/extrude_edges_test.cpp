@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"

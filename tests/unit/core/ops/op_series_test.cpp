@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/each.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"

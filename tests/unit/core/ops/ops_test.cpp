@@ -2,10 +2,10 @@
 
 #include <glm/geometric.hpp>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/outlook/remedy.h"
 #include "tests/support/core/shapes.h"

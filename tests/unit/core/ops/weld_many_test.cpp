@@ -5,9 +5,9 @@
 #include <map>
 #include <numeric>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/each.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "tests/support/core/long_run.h"

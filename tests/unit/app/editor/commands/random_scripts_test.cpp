@@ -6,7 +6,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"
 #include "tests/support/app/random_lines.h"
 #include "tests/support/core/long_run.h"

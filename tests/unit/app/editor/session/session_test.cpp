@@ -9,7 +9,7 @@
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/input/keys.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

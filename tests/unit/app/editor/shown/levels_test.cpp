@@ -8,7 +8,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

@@ -7,11 +7,11 @@
 
 #include "ryosen/algo/copying/part.h"
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

@@ -9,8 +9,8 @@
 
 #include "ryosen/algo/primitives/primitives.h"
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 

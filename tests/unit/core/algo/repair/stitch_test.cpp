@@ -8,9 +8,9 @@
 
 #include "ryosen/algo/repair/recipe.h"
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/recipe_checks.h"

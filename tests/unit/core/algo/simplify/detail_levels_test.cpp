@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

@@ -9,10 +9,10 @@
 
 #include "ryosen/algo/simplify/plain_collapse.h"
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/plain_check.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ryosen/algo/subdivide/subdivide.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {

@@ -11,12 +11,12 @@
 #include <random>
 
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/analysis/mesh_kind.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/invariants.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"

@@ -5,7 +5,7 @@
 
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/figures.h"
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
 
 namespace ryosen {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "ryosen/analysis/invariants.h"
 #include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/euler/unite_edge.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/random_ops.h"

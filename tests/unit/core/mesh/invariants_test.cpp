@@ -1,5 +1,5 @@
 // Injected corruption: random wrong links are found and named, without a crash or an endless walk.
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/analysis/invariants.h"
+#include "ryosen/mesh/invariants.h"
 
 #include <algorithm>
 #include <cstring>

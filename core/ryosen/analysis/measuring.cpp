@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ryosen/analysis/measures.h"
+#include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/geometry/closest.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"

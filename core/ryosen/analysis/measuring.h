@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/analysis/map_unit.h"
+#include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
-#include "ryosen/highlights/colour_maps.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 

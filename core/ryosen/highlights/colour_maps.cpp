@@ -191,8 +191,6 @@ std::string colour_map_ids() {
   return ids;
 }
 
-std::string_view sign_of(MapUnit unit) { return unit == MapUnit::degrees ? "°" : ""; }
-
 ScopedColourMap::ScopedColourMap(const ColourMap& row) { map_table.add(row); }
 ScopedColourMap::~ScopedColourMap() { map_table.remove_last(); }
 

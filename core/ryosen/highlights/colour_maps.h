@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
+#include "ryosen/analysis/map_unit.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/element.h"
 
 namespace ryosen {
 
-enum class MapUnit : std::uint8_t { none, length, area, degrees, per_length, per_area };  // of the unit of the file
 // linear and ratio go from dark to light, ratio by the logarithm; about_middle goes from one colour over white to another,
 // as far on both sides of `middle`.
 enum class MapScale : std::uint8_t { linear, ratio, about_middle };
@@ -47,8 +47,6 @@ std::span<const ColourMap> colour_maps();
 const ColourMap* find_colour_map(std::string_view id);
 // "edge_length|valence|..."
 std::string colour_map_ids();
-// Behind the number: " deg" and its like, empty for plain numbers and for lengths, which are in the unit of the file.
-std::string_view sign_of(MapUnit unit);
 
 // A row more for as long as this lives; see ScopedHighlight for who may look meanwhile.
 class ScopedColourMap {

@@ -5,7 +5,7 @@
 #include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"

@@ -9,7 +9,7 @@
 #include "app/cli/console.h"
 #include "app/cli/contract/distance.h"
 #include "app/cli/contract/record.h"
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 
 namespace ryosen::cli {
 

@@ -12,7 +12,7 @@
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
 #include "app/editor/texts/measure_text.h"
-#include "ryosen/algo/measure/other_surface.h"
+#include "ryosen/analysis/measure/other_surface.h"
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"

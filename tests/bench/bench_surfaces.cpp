@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "ryosen/algo/measure/distance.h"
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/algo/smooth/smooth.h"
 #include "ryosen/algo/subdivide/subdivide.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ryosen/algo/algorithms.h"
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/ops/all.h"

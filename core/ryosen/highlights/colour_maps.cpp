@@ -7,8 +7,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#include "ryosen/algo/measure/other_surface.h"
 #include "ryosen/analysis/curvature.h"
+#include "ryosen/analysis/measure/other_surface.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/open_table.h"
 #include "ryosen/mesh/circulate.h"

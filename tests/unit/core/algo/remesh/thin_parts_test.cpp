@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "ryosen/algo/crossings/met_places.h"
-#include "ryosen/algo/measure/distance.h"
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/analysis/figures.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/indexed/to_indexed.h"

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "ryosen/algo/measure/distance.h"
 #include "ryosen/algo/simplify/remaining_edges.h"
 #include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/io/formats.h"
 #include "tests/support/core/random_meshes.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/triangle_corners.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/slow_distance.h"

@@ -1,10 +1,10 @@
-#include "ryosen/algo/measure/one_way.h"
+#include "ryosen/analysis/measure/one_way.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/measure/surface_samples.h"
+#include "ryosen/analysis/measure/surface_samples.h"
 #include "ryosen/base/parallel.h"
 
 namespace ryosen {

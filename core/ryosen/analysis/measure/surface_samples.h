@@ -1,9 +1,9 @@
 // A surface measured at samples.
 #pragma once
 
-#include "ryosen/algo/measure/distance.h"
-#include "ryosen/algo/measure/farthest.h"
-#include "ryosen/algo/measure/sampled_piece.h"
+#include "ryosen/analysis/measure/distance.h"
+#include "ryosen/analysis/measure/farthest.h"
+#include "ryosen/analysis/measure/sampled_piece.h"
 
 namespace ryosen {
 

@@ -1,11 +1,11 @@
-#include "ryosen/algo/measure/farthest.h"
+#include "ryosen/analysis/measure/farthest.h"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "ryosen/algo/measure/cut_cell.h"
-#include "ryosen/algo/measure/flat_regions.h"
+#include "ryosen/analysis/measure/cut_cell.h"
+#include "ryosen/analysis/measure/flat_regions.h"
 #include "ryosen/base/parallel.h"
 
 namespace ryosen {
@@ -52,9 +52,9 @@ void look_through(Looked& one, const TriangleTree& to, const FlatRegions* region
   }
 }
 
-class Search {
+class FarthestSearch {
  public:
-  Search(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough)
+  FarthestSearch(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough)
       : farthest_(farthest), to_(to), cells_(cells), enough_(enough) {}
 
   bool run(std::uint64_t most_steps, unsigned threads, Progress& progress) {
@@ -128,7 +128,7 @@ class Search {
 
 bool search_farthest(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough,
                      std::uint64_t most_steps, unsigned threads, Progress& progress) {
-  return Search(farthest, to, cells, enough).run(most_steps, threads, progress);
+  return FarthestSearch(farthest, to, cells, enough).run(most_steps, threads, progress);
 }
 
 }  // namespace ryosen

@@ -1,7 +1,7 @@
 // The distance of the points of one surface from another, in the scale of their trees.
 #pragma once
 
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/cut_cell.h"
+#include "ryosen/analysis/measure/cut_cell.h"
 
 #include <algorithm>
 #include <cmath>

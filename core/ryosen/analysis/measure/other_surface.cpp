@@ -1,8 +1,8 @@
-#include "ryosen/algo/measure/other_surface.h"
+#include "ryosen/analysis/measure/other_surface.h"
 
 #include <limits>
 
-#include "ryosen/algo/measure/cell_bound.h"
+#include "ryosen/analysis/measure/cell_bound.h"
 #include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "ryosen/algo/measure/cell_bound.h"
+#include "ryosen/analysis/measure/cell_bound.h"
 #include "ryosen/base/progress.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ryosen/algo/measure/cell_bound.h"
+#include "ryosen/analysis/measure/cell_bound.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ryosen/algo/measure/subtriangles.h"
+#include "ryosen/analysis/measure/subtriangles.h"
 #include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen {

@@ -1,11 +1,11 @@
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/measure/measured_surface.h"
-#include "ryosen/algo/measure/one_way.h"
+#include "ryosen/analysis/measure/measured_surface.h"
+#include "ryosen/analysis/measure/one_way.h"
 #include "ryosen/base/parallel.h"
 
 namespace ryosen {

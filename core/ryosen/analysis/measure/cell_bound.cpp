@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/cell_bound.h"
+#include "ryosen/analysis/measure/cell_bound.h"
 
 #include <algorithm>
 #include <limits>

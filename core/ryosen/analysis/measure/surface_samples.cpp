@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/surface_samples.h"
+#include "ryosen/analysis/measure/surface_samples.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/algo/measure/cell_bound.h"
+#include "ryosen/analysis/measure/cell_bound.h"
 
 namespace ryosen {
 

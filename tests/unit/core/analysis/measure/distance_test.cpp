@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/distance.h"
+#include "ryosen/analysis/measure/distance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"

@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/flat_regions.h"
+#include "ryosen/analysis/measure/flat_regions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "ryosen/algo/measure/measured_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 
 namespace ryosen {
 

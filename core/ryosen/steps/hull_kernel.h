@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/hull/hull_steps.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/steps/hull/hull_steps.h"
 
 namespace ryosen::steps {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ryosen/hull/hull_steps.h"
+#include "ryosen/steps/hull/hull_steps.h"
 #include "ryosen/steps/sequence.h"
 
 namespace ryosen::steps {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ryosen/hull/affine_basis.h"
-#include "ryosen/hull/step_builder.h"
+#include "ryosen/steps/hull/step_builder.h"
 
 namespace ryosen::hull {
 

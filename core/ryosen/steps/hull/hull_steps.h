@@ -11,8 +11,8 @@
 
 #include "ryosen/base/message.h"
 #include "ryosen/hull/convex_hull.h"
-#include "ryosen/hull/dcel_changes.h"
 #include "ryosen/hull/insertion_order.h"
+#include "ryosen/steps/hull/dcel_changes.h"
 
 namespace ryosen {
 

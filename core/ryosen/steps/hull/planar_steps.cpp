@@ -1,4 +1,4 @@
-#include "ryosen/hull/planar_steps.h"
+#include "ryosen/steps/hull/planar_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ryosen/hull/fan_sectors.h"
-#include "ryosen/hull/step_builder.h"
+#include "ryosen/steps/hull/step_builder.h"
 
 namespace ryosen::hull {
 

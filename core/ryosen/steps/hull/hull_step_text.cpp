@@ -2,7 +2,7 @@
 #include <set>
 
 #include "ryosen/base/count_text.h"
-#include "ryosen/hull/hull_steps.h"
+#include "ryosen/steps/hull/hull_steps.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "ryosen/hull/step_builder.h"
+#include "ryosen/steps/hull/step_builder.h"
 
 #include <algorithm>
 

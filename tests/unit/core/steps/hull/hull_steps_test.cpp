@@ -1,4 +1,4 @@
-#include "ryosen/hull/hull_steps.h"
+#include "ryosen/steps/hull/hull_steps.h"
 
 #include <gtest/gtest.h>
 

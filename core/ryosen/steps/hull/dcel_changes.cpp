@@ -1,4 +1,4 @@
-#include "ryosen/hull/dcel_changes.h"
+#include "ryosen/steps/hull/dcel_changes.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "ryosen/hull/solid_steps.h"
+#include "ryosen/steps/hull/solid_steps.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,10 +1,10 @@
-#include "ryosen/hull/hull_steps.h"
+#include "ryosen/steps/hull/hull_steps.h"
 
 #include <numeric>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/hull/planar_steps.h"
-#include "ryosen/hull/solid_steps.h"
+#include "ryosen/steps/hull/planar_steps.h"
+#include "ryosen/steps/hull/solid_steps.h"
 
 namespace ryosen {
 

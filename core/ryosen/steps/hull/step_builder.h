@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/hull/hull_steps.h"
 #include "ryosen/hull/unite_facets.h"
+#include "ryosen/steps/hull/hull_steps.h"
 
 namespace ryosen::hull {
 

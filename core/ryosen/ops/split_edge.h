@@ -55,14 +55,4 @@ struct SplitEdge {
   double blend(const Mesh& mesh) const;
 };
 
-// Warns of a number that does not lie between 0 and 1.
-void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);
-
-// Inserts a point into all sheets of an edge, with or without cutting the triangles there. Shared by split and
-// separate_edge.
-enum class CutTriangles { no, yes };
-void put_point_into(Edit& edit, Halfedge h, double along, CutTriangles cut, OpEffect& effect);
-// The same at another place, with the values of that point of the edge.
-void put_point_into(Edit& edit, Halfedge h, double along, const glm::dvec3& place, CutTriangles cut, OpEffect& effect);
-
 }  // namespace ryosen

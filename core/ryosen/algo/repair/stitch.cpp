@@ -15,6 +15,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/point_in_edge.h"
 #include "ryosen/ops/split_edge.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/lines/arguments.h"
-#include "ryosen/ops/split_edge.h"
+#include "ryosen/ops/rules/point_in_edge.h"
 
 namespace ryosen {
 

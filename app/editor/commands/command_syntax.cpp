@@ -2,7 +2,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 

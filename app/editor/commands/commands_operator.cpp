@@ -10,7 +10,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/selection/element_set.h"
 
 namespace ryosen {

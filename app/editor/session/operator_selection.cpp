@@ -7,8 +7,8 @@
 #include "app/editor/session/selecting.h"
 #include "ryosen/document/outcome.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/ops/each.h"
-#include "ryosen/ops/lines/syntax.h"
 #include "ryosen/selection/selectors.h"
 
 namespace ryosen {

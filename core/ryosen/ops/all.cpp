@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ryosen/ops/lines/syntax.h"
+
 namespace ryosen {
 
 namespace {
@@ -77,6 +79,16 @@ Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, {"an operator", "演算子を"});
   return parse_op(mesh, words[0], std::span(words).subspan(1));
+}
+
+std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
+  // The operator's own error may be more precise, if its parser gets that far on an empty mesh.
+  Parsed<AnyOp> parsed = parse_op(Mesh(), id, arguments);
+  if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
+  const std::string_view syntax = find_op(id)->syntax;
+  const std::optional<std::size_t> place = first_misfit(syntax, arguments);
+  if (!place) return std::nullopt;
+  return *place < arguments.size() ? not_of_syntax(arguments[*place], syntax) : argument_missing(syntax);
 }
 
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target) {

@@ -7,12 +7,12 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/euler/unite_loop.h"
-#include "ryosen/ops/euler/unite_series.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/plain_faces.h"
 #include "ryosen/ops/rules/shared_chain.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/unite_series.h"
 
 namespace ryosen {
 

@@ -12,11 +12,11 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/ops/euler/unite_series.h"
 #include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/lines/syntax.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/unite_series.h"
 
 namespace ryosen {
 

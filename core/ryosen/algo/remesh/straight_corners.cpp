@@ -9,8 +9,8 @@
 #include "ryosen/algo/repair/flat_faces.h"
 #include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/euler/unite_series.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/unite_series.h"
 
 namespace ryosen::remesh {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "ryosen/ops/all.h"
 #include "ryosen/ops/lines/arguments.h"
 
 namespace ryosen {
@@ -119,16 +118,6 @@ std::optional<std::size_t> first_misfit(std::string_view syntax, std::span<const
   const Places ends = matcher.match(syntax, {0});
   if (ends.contains(words.size())) return std::nullopt;
   return std::max(matcher.farthest(), ends.empty() ? 0 : *ends.rbegin());
-}
-
-std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
-  // The operator's own error may be more precise, if its parser gets that far on an empty mesh.
-  Parsed<AnyOp> parsed = parse_op(empty_mesh(), id, arguments);
-  if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
-  const std::string_view syntax = find_op(id)->syntax;
-  const std::optional<std::size_t> place = first_misfit(syntax, arguments);
-  if (!place) return std::nullopt;
-  return *place < arguments.size() ? not_of_syntax(arguments[*place], syntax) : argument_missing(syntax);
 }
 
 }  // namespace ryosen

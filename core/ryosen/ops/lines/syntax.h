@@ -12,8 +12,6 @@
 #include <span>
 #include <string_view>
 
-#include "ryosen/base/message.h"
-
 namespace ryosen {
 
 // The index of the first word that does not match: words.size() if one is missing, none if all match. Cost: the words
@@ -22,8 +20,5 @@ std::optional<std::size_t> first_misfit(std::string_view syntax, std::span<const
 
 // Whether a word is syntactically a vertex, edge or face name.
 bool is_element_name(std::string_view word);
-
-// What is wrong with the arguments of the operator with this id, on any mesh; none if that depends on the mesh.
-std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments);
 
 }  // namespace ryosen

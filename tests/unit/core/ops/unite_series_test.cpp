@@ -1,4 +1,4 @@
-#include "ryosen/ops/euler/unite_series.h"
+#include "ryosen/ops/unite_series.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen::cli {
 

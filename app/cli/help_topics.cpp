@@ -8,6 +8,7 @@
 #include "app/editor/recovery/recovery.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/practice.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/forms/all.h"
 #include "ryosen/forms/pairing.h"

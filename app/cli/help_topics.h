@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen::cli {

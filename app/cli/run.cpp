@@ -8,7 +8,7 @@
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/subcommand_table.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen::cli {
 

@@ -16,6 +16,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
 #include "ryosen/view/named_views.h"
 // clang-format off

@@ -10,6 +10,7 @@
 #include "app/editor/textbook/playing.h"
 #include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
 

@@ -11,6 +11,7 @@
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
 #include "app/ui/widgets.h"
+#include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {
 

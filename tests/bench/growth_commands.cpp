@@ -1,7 +1,7 @@
 #include "tests/bench/growth_commands.h"
 
 #include "app/cli/algorithm_flags.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/collapse_edge.h"

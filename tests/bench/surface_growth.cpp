@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/indexed/from_indexed.h"

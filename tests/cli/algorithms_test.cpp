@@ -9,6 +9,7 @@
 #include "app/editor/input/keys.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/goal_algorithm.h"
 #include "tests/support/core/scatter_algorithm.h"

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/cli/exit_codes.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/app/contract.h"
 

@@ -13,6 +13,7 @@
 #include <random>
 #include <thread>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/app/contract.h"
 #include "tests/support/app/process.h"

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/give_places.h"
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/algo/repair/pockets.h"

@@ -7,7 +7,7 @@
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -17,6 +17,7 @@
 #include "app/editor/shown/algorithm_preview.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -9,6 +9,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -9,6 +9,7 @@
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/preferences/preferences.h"
 #include "app/editor/session/session.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/ops/groups.h"
 #include "tests/support/app/drawn_text.h"

@@ -9,6 +9,7 @@
 
 #include "app/editor/camera/framing.h"
 #include "app/editor/session/session.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op.h"

@@ -8,6 +8,7 @@
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/view/named_views.h"
 
 namespace ryosen {

@@ -6,6 +6,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/script.h"
 #include "app/editor/commands/words.h"
+#include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {
 

@@ -16,7 +16,7 @@
 
 #include "app/editor/session/owners.h"
 #include "app/editor/shown/effect.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/document/document.h"

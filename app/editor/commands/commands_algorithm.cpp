@@ -10,6 +10,7 @@
 #include "app/editor/session/first_slots.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
+#include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {
 

@@ -7,6 +7,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/io/elements.h"

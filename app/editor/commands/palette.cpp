@@ -12,6 +12,7 @@
 #include "app/editor/session/findings.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/highlights/colour_maps.h"
 #include "ryosen/view/named_views.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/base/split_list.h"
 
 namespace ryosen {

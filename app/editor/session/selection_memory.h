@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/base/element.h"
 #include "ryosen/mesh/mesh.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/view/camera.h"
 
 namespace ryosen {

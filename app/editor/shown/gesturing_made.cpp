@@ -6,6 +6,7 @@
 #include "app/editor/session/first_slots.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"

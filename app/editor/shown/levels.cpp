@@ -6,7 +6,7 @@
 #include "app/editor/session/findings.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/shown/shown.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

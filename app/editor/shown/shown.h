@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/editor/shown/effect.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/element.h"

@@ -14,6 +14,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <imgui_stdlib.h>  // needs imgui.h before it
 

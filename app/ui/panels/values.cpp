@@ -17,6 +17,7 @@
 #include "app/ui/parameter_field.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/base/enum_table.h"
 
 namespace ryosen {

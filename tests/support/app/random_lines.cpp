@@ -4,7 +4,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/highlights/colour_maps.h"
 #include "ryosen/highlights/highlight_table.h"

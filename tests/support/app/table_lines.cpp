@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/cli/subcommand_table.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/core/all_targets.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/ops/op.h"
 
 namespace ryosen::test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/ops/all.h"
 
 namespace ryosen::test {

@@ -1,7 +1,7 @@
 // An algorithm that the program does not have, with one parameter of each kind: its row must be all that anybody needs.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen::test {
 

@@ -1,7 +1,7 @@
 // The primitive that is flat: a grid of quads, which lies as a floor.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

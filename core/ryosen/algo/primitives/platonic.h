@@ -1,7 +1,7 @@
 // The primitives that are the five regular solids.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // The primitives that are round about the Y axis: sphere, cylinder, cone, torus.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/indexed/indexed.h"
 
 namespace ryosen {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -5,6 +5,7 @@
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/orient_faces.h"
+#include "ryosen/algo/repair/repairs.h"
 #include "ryosen/algo/repair/weld_points.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/place_order.h"
@@ -43,7 +44,7 @@ constexpr std::array<WhyOpenRow, 10> why_open_rows{{
 
 // As it stands on its button, and as it is called.
 Text name_of_remedy(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progress&)) {
-  for (const AlgorithmRow& row : algorithm_table()) {
+  for (const AlgorithmRow& row : repair_rows()) {
     if (row.run != run) continue;
     const std::string id = " [" + std::string(row.id) + "]";
     return {"'" + std::string(row.name_en) + "'" + id, "「" + std::string(row.name_ja) + "」" + id};

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/repair/hole_loop.h"
 #include "ryosen/base/message.h"
 #include "ryosen/base/progress.h"

@@ -1,7 +1,7 @@
 // Places for vertices that have none: whose coordinates are no finite numbers.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

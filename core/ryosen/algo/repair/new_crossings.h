@@ -1,7 +1,7 @@
 // Counts what an algorithm made cross.
 #pragma once
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -24,9 +24,9 @@ AlgorithmResult drop_quarantined(Edit&, const AlgorithmInput& input, Progress&) 
 
 }  // namespace
 
-std::vector<AlgorithmRow> repair_rows() {
+const std::vector<AlgorithmRow>& repair_rows() {
   using Kind = ProblemKind;
-  return {
+  static const std::vector<AlgorithmRow> rows{
       {"give_places",
        "Give vertices a place",
        "座標のない頂点の配置",
@@ -161,6 +161,7 @@ std::vector<AlgorithmRow> repair_rows() {
        {Kind::quarantined_face, Kind::degenerate_repeat},
        drop_quarantined},
   };
+  return rows;
 }
 
 }  // namespace ryosen

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 
-std::vector<AlgorithmRow> repair_rows();
+const std::vector<AlgorithmRow>& repair_rows();
 
 }  // namespace ryosen

@@ -6,6 +6,7 @@
 
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/repairs.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
@@ -37,9 +38,9 @@ bool is_for(const RepairCall& call, ProblemKind kind) {
 // Of a kind that these repairs have not taken away.
 Text reason_of(const RepairCall& call, const ProblemRow& kind) {
   Text others;
-  for (const AlgorithmRow& row : algorithm_table()) {
-    const bool is_run =
-        std::any_of(call.steps.begin(), call.steps.end(), [&](const RecipeStep& step) { return step.row == &row; });
+  for (const AlgorithmRow& row : repair_rows()) {
+    const bool is_run = std::any_of(call.steps.begin(), call.steps.end(),
+                                    [&](const RecipeStep& step) { return step.row->id == row.id; });
     if (is_run || !solves(row, kind.kind)) continue;
     others.en += (others.en.empty() ? "" : "\" or \"") + std::string(row.name_en);
     others.ja += (others.ja.empty() ? "" : "」か「") + std::string(row.name_ja);
@@ -83,7 +84,7 @@ void add_found(RepairReport& report, const RepairCall& call, std::span<const Alg
   const FileFaces file{drops_quarantined ? std::span<const QuarantinedFace>() : input.quarantine, {}, nullptr};
   std::vector<Problem> problems = find_problems(after, sets, file);
   std::erase_if(problems, [&](const Problem& problem) {
-    const bool has_repair = std::any_of(algorithm_table().begin(), algorithm_table().end(),
+    const bool has_repair = std::any_of(repair_rows().begin(), repair_rows().end(),
                                         [&](const AlgorithmRow& row) { return solves(row, problem.kind); });
     // Parts that touch keep points at one place for good.
     const bool is_wrong = problem.row().severity == ProblemSeverity::problem;

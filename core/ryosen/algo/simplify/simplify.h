@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/simplify/detail_levels.h"
 
 namespace ryosen {

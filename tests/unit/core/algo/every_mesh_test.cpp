@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/algo/transform/point_transform.h"
 #include "ryosen/mesh/circulate.h"

@@ -6,7 +6,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/sound_value.h"

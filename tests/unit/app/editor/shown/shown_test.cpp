@@ -11,6 +11,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

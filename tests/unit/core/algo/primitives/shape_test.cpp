@@ -1,5 +1,6 @@
 // How primitives come into a mesh: as one entry of the history, beside what is there, or not at all.
 #include "ryosen/algo/primitives/shape.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

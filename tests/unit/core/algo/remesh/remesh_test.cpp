@@ -1,5 +1,6 @@
 // Remeshing: what it keeps to the bit, how even the result is, and that it stays on the surface.
 #include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

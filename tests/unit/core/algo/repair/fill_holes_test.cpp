@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/self_intersections.h"

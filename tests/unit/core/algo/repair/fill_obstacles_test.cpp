@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/fill_holes.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/self_intersections.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/fill_holes.h"
 #include "ryosen/algo/repair/fill_report.h"
 #include "ryosen/analysis/figures.h"

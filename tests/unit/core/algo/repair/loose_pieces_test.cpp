@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/report.h"
 #include "tests/support/core/boxes.h"
 #include "tests/support/core/recipe_checks.h"

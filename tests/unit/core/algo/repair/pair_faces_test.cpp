@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/recipe.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/indexed/from_indexed.h"

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/self_intersections.h"

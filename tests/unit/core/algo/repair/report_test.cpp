@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

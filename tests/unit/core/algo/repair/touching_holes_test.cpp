@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/fill_holes.h"
 #include "ryosen/algo/repair/part_loops.h"
 #include "ryosen/analysis/figures.h"

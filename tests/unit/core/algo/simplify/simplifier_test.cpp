@@ -1,5 +1,6 @@
 // Simplification in hard places: far smaller parts, exact planes, hubs, effort, levels and cancelling.
 #include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

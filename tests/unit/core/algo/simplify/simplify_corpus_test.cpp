@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/io/formats.h"

@@ -1,5 +1,6 @@
 // Simplification: what it promises of every mesh, judged by the plain verdicts and warnings of the kernel's collapse.
 #include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

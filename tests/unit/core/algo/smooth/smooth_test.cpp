@@ -1,5 +1,6 @@
 // Smoothing against closed forms: waves on a closed grid, symmetric solids, cylinders, planes.
 #include "ryosen/algo/smooth/smooth.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

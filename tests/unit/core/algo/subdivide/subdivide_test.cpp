@@ -1,5 +1,6 @@
 // Subdivision against closed forms, counts, an oracle on polygon lists, and its own laws.
 #include "ryosen/algo/subdivide/subdivide.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Every row of the table of algorithms, and one that the program does not have.
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/algo/algorithms.h"
+#include "ryosen/algo/algorithm_table.h"
 
 #include <cassert>
 

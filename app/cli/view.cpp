@@ -1,6 +1,6 @@
 // `view`: the editor's window.
 #include "app/cli/subcommands.h"
-#include "app/window.h"
+#include "app/window/window.h"
 
 namespace ryosen::cli {
 

@@ -1,10 +1,10 @@
-#include "app/glfw_window.h"
+#include "app/window/glfw_window.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/lost_window_manager.h"
-#include "app/window_keys.h"
+#include "app/window/lost_window_manager.h"
+#include "app/window/window_keys.h"
 #include "render/gl/api.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "app/window.h"
+#include "app/window/window.h"
 
 #include <chrono>
 #include <string>
@@ -13,13 +13,13 @@
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
-#include "app/frame_log.h"
-#include "app/glfw_window.h"
-#include "app/opening.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "app/ui/window_input.h"
-#include "app/window_cursor.h"
+#include "app/window/frame_log.h"
+#include "app/window/glfw_window.h"
+#include "app/window/opening.h"
+#include "app/window/window_cursor.h"
 #include "render/canvas.h"
 #include "render/context/context.h"
 #include "render/gl/api.h"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/glfw.h"
-#include "app/window_event.h"
+#include "app/window/glfw.h"
+#include "app/window/window_event.h"
 #include "ryosen/base/result.h"
 #include "ryosen/view/size.h"
 

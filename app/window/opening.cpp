@@ -1,4 +1,4 @@
-#include "app/opening.h"
+#include "app/window/opening.h"
 
 #include <cstdio>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "app/window_cursor.h"
+#include "app/window/window_cursor.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-#include "app/frame_log.h"
+#include "app/window/frame_log.h"
 
 #include <algorithm>
 #include <cstdlib>

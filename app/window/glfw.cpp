@@ -1,4 +1,4 @@
-#include "app/glfw.h"
+#include "app/window/glfw.h"
 
 #include <dlfcn.h>
 

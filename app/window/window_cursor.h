@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "app/glfw.h"
 #include "app/ui/gui.h"
+#include "app/window/glfw.h"
 #include "ryosen/base/enum_table.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "app/lost_window_manager.h"
+#include "app/window/lost_window_manager.h"
 
 #include <dlfcn.h>
 

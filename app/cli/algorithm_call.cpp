@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/cli/json.h"
+#include "app/cli/contract/json.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "app/cli/json.h"
+#include "app/cli/contract/json.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/mesh_kind.h"
 #include "ryosen/analysis/problems.h"

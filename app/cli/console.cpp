@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/cli/json.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/last_words.h"
 #include "app/cli/visible.h"
 #include "app/editor/texts/message_place.h"

@@ -1,10 +1,10 @@
 // `help` and `--version`, read from the table of commands.
-#include "app/cli/columns.h"
 #include "app/cli/contract/help.h"
-#include "app/cli/contract/help_json.h"
+#include "app/cli/columns.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/exit_codes.h"
+#include "app/cli/help_json.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/commands/script.h"
 #include "app/editor/textbook/text_places.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/cli/contract/hull.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/json.h"
 #include "app/cli/write_output.h"
 
 namespace ryosen::cli {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <string>
 
-#include "app/cli/json.h"
+#include "app/cli/contract/json.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/base/out_of_memory.h"
 

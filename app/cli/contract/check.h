@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/shared_shapes.h"
-#include "app/cli/json.h"
 #include "ryosen/analysis/problem_kinds.h"
 
 namespace ryosen::cli {

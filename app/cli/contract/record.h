@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/shape.h"
-#include "app/cli/json.h"
 
 namespace ryosen::cli {
 

@@ -1,4 +1,4 @@
-#include "app/cli/json.h"
+#include "app/cli/contract/json.h"
 
 #include "app/cli/contract/record.h"
 #include "app/cli/contract/shared_shapes.h"

@@ -1,4 +1,4 @@
-#include "app/cli/contract/id_lists.h"
+#include "app/cli/id_lists.h"
 
 #include <array>
 

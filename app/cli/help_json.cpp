@@ -1,11 +1,11 @@
-#include "app/cli/contract/help_json.h"
+#include "app/cli/help_json.h"
 
 #include <algorithm>
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/help.h"
-#include "app/cli/contract/id_lists.h"
 #include "app/cli/contract/record.h"
+#include "app/cli/id_lists.h"
 #include "app/cli/subcommand_table.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/ops/all.h"

@@ -13,7 +13,7 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 #include "app/editor/document/repair_call.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/io/given_back.h"

@@ -5,8 +5,8 @@
 
 #include "app/cli/outputs.h"
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "ryosen/highlights/highlight_table.h"
 #include "ryosen/view/named_views.h"
 

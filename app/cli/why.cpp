@@ -5,7 +5,7 @@
 #include "app/cli/edge_sides.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 #include "ryosen/document/quarantine_text.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"

@@ -4,7 +4,7 @@
 
 #include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"

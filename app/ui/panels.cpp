@@ -2,8 +2,8 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"

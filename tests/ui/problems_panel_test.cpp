@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/analysis/problems.h"
 #include "tests/support/app/drawn_text.h"

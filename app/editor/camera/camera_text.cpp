@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/ops/op.h"
 

@@ -5,7 +5,6 @@
 
 #include "app/editor/camera/cutting.h"
 #include "app/editor/camera/view_state.h"
-#include "app/editor/commands/command_functions.h"
 #include "app/editor/input/input_presets.h"
 #include "app/editor/preferences/preference_values.h"
 
@@ -227,9 +226,7 @@ std::vector<ViewSwitch>& switch_rows() {
                   {"z", "Cut off +Z", "+Z 側を切る"},
                   {"-z", "Cut off -Z", "−Z 側を切る"},
                   {"view", "Cut off what is nearer", "手前を切る"}},
-       .value = [](const Session& session) -> std::size_t {
-         return session.view.cut ? std::size_t(session.view.cut->way) : 0;
-       },
+       .value = [](const ViewState& view) -> std::size_t { return view.cut ? std::size_t(view.cut->way) : 0; },
        .set = [](const Mesh& mesh, ViewState& view,
                  std::size_t value) { cut_across(mesh, view, static_cast<ClipWay>(value)); },
        .flag_en = "where the mesh is cut; else nowhere",
@@ -288,25 +285,8 @@ std::string toggle_line(const ViewSwitch& row) { return std::string(row.id) + " 
 
 std::string flag_of(const ViewSwitch& row) { return "--" + std::string(row.id); }
 
-CommandRow row_of(const ViewSwitch& given) {
-  const auto run = [row = given](Session& session, Words arguments, std::string_view) -> Outcome {
-    if (arguments.size() != 1) return wrong_arguments(row.id);
-    auto value = find_value(row, arguments[0]);
-    if (row.toggles() && arguments[0] == "toggle") value = (row.value(session) + 1) % row.values.size();
-    if (!value) return wrong_arguments(row.id);
-    row.set(session, *value);
-    return {};
-  };
-  return {.id = given.id,
-          .syntax = (given.toggles() ? "toggle|" : "") + ids_of(given.values),
-          .help_en = given.help_en,
-          .help_ja = given.help_ja,
-          .effect = Effect::view,
-          .run = run};
-}
-
 ScopedViewSwitch::ScopedViewSwitch(ViewSwitch row) {
-  assert(!find_command_row(row.id) && "every switch has an id of its own, which is its command");
+  assert(!find_view_switch(row.id) && "every switch has an id of its own, which is its command");
   switch_rows().push_back(std::move(row));
 }
 

@@ -12,7 +12,6 @@ class Document;
 
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
-Outcome failed(const Failure& failure);
 // [N]: a number from 1, which is 1 where it is left out; none for anything else.
 std::optional<std::uint32_t> count_of(Words arguments);
 
@@ -93,13 +92,13 @@ RunCommand run_move;
 RunOn<Input> run_press, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;
 std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
-// What is seen: view_switches.cpp, commands_view.cpp
+// What is seen: commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_drag;
 RunOn<Findings, ViewState, Framing, const Selecting> run_frame;
 RunOn<ViewState, const Framing> run_view;
 RunOn<ViewState> run_camera, run_show;
-// Where the mesh is cut: cutting.cpp
+// Where the mesh is cut: commands_cutting.cpp
 RunOn<const Mesh, ViewState> run_clip_at;
 FaultOfCommand fault_of_clip_at;
 // The user interface: commands_window.cpp, commands_preferences.cpp

@@ -4,45 +4,11 @@
 #include <charconv>
 
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {
-
-Outcome usage_error(std::string en, std::string ja) { return failed(ExitCode::usage, {std::move(en), std::move(ja)}); }
-Outcome cancelled() {
-  return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
-}
-
-Outcome usage_error(const Text& sentence) { return failed(ExitCode::usage, sentence); }
-
-Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence) {
-  const std::vector<std::string_view> words = split_words(line);
-  if (words.empty()) return usage_error(sentence.en, sentence.ja);
-  const std::span arguments = std::span(words).subspan(1);
-  const std::string id(words[0]);
-  const std::string command(without_blanks(line));
-  const auto refused_as_deleted = [&](const Text& why) {
-    Outcome outcome;
-    outcome.kind = Outcome::Kind::refused;
-    outcome.exit_code = ExitCode::refused;
-    outcome.reasons.push_back({Rule::deleted, {}});
-    outcome.sentence = {command + " is refused: " + why.en, command + " は実行できません：" + why.ja};
-    return outcome;
-  };
-  if (error == NameError::deleted)
-    if (const auto aside = document.quarantine_text(arguments)) return refused_as_deleted(*aside);
-  const Document::Elsewhere place = document.exists_elsewhere(error, arguments);
-  if (place == Document::Elsewhere::no) return usage_error(id + ": " + sentence.en, id + "：" + sentence.ja);
-  const RuleText& rule = text_of(Rule::deleted);
-  const Text gone = place == Document::Elsewhere::earlier
-                        ? Text{std::string(rule.en) + " (" + sentence.en + "; " + std::string(rule.remedy_en) + ")",
-                               std::string(rule.ja) + "（" + sentence.ja + "。" + std::string(rule.remedy_ja) + "）"}
-                        : Text{"The edit that makes the element was undone. (" + sentence.en + "; redo brings it back)",
-                               "要素を作る編集が取り消されています。（" + sentence.ja + "。やり直すと復活します）"};
-  return refused_as_deleted(gone);
-}
 
 Outcome wrong_arguments(std::string_view id) {
   const auto row = find_command_row(id);
@@ -58,8 +24,6 @@ std::optional<std::uint32_t> count_of(Words arguments) {
   const bool is_count = error == std::errc() && end == word.data() + word.size() && n > 0 && arguments.size() == 1;
   return is_count ? std::optional(n) : std::nullopt;
 }
-
-Outcome failed(const Failure& failure) { return failed(failure.exit_code, failure.message.text); }
 
 std::string help_of(const CommandRow& row, Language language) {
   std::string help(language == Language::japanese ? row.help_ja : row.help_en);

@@ -14,6 +14,9 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/commands/lines/line_of.h"
+#include "app/editor/commands/lines/outcomes.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/session/owners.h"
 #include "app/editor/shown/effect.h"
 #include "ryosen/algo/algorithm.h"
@@ -27,8 +30,6 @@ namespace ryosen {
 class Document;
 class RepairTrials;
 class Session;
-
-using Words = std::span<const std::string_view>;
 
 // What a command does with the file that its arguments name: one whose effect is to write the document writes a mesh,
 // any other a picture; `writes_part` is a mesh that does
@@ -95,15 +96,6 @@ std::optional<CommandCall> call_of(std::string_view line);
 // picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
-// How scripts call an algorithm: by its id, behind `repair` where that is wanted or an operator has the id.
-std::string called(const AlgorithmRow& algorithm, bool as_repair = false);
-// The line that selects what a row of the table of selectors finds, with its usual value.
-std::string select_line(const Selector& row);
-// The line that selects all that has a problem, or what the one at an element is about; never that of a selector.
-std::string select_line(const ProblemRow& row, std::string_view element = {});
-// The line that runs an algorithm with these values.
-std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
-
 // What a line of `repair` without a fault would do; null while that is being tried.
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);
 
@@ -123,12 +115,5 @@ std::vector<std::string> command_ids();
 Outcome unknown_command(std::string_view id);
 // The same of a word in the place of an operator.
 Text not_an_operator(std::string_view word);
-Outcome usage_error(std::string en, std::string ja);
-Outcome usage_error(const Text& sentence);
-// Long work that was given up.
-Outcome cancelled();
-// An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element
-// stands at another place of the history, else usage; with a sentence that says which, and of quarantined faces.
-Outcome no_element(Document& document, std::string_view line, NameError error, const Text& sentence);
 
 }  // namespace ryosen

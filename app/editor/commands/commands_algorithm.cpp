@@ -4,8 +4,8 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/document/repair_call.h"
 #include "app/editor/session/first_slots.h"
 #include "app/editor/session/session.h"
@@ -173,16 +173,6 @@ CommandRow row_of(const AlgorithmRow& algorithm) {
                      std::string_view) { return run_algorithm(session, algorithm, words, std::string(algorithm.id)); },
           .is_long = true,
           .fault = fault};
-}
-
-std::string called(const AlgorithmRow& algorithm, bool as_repair) {
-  const std::string id(algorithm.id);
-  return as_repair || find_op(id) ? "repair " + id : id;
-}
-
-std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values) {
-  const std::string text = values.line();
-  return called(algorithm) + (text.empty() ? "" : " " + text);
 }
 
 std::optional<Text> fault_of_repair(Words words, const std::string& line) {

@@ -1,7 +1,7 @@
 #include "app/editor/commands/command_functions.h"
 
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/document/file_findings.h"
 #include "app/editor/document/large_files.h"
 #include "app/editor/recovery/autosave.h"

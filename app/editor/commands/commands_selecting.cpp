@@ -3,8 +3,8 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
@@ -28,9 +28,6 @@ struct SelectRequest {
   bool is_wrong = false;  // it says a problem, and none that there is
   Words names;  // of elements or ranges of them; the values of a selector; the name of a selection that was kept
 };
-
-// Before the id of a problem, which a selector may have too.
-constexpr std::string_view of_problem = "problem";
 
 // The name that the words are: one of them, or several in quotes. None where they are neither.
 std::optional<std::string> kept_name(Words words) {
@@ -203,15 +200,6 @@ std::string select_syntax() {
   std::string syntax = "[add|toggle] NAME...|A..B|[problem] PROBLEM [NAME]|kept NAME";
   for (const Selector& row : selectors()) syntax += "|" + syntax_of(row);
   return syntax;
-}
-
-std::string select_line(const Selector& row) {
-  return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
-}
-
-std::string select_line(const ProblemRow& row, std::string_view element) {
-  const std::string line = "select " + std::string(of_problem) + " " + std::string(row.id);
-  return element.empty() ? line : line + " " + std::string(element);
 }
 
 void put_into_selection(Elements& selection, std::span<const Element> elements, SelectHow how) {

@@ -5,7 +5,7 @@
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/camera/fly.h"
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 #include "app/editor/session/session.h"
 #include "ryosen/view/named_views.h"
 
@@ -89,6 +89,23 @@ Outcome run_show(ViewState& view, Words arguments, std::string_view) {
   const std::string wrong(arguments[0]);
   return usage_error(Text{"there is no highlight '" + wrong + "'", "強調表示「" + wrong + "」はありません"} +
                      did_you_mean(wrong, known));
+}
+
+CommandRow row_of(const ViewSwitch& given) {
+  const auto run = [row = given](Session& session, Words arguments, std::string_view) -> Outcome {
+    if (arguments.size() != 1) return wrong_arguments(row.id);
+    auto value = find_value(row, arguments[0]);
+    if (row.toggles() && arguments[0] == "toggle") value = (row.value(session) + 1) % row.values.size();
+    if (!value) return wrong_arguments(row.id);
+    row.set(session, *value);
+    return {};
+  };
+  return {.id = given.id,
+          .syntax = (given.toggles() ? "toggle|" : "") + ids_of(given.values),
+          .help_en = given.help_en,
+          .help_ja = given.help_ja,
+          .effect = Effect::view,
+          .run = run};
 }
 
 }  // namespace ryosen

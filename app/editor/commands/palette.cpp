@@ -6,7 +6,7 @@
 
 #include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/findings.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/camera/view_switches.h"
-#include "app/editor/commands/commands.h"
+#include "app/editor/commands/lines/line_of.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/view/named_views.h"
 

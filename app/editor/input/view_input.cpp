@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/commands/commands.h"
+#include "app/editor/commands/lines/outcomes.h"
 #include "app/editor/input/keys.h"
 #include "app/editor/session/session.h"
 

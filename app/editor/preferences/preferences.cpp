@@ -5,8 +5,8 @@
 #include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/preferences/preference_values.h"
 
 namespace ryosen {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/preferences/user_folders.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/recovery/owned_script.h"

@@ -23,7 +23,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "app/editor/commands/commands.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/session.h"

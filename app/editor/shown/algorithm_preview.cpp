@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/commands.h"
+#include "app/editor/commands/lines/line_of.h"
 #include "app/editor/session/session.h"
 #include "ryosen/geometry/unit_vector.h"
 

@@ -3,7 +3,6 @@
 #include <iterator>
 #include <new>
 
-#include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "app/editor/shown/snapping.h"

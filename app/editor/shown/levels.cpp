@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/editor/commands/commands.h"
 #include "app/editor/session/findings.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/shown/shown.h"

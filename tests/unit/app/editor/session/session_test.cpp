@@ -6,8 +6,8 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"
-#include "app/editor/commands/script.h"
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/input/keys.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"

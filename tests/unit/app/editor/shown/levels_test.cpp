@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/algo/edge_rules.h"

@@ -1,4 +1,4 @@
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 
 #include <gtest/gtest.h>
 

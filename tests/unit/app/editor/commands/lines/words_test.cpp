@@ -1,10 +1,10 @@
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 
 namespace ryosen {
 namespace {

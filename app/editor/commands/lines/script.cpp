@@ -1,8 +1,8 @@
-#include "app/editor/commands/script.h"
+#include "app/editor/commands/lines/script.h"
 
 #include <algorithm>
 
-#include "app/editor/commands/words.h"
+#include "app/editor/commands/lines/words.h"
 
 namespace ryosen {
 

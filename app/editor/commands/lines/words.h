@@ -1,12 +1,15 @@
 // Text parts of a command line: the rest after its first word, and file names.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "ryosen/base/message.h"
 
 namespace ryosen {
+
+using Words = std::span<const std::string_view>;
 
 // Trims blanks (space, tab, carriage return) at both ends.
 std::string_view without_blanks(std::string_view text);

@@ -1,9 +1,9 @@
 // `formats` and `keys`: print the tables of core and editor.
-#include "app/cli/columns.h"
 #include "app/cli/contract/lists.h"
+#include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "ryosen/io/formats.h"
 
 namespace ryosen::cli {

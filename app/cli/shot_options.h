@@ -8,7 +8,7 @@
 
 #include "app/cli/edit_script.h"
 #include "app/cli/subcommand_table.h"
-#include "app/editor/camera/view_switches.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/ui/headless.h"
 
 namespace ryosen::cli {

@@ -21,7 +21,7 @@
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/camera/view_switches.h"
+#include "app/editor/preferences/view_switches.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/view/named_views.h"
 

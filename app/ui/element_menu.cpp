@@ -4,9 +4,9 @@
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/commands.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
 #include "app/ui/panels.h"

@@ -2,13 +2,13 @@
 
 #include <array>
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/document/findings.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/shown.h"

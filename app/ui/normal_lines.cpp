@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/views/seen_mesh.h"
 #include "render/palette.h"
 #include "ryosen/analysis/mean_edge.h"

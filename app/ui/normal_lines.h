@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/editor/session/change_feed.h"
+#include "app/editor/document/change_feed.h"
 #include "render/renderer.h"
 #include "ryosen/view/view_settings.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/preferences/layout.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/levels.h"

@@ -1,7 +1,7 @@
 #include "app/ui/panel_frame.h"
 
+#include "app/editor/document/findings.h"
 #include "app/editor/preferences/layout.h"
-#include "app/editor/session/findings.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/camera/navigation.h"
+#include "app/editor/input/view/navigation.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/owners.h"
 #include "app/editor/textbook/record_book.h"

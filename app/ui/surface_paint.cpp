@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "render/colour.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/attribute.h"

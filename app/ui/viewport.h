@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/change_feed.h"
+#include "app/editor/document/change_feed.h"
 #include "app/ui/frame_pace.h"
 #include "app/ui/label_layer.h"
 #include "app/ui/normal_lines.h"

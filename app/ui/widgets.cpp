@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/ui/letters.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/ui/panels.h"
 
 namespace ryosen {

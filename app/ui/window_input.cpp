@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <array>
 #include <functional>
 
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
 #include "app/ui/gui.h"
 
 namespace ryosen {

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/document/large_files.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/user_files.h"
 #include "app/editor/preferences/user_folders.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"

@@ -6,7 +6,7 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -6,7 +6,7 @@
 #include <imgui_internal.h>  // the border of a window
 
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/enum_table.h"
 #include "tests/support/app/drawn_text.h"

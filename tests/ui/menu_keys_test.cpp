@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/session/session.h"
 #include "app/ui/window_input.h"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <random>
 
-#include "app/editor/camera/view_switches.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/session.h"
 #include "app/ui/headless.h"
 #include "ryosen/mesh/invariants.h"

@@ -4,9 +4,9 @@
 #include <imgui.h>
 
 #include "app/cli/run.h"
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/laid.h"
 

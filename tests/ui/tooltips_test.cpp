@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/preferences/preferences.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/session.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/euler_poincare.h"

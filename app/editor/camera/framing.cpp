@@ -5,9 +5,6 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "app/editor/labels/labels.h"
-#include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
@@ -84,6 +81,8 @@ double unit_of(const Camera& camera) {
 
 }  // namespace
 
+CoveredShares shares_beside(const Covered& covered, Size view) { return shares_of(kept_off(covered, view), view); }
+
 // Off the corner to the left of it or below it, by as little as it takes, where it shows more.
 Camera fitted_beside(const Covered& all_covered, const Camera& from, std::span<const glm::dvec3> places, Size view) {
   const Covered covered = kept_off(all_covered, view);
@@ -145,27 +144,6 @@ Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Si
   for (const Mesh* const mesh : meshes)
     with_places_to_frame(*mesh, [&](auto places) { all.insert(all.end(), places.begin(), places.end()); });
   return fitted_beside(covered, from, all, view);
-}
-
-Covered Framing::covered() const {
-  Covered covered;
-  if (view_.shows_axes) covered.corner = room_of_axes(view_.size, session_.preferences.size_scale());
-  if (!session_.is_comparing()) {
-    covered.left = view_.covered_px.x;
-    covered.right = view_.covered_px.y;
-  }
-  if (session_.shown.player()) covered.above = caption_px(session_.preferences);
-  return covered;
-}
-
-CoveredShares Framing::covered_shares() const { return shares_of(kept_off(covered(), view_.size), view_.size); }
-
-Camera Framing::of_all(const Camera& from) const {
-  if (session_.shown.shows(ShownBy::step) && !session_.shown.player()->places_at_end.empty())
-    return fitted_beside(covered(), from, session_.shown.player()->places_at_end, view_.size);
-  const Findings* const against = session_.findings().against;
-  if (against) return framing({&session_.mesh(), &against->mesh()}, from, view_.size, covered());
-  return framing({&session_.mesh()}, from, view_.size, covered());
 }
 
 }  // namespace ryosen

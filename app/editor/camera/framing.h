@@ -13,8 +13,6 @@
 
 namespace ryosen {
 
-class Session;
-
 using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
 
 // Calls visit(places) of the vertices that have edges, or of all where none has. O(n).
@@ -32,6 +30,8 @@ struct Covered {
   std::optional<PixelRect> corner;
 };
 
+// The strips as shares of the view; none where they leave hardly any of it.
+CoveredShares shares_beside(const Covered& covered, Size view);
 // The camera in the same direction that shows places in the free part of a view.
 Camera fitted_beside(const Covered& covered, const Camera& from, std::span<const glm::dvec3> places, Size view);
 // Whether a camera shows all of these that are finite beside the strips.
@@ -39,29 +39,5 @@ bool shows_all(const Camera& camera, Size view, const Covered& covered, std::spa
 
 // The camera in the same direction that shows the places to frame of all of these meshes.
 Camera framing(std::initializer_list<const Mesh*> meshes, const Camera& from, Size view, const Covered& covered = {});
-
-// Puts the camera of a session's view so that it shows all.
-class Framing {
- public:
-  Framing(const Session& session, ViewState& view) : session_(session), view_(view) {}
-
-  // The parts that a tab which is open, the caption of what is played, and the axes lie over.
-  Covered covered() const;
-  // The strips of that alone, as shares of the view; none where they leave hardly any of it.
-  CoveredShares covered_shares() const;
-  // The camera in the same direction that shows all beside what lies over the view: the mesh, with the one that it is
-  // compared with, or what is played, as it ends.
-  Camera of_all(const Camera& from) const;
-  void frame_all() { frame(of_all(view_.camera)); }
-  // Whether the camera is where frame() has put it last.
-  bool is_framed() const { return framed_ == view_.camera; }
-  // Takes a camera as one that shows all.
-  void frame(const Camera& camera) { view_.camera = framed_ = camera; }
-
- private:
-  const Session& session_;
-  ViewState& view_;
-  Camera framed_;
-};
 
 }  // namespace ryosen

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "app/editor/camera/navigation.h"
 #include "app/editor/input/gizmo.h"
+#include "app/editor/input/input_presets.h"
 #include "app/editor/labels/drawn_links.h"
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/view/camera.h"

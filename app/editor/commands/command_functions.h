@@ -3,8 +3,8 @@
 // and all of the text behind it.
 #pragma once
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/commands.h"
+#include "app/editor/preferences/view_switches.h"
 
 namespace ryosen {
 

@@ -1,6 +1,10 @@
 #include "app/editor/commands/command_syntax.h"
 
+#include <algorithm>
+
 #include "app/editor/commands/commands.h"
+#include "app/editor/commands/lines/words.h"
+#include "app/editor/input/input.h"
 #include "app/editor/session/session.h"
 #include "ryosen/ops/all.h"
 
@@ -45,6 +49,37 @@ std::optional<Text> fault_of_command(const std::string& line) {
   if (!call) return unknown_command(words[0]).sentence;
   if (!call->row.fault) return fault_on_nothing(call->line);
   return call->row.fault(Words(split_words(call->line)).subspan(1), call->line);
+}
+
+namespace {
+
+bool says_bind(std::string_view command) {
+  const std::vector<std::string_view> words = split_words(command);
+  return !words.empty() && words[0] == "bind";
+}
+
+// Whether the command binds a key, or one of those does that `either` tries.
+bool binds_a_key(std::string_view command) {
+  const std::vector<std::string_view> words = split_words(command);
+  if (words.empty() || words[0] != "either") return says_bind(command);
+  const std::vector<std::string> lines = alternatives(behind_word(command));
+  return std::any_of(lines.begin(), lines.end(), says_bind);
+}
+
+}  // namespace
+
+std::optional<Text> fault_of_binding(std::string_view chord, const std::string& command) {
+  const std::string name(chord);
+  const auto key = chord_from(chord);
+  if (!key)
+    return Text{"'" + name + "' is no key; it reads as Ctrl+Alt+Shift+K, F5, Numpad1 or Home",
+                "「" + name + "」というキーはありません。Ctrl+Alt+Shift+K、F5、Numpad1、Home のように書きます"};
+  if (*key == "Escape")
+    return Text{"Escape always leaves what was begun; choose another key",
+                "Escape は常に中止に使います。別のキーにしてください"};
+  if (command.empty() || command == "none" || command == "initial") return std::nullopt;
+  if (binds_a_key(command)) return Text{"a key cannot bind another key", "キーに bind を割り当てることはできません"};
+  return fault_of_command(command);
 }
 
 }  // namespace ryosen

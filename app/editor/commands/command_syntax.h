@@ -21,6 +21,9 @@ std::vector<std::string> alternatives(std::string_view whole);
 // The same of the arguments of `expect`.
 std::optional<Text> fault_of_expect(std::span<const std::string_view> arguments, const std::string& line);
 
+// The same of `bind CHORD COMMAND`, `bind CHORD none` or `bind CHORD initial`: a clause.
+std::optional<Text> fault_of_binding(std::string_view chord, const std::string& command);
+
 // "collapse: ..."
 Text behind(std::string_view id, const Text& sentence);
 

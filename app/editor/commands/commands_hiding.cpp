@@ -1,6 +1,6 @@
 // The commands `hide`, `isolate` and `unhide`.
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/hidden_text.h"
 #include "ryosen/document/document.h"

@@ -4,8 +4,8 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/lines/words.h"
 #include "app/editor/input/input.h"
-#include "app/editor/input/keys.h"
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 #include "ryosen/ops/op.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/camera/fly.h"
 #include "app/editor/commands/command_syntax.h"
+#include "app/editor/commands/fly.h"
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/commands/lines/words.h"
 #include "app/editor/input/pick_modes.h"

@@ -1,7 +1,7 @@
 // What is searched for only where somebody asks for it.
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/frontend.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"

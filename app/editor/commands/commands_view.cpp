@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/camera/fly.h"
-#include "app/editor/camera/framing.h"
+#include "app/editor/commands/fly.h"
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/session/session.h"
 #include "ryosen/view/named_views.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/commands/lines/script.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"

@@ -2,7 +2,7 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "ryosen/document/document.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/mesh/copies.h"

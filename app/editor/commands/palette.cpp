@@ -4,12 +4,12 @@
 #include <iterator>
 #include <set>
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/document/findings.h"
+#include "app/editor/preferences/keys.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/asking.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -2,8 +2,10 @@
 // keys that it has otherwise than the first.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,15 @@ enum class DragAction { orbit, pan, zoom, box, lasso };
 
 constexpr bool selects(DragAction action) { return action == DragAction::box || action == DragAction::lasso; }
 
+// What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
+enum class OrbitAbout { point, centre };
+
+// What a drag has drawn so far, to select by: a box from its first to its last corner, or a lasso.
+struct Band {
+  DragAction action = DragAction::box;
+  std::vector<glm::dvec2> path;  // pixels; not empty
+};
+
 struct DragRow {
   MouseButton button;
   bool shift, ctrl;
@@ -28,6 +39,12 @@ enum class ClickSelects { element, loop, ring };
 
 struct KeyChange {
   std::string_view chord, command, help_en, help_ja;
+};
+
+// What the user has bound a key to otherwise than its preset; an empty command takes the key away.
+struct KeyBinding {
+  std::string chord, command;
+  bool operator==(const KeyBinding&) const = default;
 };
 
 struct InputPreset {

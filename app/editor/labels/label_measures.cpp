@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/analysis/measuring.h"

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/views/seen_mesh.h"
 #include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/circulate.h"

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/camera/navigation.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/input/input_presets.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen {

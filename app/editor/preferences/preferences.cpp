@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "app/editor/camera/view_switches.h"
-#include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/commands.h"
 #include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
 #include "app/editor/preferences/preference_values.h"
+#include "app/editor/preferences/view_switches.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
@@ -142,37 +140,6 @@ std::optional<Text> prefer(Session& session, std::string_view id, std::string_vi
   if (auto fault = values.set(id, meant(*row, value), id)) return fault;
   row->set(session, *values.at(0));
   return std::nullopt;
-}
-
-namespace {
-
-bool says_bind(std::string_view command) {
-  const std::vector<std::string_view> words = split_words(command);
-  return !words.empty() && words[0] == "bind";
-}
-
-// Whether the command binds a key, or one of those does that `either` tries.
-bool binds_a_key(std::string_view command) {
-  const std::vector<std::string_view> words = split_words(command);
-  if (words.empty() || words[0] != "either") return says_bind(command);
-  const std::vector<std::string> lines = alternatives(behind_word(command));
-  return std::any_of(lines.begin(), lines.end(), says_bind);
-}
-
-}  // namespace
-
-std::optional<Text> fault_of_binding(std::string_view chord, const std::string& command) {
-  const std::string name(chord);
-  const auto key = chord_from(chord);
-  if (!key)
-    return Text{"'" + name + "' is no key; it reads as Ctrl+Alt+Shift+K, F5, Numpad1 or Home",
-                "「" + name + "」というキーはありません。Ctrl+Alt+Shift+K、F5、Numpad1、Home のように書きます"};
-  if (*key == "Escape")
-    return Text{"Escape always leaves what was begun; choose another key",
-                "Escape は常に中止に使います。別のキーにしてください"};
-  if (command.empty() || command == "none" || command == "initial") return std::nullopt;
-  if (binds_a_key(command)) return Text{"a key cannot bind another key", "キーに bind を割り当てることはできません"};
-  return fault_of_command(command);
 }
 
 void bind(Preferences& preferences, const std::string& chord, BindTo to, const std::string& command) {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/owners.h"
 #include "ryosen/algo/parameters.h"
 
@@ -35,8 +35,6 @@ std::optional<Text> fault_of_preference(std::string_view id, std::string_view va
 // The user's own bindings: a chord gets this command, none where that is empty, or what its preset says.
 enum class BindTo { command, preset };
 void bind(Preferences& preferences, const std::string& chord, BindTo to, const std::string& command = {});
-// What is wrong with `CHORD COMMAND`, `CHORD none` or `CHORD initial`: a clause.
-std::optional<Text> fault_of_binding(std::string_view chord, const std::string& command);
 // What the key does now and would not do any more; nothing where it is free or does that already.
 std::optional<KeyRow> conflict_of(const Preferences& preferences, std::string_view chord, std::string_view command);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
 #include "ryosen/document/outcome.h"
 #include "ryosen/mesh/mesh.h"

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "app/editor/camera/first_camera.h"
-#include "app/editor/camera/framing.h"
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
 #include "app/editor/recovery/autosave.h"
 
 namespace ryosen {

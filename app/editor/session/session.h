@@ -11,15 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/open_document.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/document/run_files.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
+#include "app/editor/session/framing.h"
 #include "app/editor/session/frontend.h"
-#include "app/editor/session/open_document.h"
 #include "app/editor/session/pointing.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/shown/shown.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/editor/document/edge_account.h"
 #include "ryosen/algo/simplify/detail_levels.h"
 #include "ryosen/document/document.h"
 
@@ -50,13 +51,6 @@ Outcome leave_level(Shown& shown);
 // The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
 // one of the history. Empty where there is none.
 std::string line_to_account_for(const Document& document, const Shown& shown);
-
-// Under which rule each edge stands that it left, until the next change.
-struct EdgeAccount {
-  std::uint64_t serial, revision;   // of the document
-  std::vector<std::uint8_t> rules;  // by edge slot, as EdgeRule, or no_rule
-  std::vector<std::size_t> counts;  // by rule, counted on points
-};
 
 // Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
 const EdgeAccount* make_account(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend);

@@ -7,8 +7,8 @@
 
 #include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/findings.h"
 #include "app/editor/session/pointing.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/names.h"

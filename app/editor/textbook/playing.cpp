@@ -3,12 +3,11 @@
 #include <atomic>
 #include <utility>
 
-#include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
-#include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/commands.h"
+#include "app/editor/commands/lines/outcomes.h"
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/commands/lines/words.h"
+#include "app/editor/session/framing.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
 #include "ryosen/document/document.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/open_document.h"
+#include "app/editor/document/open_document.h"
 #include "app/editor/views/mesh_view.h"
 #include "app/editor/views/seen_mesh.h"
 

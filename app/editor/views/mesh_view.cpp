@@ -1,6 +1,6 @@
 #include "app/editor/views/mesh_view.h"
 
-#include "app/editor/session/open_document.h"
+#include "app/editor/document/open_document.h"
 
 namespace ryosen {
 

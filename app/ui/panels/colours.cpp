@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
 #include "app/ui/panels.h"

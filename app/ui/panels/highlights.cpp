@@ -1,5 +1,5 @@
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/swatch.h"
 #include "app/ui/widgets.h"

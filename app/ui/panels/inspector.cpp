@@ -2,7 +2,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
 #include "app/ui/overlays.h"

@@ -1,5 +1,5 @@
 // The keys, each of which can be bound to another, and the mouse.
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 
 #include <algorithm>
 

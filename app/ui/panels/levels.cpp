@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/shown.h"
 #include "app/ui/overlays.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/analysis/boundary_loops.h"

@@ -1,5 +1,5 @@
-// How a view draws what it shows, beside the camera: what the switches of the view set (app/editor/camera/view_switches.h)
-// and what its shaders read. A switch that needs more of the mesh than places and links, as smooth shading needs normals,
+// How a view draws what it shows, beside the camera: what the switches of the view set
+// (app/editor/preferences/view_switches.h) and what its shaders read. A switch that needs more of the mesh than places and links, as smooth shading needs normals,
 // has that found beside the mesh (corner_normals.h), kept by the session and laid into buffers by render/mesh_buffers.h.
 #pragma once
 

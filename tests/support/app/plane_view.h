@@ -6,7 +6,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "app/editor/session/change_feed.h"
+#include "app/editor/document/change_feed.h"
 #include "app/editor/views/view.h"
 #include "render/image.h"
 #include "ryosen/mesh/mesh.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"

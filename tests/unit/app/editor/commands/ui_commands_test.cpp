@@ -1,7 +1,7 @@
 // The commands of the user interface, which the session keeps and the window shows.
 #include <gtest/gtest.h>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/enum_table.h"

@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/snapping.h"
 #include "ryosen/algo/transform/moved_points.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 
 namespace ryosen {
 namespace {

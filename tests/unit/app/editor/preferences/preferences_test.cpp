@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "app/editor/camera/view_switches.h"
+#include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/session.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/editor/camera/navigation.h"
+#include "app/editor/input/view/navigation.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/program.h"

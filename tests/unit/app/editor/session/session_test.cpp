@@ -8,7 +8,7 @@
 #include "app/editor/commands/expect.h"
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/commands/lines/words.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "app/ui/headless.h"

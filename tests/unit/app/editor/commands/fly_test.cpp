@@ -1,4 +1,4 @@
-#include "app/editor/camera/fly.h"
+#include "app/editor/commands/fly.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <vector>
 
 #include "app/editor/input/input_presets.h"
 
@@ -14,15 +13,6 @@ class Session;
 
 // A click is a press and a release within this distance, at scale 1.
 inline constexpr double click_reach_px = 4;
-
-// What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
-enum class OrbitAbout { point, centre };
-
-// What a drag has drawn so far, to select by: a box from its first to its last corner, or a lasso.
-struct Band {
-  DragAction action = DragAction::box;
-  std::vector<glm::dvec2> path;  // pixels; not empty
-};
 
 // Moves the camera by drags and the wheel. A drag of the camera holds on to the point of the mesh under the press: to
 // orbit turns about it, to pan keeps it under the pointer. The wheel brings the eye towards the point under the

@@ -1,11 +1,11 @@
-#include "app/editor/input/view_input.h"
+#include "app/editor/input/view/view_input.h"
 
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/lines/outcomes.h"
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 
 namespace ryosen {

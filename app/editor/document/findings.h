@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/document/change_feed.h"
+#include "app/editor/document/preparation.h"
 #include "app/editor/preferences/preference_values.h"
-#include "app/editor/session/change_feed.h"
-#include "app/editor/session/preparation.h"
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/measure/other_surface.h"
 #include "ryosen/analysis/self_intersections.h"

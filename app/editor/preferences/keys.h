@@ -28,12 +28,6 @@ struct KeyRow {
   std::string_view menu_en = "", menu_ja = "";
 };
 
-// What the user has bound a key to otherwise than its preset; an empty command takes the key away.
-struct KeyBinding {
-  std::string chord, command;
-  bool operator==(const KeyBinding&) const = default;
-};
-
 // The keys of operators, selectors, views and switches come from their own rows; other presets than the first change some,
 // and the user's own bindings stand above all.
 std::vector<KeyRow> key_table(const InputPreset& preset = input_presets()[0], std::span<const KeyBinding> own = {});

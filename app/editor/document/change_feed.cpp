@@ -1,4 +1,4 @@
-#include "app/editor/session/change_feed.h"
+#include "app/editor/document/change_feed.h"
 
 namespace ryosen {
 

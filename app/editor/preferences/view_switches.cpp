@@ -1,4 +1,4 @@
-#include "app/editor/camera/view_switches.h"
+#include "app/editor/preferences/view_switches.h"
 
 #include <cassert>
 #include <type_traits>

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

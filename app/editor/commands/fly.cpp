@@ -1,4 +1,4 @@
-#include "app/editor/camera/fly.h"
+#include "app/editor/commands/fly.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
+#include "app/editor/session/framing.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"

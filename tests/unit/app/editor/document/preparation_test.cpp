@@ -1,4 +1,4 @@
-#include "app/editor/session/preparation.h"
+#include "app/editor/document/preparation.h"
 
 #include <gtest/gtest.h>
 

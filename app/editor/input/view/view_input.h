@@ -1,9 +1,9 @@
 // What mouse and keyboard do to the view: they navigate, hover, click with the tool in hand, and send commands.
 #pragma once
 
-#include "app/editor/camera/navigation.h"
 #include "app/editor/input/gizmo.h"
 #include "app/editor/input/input.h"
+#include "app/editor/input/view/navigation.h"
 #include "app/editor/session/session.h"
 
 namespace ryosen {

@@ -1,7 +1,7 @@
 // What is hidden of a mesh, and what its problems are about.
 #include <algorithm>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

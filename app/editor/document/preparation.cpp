@@ -1,4 +1,4 @@
-#include "app/editor/session/preparation.h"
+#include "app/editor/document/preparation.h"
 
 #include <new>
 #include <system_error>

@@ -1,9 +1,9 @@
-#include "app/editor/input/keys.h"
+#include "app/editor/preferences/keys.h"
 
 #include <algorithm>
 
-#include "app/editor/camera/view_switches.h"
 #include "app/editor/commands/lines/line_of.h"
+#include "app/editor/preferences/view_switches.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/view/named_views.h"
 

@@ -1,10 +1,10 @@
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 
 #include <algorithm>
 #include <new>
 #include <utility>
 
-#include "app/editor/shown/levels.h"
+#include "app/editor/document/edge_account.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

@@ -1,4 +1,4 @@
-#include "app/editor/camera/navigation.h"
+#include "app/editor/input/view/navigation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/editor/session/findings.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"

@@ -5,6 +5,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/commands.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/analysis/mesh_kind.h"
 #include "ryosen/analysis/problem_kinds.h"

@@ -1,7 +1,6 @@
 // The commands of the preferences and of the user's own keys.
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/words.h"
 #include "app/editor/preferences/preferences.h"
 #include "app/editor/session/session.h"
 

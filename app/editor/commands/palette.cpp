@@ -8,6 +8,7 @@
 #include "app/editor/commands/lines/words.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/keys.h"
+#include "app/editor/preferences/panel_list.h"
 #include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/operator_selection.h"

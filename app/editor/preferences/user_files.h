@@ -14,6 +14,7 @@
 namespace ryosen {
 
 class Session;
+struct Preferences;
 
 // Reads preferences and sets all of them, or none where a line is broken: then the failure names file and line. A file
 // that is not there has none. Lines about nothing that is known are returned: they are another version's.

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <unordered_set>
 
-#include "tests/support/app/program.h"
+#include "tests/support/app/contract.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen::test {
 namespace {
@@ -64,11 +66,30 @@ INSTANTIATE_TEST_SUITE_P(Bunny, BunnyRefusal,
                                          RefusedCase{"swap", "swap 1-2", "boundary"}),
                          [](const auto& test) { return test.param.name; });
 
+// The first of all lines that differ in their digits alone.
+std::string one_of_each_line(const std::string& text) {
+  std::unordered_set<std::string> seen;
+  std::string lines, rest;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end) {
+    end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    rest.resize(end - begin);
+    char* kept = rest.data();  // by pointers, which costs least where tests are not optimised
+    for (const char *at = text.data() + begin, *const last = text.data() + end; at != last; ++at)
+      if (*at < '0' || *at > '9') *kept++ = *at;
+    rest.resize(static_cast<std::size_t>(kept - rest.data()));
+    if (seen.insert(rest).second) lines.append(text, begin, end - begin);
+  }
+  return lines;
+}
+
 TEST(bunny, every_edge_is_judged) {
-  // Unchecked: the contract of 200,000 alike lines takes long.
-  const ProgramRun run = run_unchecked({"why", asset("stanford_bunny.obj"), "--op", "collapse", "--all", "--json"});
+  const std::vector<std::string> words{"why", asset("stanford_bunny.obj"), "--op", "collapse", "--all", "--json"};
+  ProgramRun run = run_unchecked(words);
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 2 * 104288);
+  // The contract of 200,000 lines takes long.
+  if (!is_long_run()) run.out = one_of_each_line(run.out);
+  EXPECT_EQ(fault_of_run(words, run), "");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "ryosen/ops/all.h"
 #include "tests/support/app/contract.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen::test {
 namespace {
@@ -307,18 +308,20 @@ TEST(check, says_when_more_pairs_meet_than_it_lists) {
   std::string stack;
   for (int i = 0; i < 1500; ++i) stack += "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
   const std::string path = folder.write("stack.obj", stack);
-  ProgramRun run = run_unchecked({"check", path, "--json", "--self-intersections"});
-  // Half a million pairs take long to parse: they are counted, and one is left.
+  const std::vector<std::string> words{"check", path, "--json", "--self-intersections"};
+  ProgramRun run = run_unchecked(words);
   const std::string pairs = "\"pairs\":[";
   const std::size_t begin = run.out.find(pairs) + pairs.size(), end = run.out.find("]]", begin) + 1;
   ASSERT_LT(begin, end);
   const auto pair_count = std::count(run.out.begin() + static_cast<std::ptrdiff_t>(begin),
                                      run.out.begin() + static_cast<std::ptrdiff_t>(end), '[');
-  run.out.erase(begin, run.out.rfind('[', end) - begin);
+  // Half a million pairs take long to parse: a short run leaves one.
+  if (!is_long_run()) run.out.erase(begin, run.out.rfind('[', end) - begin);
+  EXPECT_EQ(fault_of_run(words, run), "");
   const Json problem = run.line()["problems"][0];
   EXPECT_EQ(problem["kind"], "self_intersection");
   EXPECT_EQ(problem["count"], 1500);
-  EXPECT_EQ(problem["pairs"].size(), 1u);
+  EXPECT_EQ(problem["pairs"].size(), is_long_run() ? static_cast<std::size_t>(pair_count) : 1u);
   const std::string listed = std::to_string(pair_count), all = std::to_string(1500 * 1499 / 2);
   EXPECT_GT(pair_count, 500000);
   EXPECT_EQ(problem["complete"], false);

@@ -14,6 +14,7 @@
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen {
 namespace {
@@ -99,11 +100,12 @@ TEST_F(LowMenus, of_an_element_lie_beside_the_pointer) {
 
 // Those within menus are opened by the keyboard from each entry that has one.
 TEST_F(LowMenus, within_menus_leave_the_names_around_them_to_be_read) {
+  const bool is_long = test::is_long_run();
   const auto press = [&](const char* key, int frames_after) {
     input_.key_down(key);
-    frames(1);
+    frames(is_long ? 2 : 1);
     input_.key_up(key);
-    frames(frames_after);
+    frames(is_long ? 4 : frames_after);
   };
   std::size_t opened = 0;
   ASSERT_TRUE(session.run("select f0").done());
@@ -113,7 +115,7 @@ TEST_F(LowMenus, within_menus_leave_the_names_around_them_to_be_read) {
   for (const char* const language : {"language en", "language ja"}) {
     ASSERT_TRUE(session.run(language).done());
     for (auto& [menu, tried] : entries) {
-      std::vector<int> with_menus;  // the same in every language
+      std::vector<int> with_menus;
       for (const int entry : tried) {
         ASSERT_TRUE(session.run("menu " + menu).done());
         frames(4);
@@ -134,7 +136,7 @@ TEST_F(LowMenus, within_menus_leave_the_names_around_them_to_be_read) {
         gui.close_menus();
         frames(3);
       }
-      tried = with_menus;
+      if (!is_long) tried = with_menus;  // they should be the same in every language
     }
   }
   EXPECT_GT(opened, 30u);

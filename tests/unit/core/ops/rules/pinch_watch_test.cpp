@@ -10,6 +10,7 @@
 #include "ryosen/ops/delete.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"
@@ -84,8 +85,9 @@ TEST(pinch_watch, costs_what_is_near_the_faces) {
     }
     return watch.looks();
   };
+  const std::uint32_t few = is_long_run() ? 300 : 200;
   for (const auto family : {fan, bipyramid, book, book_of_squares, equal_triangles, apex_soup})
-    EXPECT_LE(looks(family(800)), 5 * looks(family(200))) << "four times the faces";
+    EXPECT_LE(looks(family(4 * few)), 5 * looks(family(few))) << "four times the faces";
 }
 
 }  // namespace

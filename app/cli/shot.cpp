@@ -10,6 +10,7 @@
 #include "app/cli/visible.h"
 #include "app/editor/preferences/user_files.h"
 #include "app/editor/session/session.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/resource_limits.h"
 #include "ryosen/io/safe_write.h"

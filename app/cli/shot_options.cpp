@@ -7,6 +7,7 @@
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/commands/lines/words.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/highlights/highlight_table.h"
 #include "ryosen/view/named_views.h"
 

@@ -12,11 +12,11 @@
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
 #include "ryosen/ops/groups.h"
-#include "ryosen/ops/lines/arguments.h"
-#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/ops/parameters/op_line.h"
 
 namespace ryosen {
 
@@ -39,7 +39,7 @@ void place_item(PanelContext& context, const OpInfo& op) {
     return;
   const std::string name = context.selecting.selected_names()[0];
   const std::string_view words[] = {name, "0,0,0"};
-  if (first_misfit(op.syntax, words)) return;
+  if (first_misfit(op.line, op_words(words))) return;
   const std::string label =
       std::string(context.text(op.name_en, op.name_ja)) + context.text(" at X,Y,Z...", "（座標を指定）...");
   const glm::dvec3 middle = middle_of(context.mesh(), selection[0]);

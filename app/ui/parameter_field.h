@@ -11,9 +11,6 @@ namespace ryosen {
 // What Enter does at a list or a check box; the space bar opens or ticks it in any case.
 enum class EnterAt { opens, runs };
 
-// What a field of elements says of the selection, as commands do.
-constexpr std::string_view selection_word = "selected";
-
 // Draws it as its row describes it, as wide as the next item; `text` is what it holds. True when Enter was pressed in a
 // field of text, or at another one where that `runs`.
 bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text,

@@ -2,6 +2,7 @@
 
 #include "app/cli/algorithm_flags.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/collapse_edge.h"

@@ -3,8 +3,8 @@
 #include <array>
 #include <limits>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen::fuzz {

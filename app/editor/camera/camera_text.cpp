@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/editor/commands/lines/script.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/geometry/unit_vector.h"
-#include "ryosen/ops/op.h"
 
 namespace ryosen {
 

@@ -61,19 +61,7 @@ Outcome run_recipe(Document& document, Findings& findings, Frontend& frontend, c
   return outcome;
 }
 
-bool means_selection(std::string_view word) { return word == "selected" || word.ends_with("=selected"); }
-
-// The word `selected`, alone or as a value, stands for these names.
-std::vector<std::string> with_names(Words words, const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
-  std::vector<std::string> meant;
-  for (const std::string_view word : words) {
-    meant.emplace_back(word);
-    if (means_selection(word)) meant.back().replace(word.size() - std::string_view("selected").size(), word.npos, list);
-  }
-  return meant;
-}
+bool means_selection(std::string_view word) { return word == selection_word || word.ends_with("=selected"); }
 
 // The word `selected` alone is the value of the first parameter: of elements, or none.
 std::optional<Text> fault_of_selected(const AlgorithmRow& row, Words words) {
@@ -108,16 +96,14 @@ Text gone_text(const Selecting& selecting, const std::vector<std::string>& names
 }
 
 // `call` is what stands before the values. A first value without its name stays so.
-Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_words, const std::string& call) {
+Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& call) {
   const std::string id(row.id);
-  if (const auto fault = fault_of_selected(row, given_words)) return usage_error(behind(row.id, *fault));
-  if (session.selecting.selection.empty() && std::any_of(given_words.begin(), given_words.end(), means_selection))
+  if (const auto fault = fault_of_selected(row, words)) return usage_error(behind(row.id, *fault));
+  if (session.selecting.selection.empty() && std::any_of(words.begin(), words.end(), means_selection))
     return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
   std::vector<std::string> names;
-  if (std::any_of(given_words.begin(), given_words.end(), means_selection)) names = session.selecting.selected_names();
-  const std::vector<std::string> meant = with_names(given_words, names);
-  const std::vector<std::string_view> words(meant.begin(), meant.end());
-  const ReadValues given = read_values(row.parameters, words);
+  if (std::any_of(words.begin(), words.end(), means_selection)) names = session.selecting.selected_names();
+  const ReadValues given = read_values(row.parameters, words, &names);
   if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
   const ReadValues found = given.values->on(session.mesh());
   if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
@@ -158,9 +144,8 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words given_wor
 CommandRow row_of(const AlgorithmRow& algorithm) {
   const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
     if (auto alone = fault_of_selected(algorithm, given)) return behind(algorithm.id, *alone);
-    const std::vector<std::string> meant = with_names(given, {"v0"});  // any name does here
-    const std::vector<std::string_view> words(meant.begin(), meant.end());
-    ReadValues read = read_values(algorithm.parameters, words);
+    const std::vector<std::string> whatever_is_selected;  // the words are checked, not the elements
+    ReadValues read = read_values(algorithm.parameters, given, &whatever_is_selected);
     return read.values ? std::nullopt : std::optional(behind(algorithm.id, read.sentence));
   };
   return {.id = algorithm.id,

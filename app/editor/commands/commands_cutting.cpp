@@ -6,7 +6,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen {
 

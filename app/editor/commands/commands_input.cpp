@@ -7,7 +7,7 @@
 #include "app/editor/input/view/view_input.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen {
 

@@ -7,6 +7,7 @@
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/find_element.h"
 

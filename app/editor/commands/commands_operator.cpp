@@ -11,15 +11,14 @@
 #include "ryosen/base/split_list.h"
 #include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/ops/parameters/op_line.h"
 #include "ryosen/selection/element_set.h"
 
 namespace ryosen {
 
 namespace {
 
-constexpr std::string_view selected_word = "selected";
-
-bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selected_word; }
+bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selection_word; }
 
 Outcome apply(Document& document, const Frontend& frontend, const std::string& called, Words arguments,
               std::string_view whole) {
@@ -55,37 +54,35 @@ Text kinds_taken(const OpInfo& op) {
   return told;
 }
 
-// A syntax that asks for several elements in words: "two vertices in order; a face behind them where several come into
-// question". As it stands where it asks for something else.
-Text in_words(std::string_view syntax) {
+// The elements that a line takes, in words: "two vertices in order; then a face, where several have them". The syntax
+// where it takes something else.
+Text in_words(const OpLine& line) {
   struct Kind {
     const char *one, *many, *ja, *counter_ja;
     int wanted = 0;
   };
   Kind vertices{"vertex", "vertices", "頂点", "個"}, edges{"edge", "edges", "稜線", "本"},
       faces{"face", "faces", "面", "個"};
+  const std::string syntax = syntax_of(line);
   bool may_be_more = false, may_name_face = false, may_name_sides = false;
-  for (const std::string_view word : split_words(syntax)) {
-    if (word == "..." || word == "...]")
-      may_be_more = true;
-    else if (word.size() == 1 && word[0] >= 'A' && word[0] <= 'Z')
-      ++vertices.wanted;
-    else if (word == "A-B")
-      ++edges.wanted;
-    else if (word == "fN")
-      ++faces.wanted;
-    else if (word == "[fN]")
-      may_name_face = true;
-    else if (word == "[P-A]" || word == "[Q-B]")
-      may_name_sides = true;
-    else if (word != "[fM" && word != "[C-D" && word != "[DISTANCE|X,Y,Z]")
-      return {std::string(syntax), std::string(syntax)};
+  if (line.all_lists().size() != 1) return {syntax, syntax};
+  for (const OpParameter& parameter : line.lists[0]) {
+    const OpValueKind kind = parameter.values[0].kind;
+    const bool is_element = kind == OpValueKind::vertex || kind == OpValueKind::edge || kind == OpValueKind::face;
+    may_be_more = may_be_more || parameter.is_list();
+    if (parameter.is_optional()) {
+      may_name_face = may_name_face || kind == OpValueKind::face;
+      may_name_sides = may_name_sides || kind == OpValueKind::edge;
+    } else if (!is_element || parameter.count() > 1) {
+      return {syntax, syntax};
+    } else {
+      ++(kind == OpValueKind::vertex ? vertices : kind == OpValueKind::edge ? edges : faces).wanted;
+    }
   }
   constexpr const char* numbers[] = {"no", "one", "two", "three"};
   const Kind& kind = faces.wanted > 0 ? faces : edges.wanted > 0 ? edges : vertices;
   const int n = kind.wanted;
-  if (n < 1 || n > 3 || vertices.wanted + edges.wanted + faces.wanted != n)
-    return {std::string(syntax), std::string(syntax)};
+  if (n < 1 || n > 3 || vertices.wanted + edges.wanted + faces.wanted != n) return {syntax, syntax};
   Text told{std::string(numbers[n]) + " " + (n == 1 ? kind.one : kind.many),
             std::string(kind.ja) + "を " + std::to_string(n) + " " + kind.counter_ja};
   if (may_be_more) told = told + Text{" or more", "以上"};
@@ -100,14 +97,14 @@ Text in_words(std::string_view syntax) {
 
 Outcome nothing_selected(const OpInfo& op) {
   const std::string en(op.name_en), ja(op.name_ja);
-  const Text kinds = op.on_selection == OnSelection::all ? in_words(op.syntax) : kinds_taken(op);
+  const Text kinds = op.on_selection == OnSelection::all ? in_words(op.line) : kinds_taken(op);
   return failed(ExitCode::refused, {en + ": nothing is selected that it works on; select " + kinds.en,
                                     ja + "：対象となる要素が選択されていません。選択するもの：" + kinds.ja});
 }
 
 Outcome does_not_fit(const OpInfo& op) {
   const std::string en(op.name_en), ja(op.name_ja);
-  const Text wanted = in_words(op.syntax);
+  const Text wanted = in_words(op.line);
   return failed(ExitCode::refused, {en + ": what is selected does not fit; it takes " + wanted.en,
                                     ja + "：選択された要素が合いません。必要なもの：" + wanted.ja});
 }
@@ -211,7 +208,7 @@ std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
   if (op.on_selection == OnSelection::none) return fault_of_arguments(op.id, words);
   for (const auto kind : {Element::Kind::vertex, Element::Kind::edge, Element::Kind::face})
     if (op.on_selection == OnSelection::all || takes(op, kind, words.subspan(1))) return std::nullopt;
-  return not_of_syntax(words.back(), std::string(selected_word) + " | " + std::string(op.syntax));
+  return not_of_syntax(words.back(), std::string(selection_word) + " | " + syntax_of(op.line));
 }
 
 }  // namespace
@@ -237,7 +234,7 @@ CommandRow row_of(const OpInfo& op, std::string_view called) {
     return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
   };
   return {.id = op.id,
-          .syntax = std::string(op.syntax),
+          .syntax = syntax_of(op.line),
           .help_en = op.help_en,
           .help_ja = op.help_ja,
           .effect = Effect::edits,

@@ -12,7 +12,6 @@
 #include "app/editor/session/session.h"
 #include "app/editor/texts/remedy_text.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/ops/lines/syntax.h"
 
 namespace ryosen {
 
@@ -83,7 +82,8 @@ Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
   }
   if (session.selecting.asked_line.empty())
     return failed(ExitCode::refused, {"no operator asks for elements", "要素を待っている操作はありません"});
-  if (fault_of_command(session.selecting.asked_line)) return failed(ExitCode::refused, asked_text(session.selecting.asked_line));
+  if (fault_of_command(session.selecting.asked_line))
+    return failed(ExitCode::refused, asked_text(session.selecting.asked_line));
   return carry_out_asked(session);
 }
 

@@ -10,7 +10,6 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/ops/lines/syntax.h"
 #include "ryosen/selection/element_set.h"
 #include "ryosen/selection/selectors.h"
 
@@ -224,8 +223,8 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
     const Selector& row = *asked.selector;
     if (const Text missing = missing_for(row, session.selecting.selection); !missing.en.empty())
       return failed(ExitCode::refused, missing);
-    Elements found =
-        row.find(session.mesh(), session.selecting.selection, kind_of(session.selecting.mode), *parse_values(row, asked.names));
+    Elements found = row.find(session.mesh(), session.selecting.selection, kind_of(session.selecting.mode),
+                              *parse_values(row, asked.names));
     if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
     return select(session.findings(), session.selecting, std::move(found));
   }

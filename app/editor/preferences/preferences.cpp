@@ -5,7 +5,7 @@
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/preferences/view_switches.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen {
 

@@ -10,54 +10,48 @@
 #include "ryosen/base/split_list.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/ops/lines/syntax.h"
+#include "ryosen/ops/parameters/op_line.h"
 
 namespace ryosen {
 
 namespace {
 
-constexpr std::pair<std::string_view, PickMode> samples[] = {
-    {"v0", PickMode::vertex}, {"0-1", PickMode::edge}, {"f0", PickMode::face}};
-
-struct OpLine {
+struct OpWords {
   const OpInfo* op = nullptr;
   std::vector<std::string_view> arguments;
 
-  explicit OpLine(std::string_view line) : arguments(split_words(line)) {
+  explicit OpWords(std::string_view line) : arguments(split_words(line)) {
     if (arguments.empty()) return;
     op = find_op(arguments[0]);
     arguments.erase(arguments.begin());
   }
-  bool is_complete() const { return !first_misfit(op->syntax, arguments); }
-  bool is_answered() const { return is_complete() && op->syntax.find("...") == std::string_view::npos; }
+  bool is_answered() const { return !first_misfit(op->line, op_words(arguments)) && !takes_any_number(op->line); }
 };
 
 // How many more elements of any kind a line takes that is no operator's.
 std::size_t room_for_any(std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
-  const auto row = words.empty() || find_op(words[0]) ? std::nullopt : find_command_row(words[0]);
+  const CommandRow* const row = words.empty() || find_op(words[0]) ? nullptr : find_command_row(words[0]);
   return row && words.size() <= row->most_elements ? row->most_elements + 1 - words.size() : 0;
 }
 
 }  // namespace
 
 std::optional<PickMode> asked_for(std::string_view line) {
-  OpLine op_line(line);
-  if (!op_line.op || op_line.is_answered()) return std::nullopt;
-  op_line.arguments.emplace_back();
-  for (const auto& [name, mode] : samples) {
-    op_line.arguments.back() = name;
-    const auto misfit = first_misfit(op_line.op->syntax, op_line.arguments);
-    if (!misfit || *misfit == op_line.arguments.size()) return mode;
-  }
-  return std::nullopt;
+  const OpWords said(line);
+  if (!said.op || said.is_answered()) return std::nullopt;
+  const auto kind = next_element(said.op->line, op_words(said.arguments));
+  if (!kind) return std::nullopt;
+  return *kind == Element::Kind::vertex ? PickMode::vertex
+         : *kind == Element::Kind::face ? PickMode::face
+                                        : PickMode::edge;
 }
 
 bool can_be_asked(std::string_view line) { return asked_for(line) || room_for_any(line) > 0; }
 
 bool is_answered(std::string_view line) {
-  const OpLine op_line(line);
-  return op_line.op ? op_line.is_answered() : room_for_any(line) == 0;
+  const OpWords said(line);
+  return said.op ? said.is_answered() : room_for_any(line) == 0;
 }
 
 Text asked_text(std::string_view line) {
@@ -74,7 +68,9 @@ Text asked_text(std::string_view line) {
 }
 
 Outcome answer(Session& session, glm::dvec2 pixel) {
-  const auto picked = can_be_asked(session.selecting.asked_line) ? session.pointing.pick(pixel, session.selecting.pointed_sort()) : std::nullopt;
+  const auto picked = can_be_asked(session.selecting.asked_line)
+                          ? session.pointing.pick(pixel, session.selecting.pointed_sort())
+                          : std::nullopt;
   if (!picked) return failed(ExitCode::found_problems, asked_text(session.selecting.asked_line));
   session.selecting.asked_line += " " + session.selecting.names_of({picked->element})[0];
   if (!is_answered(session.selecting.asked_line)) return {};

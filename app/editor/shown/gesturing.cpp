@@ -6,11 +6,11 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "app/editor/shown/snapping.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/split_edge.h"
 
@@ -103,7 +103,8 @@ std::span<const Face> Gesturing::spoilt() const {
 Outcome Gesturing::begin(PointTransform::Kind kind) {
   session_.shown.end();
   cancel();
-  if (session_.selecting.selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  if (session_.selecting.selection.empty())
+    return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   begin_with(kind, session_.selecting.selection);
   return {};
 }
@@ -113,17 +114,18 @@ void Gesturing::begin_with(PointTransform::Kind kind, Elements elements) {
   glm::dvec2 start = session_.view.pointer - session_.view.origin;
   if (start.x < 0 || start.y < 0 || start.x >= session_.view.size.width || start.y >= session_.view.size.height) {
     const auto seen = project(session_.view.camera, session_.view.size, middle);
-    start = (seen ? seen->pixel : 0.5 * glm::dvec2(session_.view.size.width, session_.view.size.height)) + glm::dvec2(60, 0);
+    start = (seen ? seen->pixel : 0.5 * glm::dvec2(session_.view.size.width, session_.view.size.height)) +
+            glm::dvec2(60, 0);
   }
   const std::span<const glm::dvec3> places = mesh().positions();
   ongoing_.reset(new Ongoing{TransformGesture(kind, mesh(), std::move(elements), start),
-                                 {places.begin(), places.end()},
-                                 {},
-                                 {},
-                                 {},
-                                 {},
-                                 {},
-                                 start + session_.view.origin});
+                             {places.begin(), places.end()},
+                             {},
+                             {},
+                             {},
+                             {},
+                             {},
+                             start + session_.view.origin});
   TransformGesture& transform = ongoing_->transform;
   if (const Vertex held =
           held_point(session_.findings(), session_.view, session_.preferences, transform.moved(), start))
@@ -145,7 +147,8 @@ void Gesturing::follow_what_moves() {
   g.own.reset();
   g.triangles.clear();
   for (const Face f : g.touched.faces)
-    for (const std::uint32_t slot : session_.findings().picker().triangles().slots_of(mesh(), f)) g.triangles.push_back(slot);
+    for (const std::uint32_t slot : session_.findings().picker().triangles().slots_of(mesh(), f))
+      g.triangles.push_back(slot);
   show();
 }
 
@@ -176,7 +179,8 @@ void Gesturing::judge_as_drawn() {
     if (is_unmoved && std::binary_search(g.made->faces.begin(), g.made->faces.end(), f)) return false;
     return row.face_at(mesh(), f, g.places);
   };
-  judge_faces(*sets, mesh(), g.touched.faces, judged, [&](ChangeFeed::Marked marked) { session_.findings().changes().note_mark(marked); });
+  judge_faces(*sets, mesh(), g.touched.faces, judged,
+              [&](ChangeFeed::Marked marked) { session_.findings().changes().note_mark(marked); });
 }
 
 void Gesturing::judge_as_is() {
@@ -194,7 +198,8 @@ void Gesturing::list_coincident(bool are_listed) {
   if (!ongoing_->unlisted) return;
   const ProblemRow& row = row_of(ProblemKind::coincident_points);
   for (const Vertex v : *ongoing_->unlisted)
-    if (session_.findings().found_highlights()->put_member(row, v.index, are_listed)) session_.findings().changes().note_mark({mark_of(row.kind), v.index});
+    if (session_.findings().found_highlights()->put_member(row, v.index, are_listed))
+      session_.findings().changes().note_mark({mark_of(row.kind), v.index});
 }
 
 void Gesturing::note() {

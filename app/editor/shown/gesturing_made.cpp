@@ -7,10 +7,10 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/split_edge.h"
 
 namespace ryosen {
@@ -44,7 +44,8 @@ Text name_of(const OpInfo& op) { return {std::string(op.name_en), std::string(op
 Outcome Gesturing::begin_copy() {
   session_.shown.end();
   cancel();
-  if (session_.selecting.selection.empty()) return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
+  if (session_.selecting.selection.empty())
+    return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   const AlgorithmRow& row = *find_algorithm("duplicate");
   ParameterValues named(row.parameters);
   named.set_names("elements", session_.selecting.selected_names());
@@ -70,7 +71,7 @@ Outcome Gesturing::begin_copy() {
                     .first_made = vertices_before,
                     .selected = copy};
   session_.selecting.selection = copy;  // until the trial ends
-  show();    // the copy lies on nothing yet
+  show();                               // the copy lies on nothing yet
   return {};
 }
 
@@ -113,7 +114,7 @@ Outcome Gesturing::begin_extrusion() {
     key("N");
   } else {
     session_.selecting.selection = ongoing_->made->selected;  // until the trial ends
-    show();                          // without what has no extent yet
+    show();                                                   // without what has no extent yet
   }
   return outcome;
 }

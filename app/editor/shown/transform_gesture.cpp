@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include "ryosen/analysis/neighbourhood.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/ops/lines/arguments.h"
 
 namespace ryosen {
 

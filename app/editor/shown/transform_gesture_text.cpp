@@ -3,9 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/shown/transform_gesture.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/ops/lines/arguments.h"
-#include "ryosen/ops/op.h"
 
 namespace ryosen {
 

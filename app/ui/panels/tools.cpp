@@ -19,7 +19,8 @@ enum class Press { takes_tool, acts, asks };
 
 Press press_of(const Selecting& selecting, const OpInfo& op) {
   if (is_tool(op)) return Press::takes_tool;
-  const bool has_all = op.syntax.empty() || (op.target == OpTargetKind::selection && !selecting.selection.empty());
+  const bool has_all =
+      op.line.all_lists().empty() || (op.target == OpTargetKind::selection && !selecting.selection.empty());
   return has_all ? Press::acts : Press::asks;
 }
 
@@ -57,7 +58,7 @@ void press(PanelContext& context, const OpInfo& op) {
       context.run(context.selecting.tool == id ? "tool none" : "tool " + id);
       return;
     case Press::acts:
-      context.run(op.syntax.empty() ? id : id + " selected");
+      context.run(op.line.all_lists().empty() ? id : id + " selected");
       return;
     case Press::asks:
       context.begin_command(id + " ");
@@ -82,7 +83,7 @@ void draw_operator(PanelContext& context, const OpInfo& op, std::span<const KeyR
   const PressRow& kind = presses[static_cast<std::size_t>(press_of(context.selecting, op))];
   if (marked_row(context, context.text(op.name_en, op.name_ja), key.c_str(), context.selecting.tool == op.id, kind))
     press(context, op);
-  tip(std::string(op.id) + " " + std::string(op.syntax) + "\n" + context.text(op.help_en, op.help_ja) + "\n" +
+  tip(std::string(op.id) + " " + syntax_of(op.line) + "\n" + context.text(op.help_en, op.help_ja) + "\n" +
       context.text(kind.help));
   ImGui::PopID();
 }

@@ -73,10 +73,6 @@ class ValuesPanel : public Panel {
   bool has_preview_ = true;  // wanted, where it is quick
 };
 
-bool means_selection(const ParameterRow& row, std::string_view text) {
-  return row.kind == ParameterKind::elements && text == selection_word;
-}
-
 // With these names in place of the word for the selection.
 ParameterValues with_names(ParameterValues values, const std::vector<std::string>& names) {
   for (const ParameterRow& row : values.rows())
@@ -112,14 +108,8 @@ void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
 
 // What the fields say; the word for the selection stays a word, however much is selected.
 ReadValues ValuesPanel::read(const AlgorithmRow& row) const {
-  std::vector<std::string> texts = texts_;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    if (means_selection(row.parameters[i], texts[i])) texts[i] = "v0";  // any name does
-  ReadValues read = read_fields(row.parameters, texts);
-  for (std::size_t i = 0; read.values && i < texts.size(); ++i)
-    if (means_selection(row.parameters[i], texts_[i]))
-      read.values->set_names(row.parameters[i].id, {std::string(selection_word)});
-  return read;
+  const std::vector<std::string> word{std::string(selection_word)};
+  return read_fields(row.parameters, texts_, &word);
 }
 
 void ValuesPanel::fit_height(PanelContext& context, float height_px) {

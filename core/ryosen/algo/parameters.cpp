@@ -9,13 +9,11 @@
 #include <numbers>
 
 #include "ryosen/base/enum_table.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/ops/lines/arguments.h"
-#include "ryosen/ops/lines/syntax.h"
-#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
@@ -339,7 +337,12 @@ std::string ParameterValues::line(bool without_first_name) const {
   return text;
 }
 
-ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words) {
+bool means_selection(const ParameterRow& row, std::string_view text) {
+  return row.kind == ParameterKind::elements && text == selection_word;
+}
+
+ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words,
+                       const std::vector<std::string>* selected) {
   ReadValues read{ParameterValues(rows), NameError::none, {}, {}};
   const auto fail = [](Text sentence) {
     return ReadValues{std::nullopt, NameError::malformed, {}, std::move(sentence)};
@@ -355,14 +358,19 @@ ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::
       return fail({name + " is given twice", name + " が二度指定されています"});
     }
     given.push_back(id);
-    if (auto fault = read.values->set(id, text, id)) return fail(std::move(*fault));
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const ParameterRow& r) { return r.id == id; });
+    if (selected && row != rows.end() && means_selection(*row, text))
+      read.values->set_names(id, *selected);
+    else if (auto fault = read.values->set(id, text, id))
+      return fail(std::move(*fault));
   }
   if (auto fault = read.values->fault_of_missing([](const ParameterRow& row) { return std::string(row.id); }))
     return fail(std::move(*fault));
   return read;
 }
 
-ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts) {
+ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts,
+                       const std::vector<std::string>* selected) {
   assert(texts.size() == rows.size());
   const auto fail = [](const Text& called_in_english, const Text& called_in_japanese) {
     return ReadValues{std::nullopt, NameError::malformed, {}, {called_in_english.en, called_in_japanese.ja}};
@@ -370,6 +378,10 @@ ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::
   ReadValues read{ParameterValues(rows), NameError::none, {}, {}};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (texts[i].empty()) continue;
+    if (selected && means_selection(rows[i], texts[i])) {
+      read.values->set_names(rows[i].id, *selected);
+      continue;
+    }
     if (const auto fault = read.values->set(rows[i].id, texts[i], rows[i].name_en))
       return fail(*fault, *read.values->set(rows[i].id, texts[i], rows[i].name_ja));
   }

@@ -70,6 +70,10 @@ struct ParameterValue {
 
 struct ReadValues;
 
+// The word for the selection as the value of elements.
+constexpr std::string_view selection_word = "selected";
+bool means_selection(const ParameterRow& row, std::string_view text);
+
 class ParameterValues {
  public:
   // With the initial values.
@@ -123,10 +127,14 @@ struct ReadValues {
   bool lacks_extent = false;  // a length is a share of the diagonal, and that of this mesh is 0
 };
 
-// `name=value` words in any order; a first word without `=` is the value of the first parameter.
-ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words);
-// The texts of fields, one for each row; an empty one gives no value. Sentences call the rows by their names.
-ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts);
+// `name=value` words in any order; a first word without `=` is the value of the first parameter. Where `selected` is
+// given, that word as the value of elements means these names.
+ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words,
+                       const std::vector<std::string>* selected = nullptr);
+// The texts of fields, one for each row; an empty one gives no value, and `selected` is as above. Sentences call the
+// rows by their names.
+ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts,
+                       const std::vector<std::string>* selected = nullptr);
 // "distance=LENGTH [steps=COUNT]": the syntax of such words.
 std::string syntax_of(std::span<const ParameterRow> rows);
 

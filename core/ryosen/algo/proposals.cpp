@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "ryosen/analysis/mean_edge.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen {
 

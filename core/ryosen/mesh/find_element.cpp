@@ -2,6 +2,30 @@
 
 namespace ryosen {
 
+namespace {
+
+// Names are checked for their syntax only.
+const Mesh& mesh_without_elements() {
+  static const Mesh mesh;
+  return mesh;
+}
+
+// Checks the part before `@`, and the face after it if present.
+template <class Find>
+bool is_name(std::string_view word, Find find) {
+  const std::size_t at = word.find('@');
+  return find(mesh_without_elements(), word).error != NameError::malformed &&
+         (at == std::string_view::npos || is_face_name(word.substr(at + 1)));
+}
+
+}  // namespace
+
+bool is_vertex_name(std::string_view word) { return is_name(word, find_vertex); }
+bool is_edge_name(std::string_view word) { return is_name(word, find_edge); }
+bool is_face_name(std::string_view word) {
+  return find_face(mesh_without_elements(), word).error != NameError::malformed;
+}
+
 NamedElement find_element(const Mesh& mesh, std::string_view name) {
   const auto as = [](auto named, auto element_of) -> NamedElement {
     if (!named.ok()) return {std::nullopt, named.error, std::move(named.sentence)};

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "ryosen/ops/lines/syntax.h"
-
 namespace ryosen {
 
 namespace {
@@ -54,10 +52,14 @@ Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const st
   [[maybe_unused]] const bool known = visit_op(
       id,
       [&]<class Op>(std::type_identity<Op>) {
-        Parsed<Op> parsed = Op::parse(mesh, arguments);
-        if (parsed.op) out.op = *parsed.op;
-        out.error = parsed.error;
-        out.sentence = std::move(parsed.sentence);
+        // The values of a line are read into an operator, or into its base, through a pointer to void.
+        static_assert(std::is_standard_layout_v<Op>);
+        ArgumentReader in(mesh, arguments, Op::info.line);
+        Op op{};
+        read_line(Op::info.line, mesh, in, &op);
+        if (!in.failed()) out.op = std::move(op);
+        out.error = in.error();
+        out.sentence = in.sentence();
       },
       indices);
   assert(known);
@@ -77,17 +79,19 @@ std::vector<std::string_view> split_words(std::string_view line) {
 
 Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
-  if (words.empty() || !find_op(words[0])) return malformed_argument<AnyOp>(line, {"an operator", "演算子を"});
+  if (words.empty() || !find_op(words[0]))
+    return {std::nullopt, NameError::malformed, not_understood(line, {"an operator", "演算子を"})};
   return parse_op(mesh, words[0], std::span(words).subspan(1));
 }
 
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
-  // The operator's own error may be more precise, if its parser gets that far on an empty mesh.
+  // Reading may say more precisely what is wrong, if it gets that far without elements.
   Parsed<AnyOp> parsed = parse_op(Mesh(), id, arguments);
   if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
-  const std::string_view syntax = find_op(id)->syntax;
-  const std::optional<std::size_t> place = first_misfit(syntax, arguments);
+  const OpLine& line = find_op(id)->line;
+  const std::optional<std::size_t> place = first_misfit(line, op_words(arguments));
   if (!place) return std::nullopt;
+  const std::string syntax = syntax_of(line);
   return *place < arguments.size() ? not_of_syntax(arguments[*place], syntax) : argument_missing(syntax);
 }
 

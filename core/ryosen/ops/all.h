@@ -30,6 +30,7 @@
 #include "ryosen/ops/fill.h"
 #include "ryosen/ops/make_face.h"
 #include "ryosen/ops/orient.h"
+#include "ryosen/ops/parameters/op_line.h"
 #include "ryosen/ops/poke.h"
 #include "ryosen/ops/reverse.h"
 #include "ryosen/ops/separate_fans.h"
@@ -91,19 +92,11 @@ inline OpEffect apply(Edit& edit, const AnyOp& op) {
 }
 // The halfedge that an operator on one edge is about; none for others.
 inline Halfedge halfedge_of(const AnyOp& op) {
-  return std::visit(
-      []<class Op>(const Op& o) {
-        if constexpr (requires { Halfedge(o.halfedge); })
-          return o.halfedge;
-        else if constexpr (requires { Halfedge(o.edges[0]); })
-          return o.edges.size() == 1 ? o.edges[0] : Halfedge();
-        else
-          return Halfedge();
-      },
-      op);
+  return std::visit([](const auto& o) { return halfedge_of(o.info.line, &o); }, op);
 }
+// The script line that does the same; parse_line() reads it on the same mesh.
 inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
-  return std::visit([&](const auto& o) { return o.command(mesh); }, op);
+  return std::visit([&](const auto& o) { return std::string(o.info.id) + print_line(o.info.line, mesh, &o); }, op);
 }
 
 }  // namespace ryosen

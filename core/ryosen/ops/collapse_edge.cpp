@@ -6,7 +6,7 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/collapse_links.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
@@ -15,34 +15,36 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t usual_valence = 12;  // for reserving lists
+using namespace parameters;
+
+constexpr OpParameter collapse_parameters[] = {
+    missing(required(edge<&CollapseEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません"),
+    expecting(optional(word<&CollapseEdge::place, CollapseEdge::Place::start>("start"),
+                       word<&CollapseEdge::place, CollapseEdge::Place::end>("end"),
+                       word<&CollapseEdge::place, CollapseEdge::Place::middle>("mid"),
+                       position_if<&CollapseEdge::target, &CollapseEdge::place, CollapseEdge::Place::point>()),
+              "start, end, mid or X,Y,Z", "start、end、mid、X,Y,Z のいずれかを")};
 
 }  // namespace
 
-Parsed<CollapseEdge> CollapseEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  Parsed<CollapseEdge> out;
-  const auto h = parse_edge_argument(mesh, arguments, out);
-  if (!h) return out;
-  CollapseEdge op{*h};
-  if (arguments.size() >= 2) {
-    const std::string_view word = arguments[1];
-    const auto p = parse_place(word);
-    if (word == "start")
-      op.place = Place::start;
-    else if (word == "end")
-      op.place = Place::end;
-    else if (word == "mid")
-      op.place = Place::middle;
-    else if (p)
-      op.place = Place::point, op.target = *p;
-    else
-      return malformed_argument<CollapseEdge>(word,
-                                              {"start, end, mid or X,Y,Z", "start、end、mid、X,Y,Z のいずれかを"});
-  }
-  if (arguments.size() > 2) return malformed_argument<CollapseEdge>(arguments[2]);
-  out.op = op;
-  return out;
-}
+constinit const OpInfo CollapseEdge::info{
+    .id = "collapse",
+    .name_en = "Collapse edge",
+    .name_ja = "稜線削除",
+    .line = {.lists = {collapse_parameters}},
+    .help_en = "merges A into B; B keeps its number and, by default, its position",
+    .help_ja = "A が消え、B が番号と（指定がなければ）位置を保つ",
+    .key = 'C',
+    .target = OpTargetKind::edge,
+    .group = OpGroup::join,
+    .topology = Topology::kept,
+    .in_series = collapses_in_series};
+
+namespace {
+
+constexpr std::size_t usual_valence = 12;  // for reserving lists
+
+}  // namespace
 
 CollapseEdge CollapseEdge::at(const Mesh&, const OpTarget& target) {
   // The end nearer to the pointer is a; over the third at that end the other one comes to it.
@@ -51,23 +53,6 @@ CollapseEdge CollapseEdge::at(const Mesh&, const OpTarget& target) {
   if (!target.is_small && from_end < 1.0 / 3)
     return {is_at_start ? twin(target.halfedge) : target.halfedge, Place::automatic};
   return {is_at_start ? target.halfedge : twin(target.halfedge), Place::middle};
-}
-
-std::string CollapseEdge::command(const Mesh& mesh) const {
-  std::string text = "collapse " + name_of(mesh, halfedge);
-  switch (place) {
-    case Place::automatic:
-      return text;
-    case Place::start:
-      return text + " start";
-    case Place::end:
-      return text + " end";
-    case Place::middle:
-      return text + " mid";
-    case Place::point:
-      break;
-  }
-  return text + " " + format_place(target);
 }
 
 glm::dvec3 CollapseEdge::position(const Mesh& mesh) const {

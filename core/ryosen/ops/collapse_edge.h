@@ -32,26 +32,9 @@ struct CollapseEdge {
   Place place = Place::automatic;
   glm::dvec3 target{};  // for Place::point
 
-  static constexpr OpInfo info{"collapse",
-                               "Collapse edge",
-                               "稜線削除",
-                               "A-B [start|end|mid|X,Y,Z]",
-                               "merges A into B; B keeps its number and, by default, its position",
-                               "A が消え、B が番号と（指定がなければ）位置を保つ",
-                               'C',
-                               OpTargetKind::edge,
-                               OpGroup::join,
-                               "",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               collapses_in_series};
+  static const OpInfo info;
 
-  static Parsed<CollapseEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static CollapseEdge at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   // The same verdict without the fast path, rule by rule; check() falls back to it, and tests compare both.
@@ -65,6 +48,7 @@ struct CollapseEdge {
   bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const CollapseEdge&) const = default;
 
   // The resulting position of the vertex. O(1).
   glm::dvec3 position(const Mesh& mesh) const;

@@ -6,8 +6,8 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op_series.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/pinch_watch.h"
 #include "ryosen/ops/rules/settled_points.h"
@@ -16,6 +16,8 @@
 namespace ryosen {
 
 namespace {
+
+using namespace parameters;
 
 // An edge named by its points stands for all its sheets; returns any of them.
 Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
@@ -26,6 +28,27 @@ Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
   if (!a.ok() || !b.ok()) return found;
   return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
 }
+
+constexpr OpParameter delete_vertex[] = {required(vertex<&Delete::element>("vN"))},
+                      delete_edge[] = {required(edge<&Delete::element, find_any_sheet>("A-B"))},
+                      delete_face[] = {required(face<&Delete::element>("fN"))};
+
+}  // namespace
+
+constinit const OpInfo Delete::info{
+    .id = "delete",
+    .name_en = "Delete",
+    .name_ja = "削除",
+    .line = {.lists = {delete_vertex, delete_edge, delete_face}},
+    .help_en = "deletes the faces at a vertex or edge, a face, or a wire, and what becomes unused",
+    .help_ja = "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
+    .key = '\0',
+    .target = OpTargetKind::any,
+    .group = OpGroup::fill,
+    .aliases = "remove",
+    .in_series = deletes_in_series};
+
+namespace {
 
 // The faces and wires to delete, and for a vertex the copies of its point.
 Deletion deletion_of(const Mesh& mesh, Element element) {
@@ -51,31 +74,11 @@ Deletion deletion_of(const Mesh& mesh, Element element) {
 
 }  // namespace
 
-Parsed<Delete> Delete::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const std::string_view name = in.peek();
-  Delete op;
-  if (name.starts_with('f')) {
-    op.element = in.face();
-  } else if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
-    const Named<Halfedge> sheet = find_any_sheet(mesh, name);
-    if (!sheet.ok()) return {std::nullopt, sheet.error, sheet.sentence};
-    if (arguments.size() > 1) return malformed_argument<Delete>(arguments[1]);
-    op.element = edge(sheet.element);
-    return {op, NameError::none, {}};
-  } else {
-    op.element = in.vertex();
-  }
-  return in.result(op);
-}
-
 Delete Delete::at(const Mesh&, const OpTarget& target) {
   if (target.vertex) return {target.vertex};
   if (target.face) return {target.face};
   return {edge(target.halfedge)};
 }
-
-std::string Delete::command(const Mesh& mesh) const { return "delete " + name_of(mesh, element); }
 
 Verdict Delete::check(const Mesh& mesh) const {
   Verdict verdict;

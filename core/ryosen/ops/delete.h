@@ -27,30 +27,14 @@ std::unique_ptr<OpSeries> deletes_in_series(Edit& edit);
 struct Delete {
   Element element;  // a vertex, edge or face
 
-  static constexpr OpInfo info{"delete",
-                               "Delete",
-                               "削除",
-                               "vN | A-B | fN",
-                               "deletes the faces at a vertex or edge, a face, or a wire, and what becomes unused",
-                               "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
-                               '\0',
-                               OpTargetKind::any,
-                               OpGroup::fill,
-                               "remove",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               deletes_in_series};
+  static const OpInfo info;
 
-  static Parsed<Delete> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Delete at(const Mesh& mesh, const OpTarget& target);
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Delete&) const = default;
 };
 
 // The elements to delete explicitly.

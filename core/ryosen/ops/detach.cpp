@@ -7,11 +7,30 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter detach_parameters[] = {list(face<&Detach::faces>("fN"), "fM")};
+
+}  // namespace
+
+constinit const OpInfo Detach::info{.id = "detach",
+                                    .name_en = "Detach",
+                                    .name_ja = "シートの切り離し",
+                                    .line = {.lists = {detach_parameters}},
+                                    .help_en = "separates a sheet, or the named faces, from all other faces",
+                                    .help_ja = "シート、または指定した面を独立した点に切り離す",
+                                    .key = '\0',
+                                    .target = OpTargetKind::face,
+                                    .group = OpGroup::join,
+                                    .on_selection = OnSelection::all};
 
 namespace {
 
@@ -77,20 +96,6 @@ Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
 }
 
 }  // namespace
-
-Parsed<Detach> Detach::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Detach op;
-  do op.faces.push_back(in.face());
-  while (!in.failed() && !in.at_end());
-  return in.result(op);
-}
-
-std::string Detach::command(const Mesh& mesh) const {
-  std::string line = "detach";
-  for (Face f : faces) line += " " + name_of(mesh, f);
-  return line;
-}
 
 Verdict Detach::check(const Mesh& mesh) const {
   Verdict verdict;

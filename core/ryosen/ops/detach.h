@@ -21,27 +21,14 @@ namespace ryosen {
 struct Detach {
   std::vector<Face> faces;
 
-  static constexpr OpInfo info{"detach",
-                               "Detach",
-                               "シートの切り離し",
-                               "fN [fM ...]",
-                               "separates a sheet, or the named faces, from all other faces",
-                               "シート、または指定した面を独立した点に切り離す",
-                               '\0',
-                               OpTargetKind::face,
-                               OpGroup::join,
-                               "",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<Detach> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Detach at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Detach&) const = default;
 };
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/euler/unite_edge.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/plain_faces.h"
@@ -15,6 +15,30 @@
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter dissolve_parameters[] = {
+    required(edge<&Dissolve::halfedge>("A-B"), one_copy<&Dissolve::vertex>("vN"))};
+
+}  // namespace
+
+constinit const OpInfo Dissolve::info{
+    .id = "dissolve",
+    .name_en = "Dissolve",
+    .name_ja = "溶解",
+    .line = {.lists = {dissolve_parameters}},
+    .help_en = "unites the faces at an edge or around a vertex, or all that are selected side by side",
+    .help_ja = "稜線の両側または頂点の周りの面、または隣り合う選択面をすべて一つにまとめる",
+    .key = '\0',
+    .target = OpTargetKind::edge,
+    .group = OpGroup::join,
+    .topology = Topology::kept,
+    .in_place_of = &edges_of_faces_side_by_side,
+    .in_series = dissolves_in_series,
+    .takes_ends_along = true};
 
 namespace {
 
@@ -194,22 +218,6 @@ std::vector<Element> edges_between_faces(const Mesh& mesh, std::span<const Eleme
     }
   sort_unique(edges);
   return {edges.begin(), edges.end()};
-}
-
-Parsed<Dissolve> Dissolve::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Dissolve op;
-  const std::string_view name = in.peek();
-  const bool is_edge = name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e');
-  if (is_edge)
-    op.halfedge = in.halfedge();
-  else
-    op.vertex = in.copy();
-  return in.result(op);
-}
-
-std::string Dissolve::command(const Mesh& mesh) const {
-  return "dissolve " + (vertex ? name_of_copy(mesh, vertex) : name_of(mesh, halfedge));
 }
 
 // Without a chain of further edges it unites two faces.

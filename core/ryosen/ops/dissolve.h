@@ -35,33 +35,16 @@ struct Dissolve {
   Halfedge halfedge;   // the edge, or
   Vertex vertex = {};  // the vertex
 
-  static constexpr OpInfo info{"dissolve",
-                               "Dissolve",
-                               "溶解",
-                               "A-B|vN",
-                               "unites the faces at an edge or around a vertex, or all that are selected side by side",
-                               "稜線の両側または頂点の周りの面、または隣り合う選択面をすべて一つにまとめる",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::join,
-                               "",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               &edges_of_faces_side_by_side,
-                               "",
-                               dissolves_in_series,
-                               true};
+  static const OpInfo info;
 
-  static Parsed<Dissolve> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Dissolve at(const Mesh&, const OpTarget& target) { return {target.halfedge}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   // For many questions about one mesh.
   Verdict check(const Mesh& mesh, LocalFacts& known) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Dissolve&) const = default;
 };
 
 // Dissolves the sides of a face beyond which lie different other ones (whose halfedges these are), if this is legal for

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "ryosen/base/index_set.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/ops/lines/arguments.h"
-#include "ryosen/ops/lines/syntax.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"
@@ -276,11 +275,7 @@ std::size_t EachResult::refusals() const {
 }
 
 bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
-  const std::string_view name = kind == Element::Kind::vertex ? "v0" : kind == Element::Kind::face ? "f0" : "0-1";
-  std::vector<std::string_view> words{name};
-  if (op.on_selection == OnSelection::into_last) words.push_back(name);
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  return !first_misfit(op.syntax, words);
+  return !first_misfit(op.line, op_words(kind, op.on_selection == OnSelection::into_last ? 2 : 1, arguments));
 }
 
 std::size_t least_taken(const OpInfo& op) { return op.on_selection == OnSelection::into_last ? 2 : 1; }

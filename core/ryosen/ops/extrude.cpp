@@ -9,13 +9,47 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/raise.h"
 #include "ryosen/ops/rules/region.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter extrude_parameters[] = {
+    list(face<&Extrude::faces>("fN"), "fM"),
+    optional(number<&Extrude::distance>("DISTANCE"), position<&Extrude::offset>())};
+
+std::optional<Text> fault_of_extrusion(const Mesh& mesh, const void* op) {
+  const Extrude& extrude = *static_cast<const Extrude*>(op);
+  if (!extrude.offset && !extrude.distance) return std::nullopt;
+  const glm::dvec3 by = extrude.movement(mesh);
+  for (const Face f : extrude.faces)
+    for (const Vertex v : vertices_around(mesh, f))
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return Text{"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+constinit const OpInfo Extrude::info{
+    .id = "extrude",
+    .name_en = "Extrude faces",
+    .name_ja = "面の押し出し",
+    .line = {.lists = {extrude_parameters}, .fault = fault_of_extrusion},
+    .help_en =
+        "moves faces together along their mean normal or by X,Y,Z and connects their border to its old place by walls",
+    .help_ja = "面をまとめて平均の法線方向または X,Y,Z だけ動かし、まとまりの境界の稜線を元の位置と側面でつなぐ",
+    .key = '\0',
+    .target = OpTargetKind::face,
+    .group = OpGroup::refine,
+    .on_selection = OnSelection::all};
 
 namespace {
 
@@ -66,37 +100,6 @@ void refuse_duplicates(const Mesh& mesh, const Region& region, Verdict& verdict)
 }
 
 }  // namespace
-
-Parsed<Extrude> Extrude::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Extrude op;
-  do op.faces.push_back(in.face());
-  while (!in.failed() && in.peek().starts_with('f'));
-  const std::string argument(in.peek());
-  if (!in.at_end()) {
-    if (argument.find(',') != std::string::npos)
-      op.offset = in.place();
-    else
-      op.distance = in.number();
-  }
-  Parsed<Extrude> out = in.result(op);
-  if (!out.op || argument.empty()) return out;
-  const glm::dvec3 by = op.movement(mesh);
-  for (Face f : op.faces)
-    for (Vertex v : vertices_around(mesh, f))
-      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
-        return malformed_argument<Extrude>(
-            argument, {"a movement that leaves the face at a finite place", "面の座標が有限になる移動量を"});
-  return out;
-}
-
-std::string Extrude::command(const Mesh& mesh) const {
-  std::string text = "extrude";
-  for (Face f : faces) text += " " + name_of(mesh, f);
-  if (offset) return text + " " + format_place(*offset);
-  if (distance) text += " " + format_double(*distance);
-  return text;
-}
 
 glm::dvec3 Extrude::movement(const Mesh& mesh) const {
   if (offset) return *offset;

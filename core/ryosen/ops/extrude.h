@@ -28,28 +28,14 @@ struct Extrude {
   std::optional<double> distance = {};  // along their normal; default: the square root of their mean area
   std::optional<glm::dvec3> offset = {};
 
-  static constexpr OpInfo info{
-      "extrude",
-      "Extrude faces",
-      "面の押し出し",
-      "fN [fM ...] [DISTANCE|X,Y,Z]",
-      "moves faces together along their mean normal or by X,Y,Z and connects their border to its old place by walls",
-      "面をまとめて平均の法線方向または X,Y,Z だけ動かし、まとまりの境界の稜線を元の位置と側面でつなぐ",
-      '\0',
-      OpTargetKind::face,
-      OpGroup::refine,
-      "",
-      Topology::may_change,
-      Subject::edge,
-      OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<Extrude> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Extrude at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Extrude&) const = default;
 
   // The displacement of the faces: by default along the sum of their vector areas, those with a coordinate that is not
   // finite left out. Zero if that sum vanishes, as that of a closed surface does, or is not finite. O(corners).

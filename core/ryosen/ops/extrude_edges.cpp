@@ -16,7 +16,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/attach_face.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/edge_sides.h"
@@ -24,6 +24,40 @@
 #include "ryosen/ops/rules/pinch.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter extrude_edges_parameters[] = {
+    list(edge<&ExtrudeEdges::edges>("A-B"), "C-D"),
+    optional(number<&ExtrudeEdges::distance>("DISTANCE"), position<&ExtrudeEdges::offset>())};
+
+std::optional<Text> fault_of_edge_extrusion(const Mesh& mesh, const void* op) {
+  const ExtrudeEdges& extrude = *static_cast<const ExtrudeEdges*>(op);
+  if (!extrude.offset && !extrude.distance) return std::nullopt;
+  const glm::dvec3 by = extrude.movement(mesh);
+  for (const Halfedge h : extrude.edges)
+    for (const Vertex v : {mesh.from(h), mesh.to(h)})
+      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
+        return Text{"a movement that leaves the edge at a finite place", "稜線の座標が有限になる移動量を"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+constinit const OpInfo ExtrudeEdges::info{
+    .id = "extrude_edges",
+    .name_en = "Extrude edges",
+    .name_ja = "稜線の押し出し",
+    .line = {.lists = {extrude_edges_parameters}, .fault = fault_of_edge_extrusion},
+    .help_en =
+        "moves copies of edges together, away from their faces or by X,Y,Z, and connects each to its edge by a face",
+    .help_ja = "稜線の複製をまとめて面から離れる方向または X,Y,Z だけ動かし、元の稜線と面でつなぐ",
+    .key = '\0',
+    .target = OpTargetKind::edge,
+    .group = OpGroup::refine,
+    .on_selection = OnSelection::all};
 
 namespace {
 
@@ -192,39 +226,6 @@ class ExtrudedEdges {
 };
 
 }  // namespace
-
-Parsed<ExtrudeEdges> ExtrudeEdges::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  ExtrudeEdges op;
-  const auto is_movement = [&] {
-    return in.peek().find(',') != std::string::npos || in.peek().find('-', 1) == std::string::npos ||
-           parse_double(in.peek());
-  };
-  do op.edges.push_back(in.halfedge());
-  while (!in.failed() && !in.at_end() && !is_movement());
-  const std::string argument(in.peek());
-  if (argument.find(',') != std::string::npos)
-    op.offset = in.place();
-  else if (!in.at_end())
-    op.distance = in.number();
-  Parsed<ExtrudeEdges> out = in.result(op);
-  if (!out.op || argument.empty()) return out;
-  const glm::dvec3 by = op.movement(mesh);
-  for (Halfedge h : op.edges)
-    for (Vertex v : {mesh.from(h), mesh.to(h)})
-      if (is_finite(mesh.position(v)) && !is_finite(mesh.position(v) + by))
-        return malformed_argument<ExtrudeEdges>(
-            argument, {"a movement that leaves the edge at a finite place", "稜線の座標が有限になる移動量を"});
-  return out;
-}
-
-std::string ExtrudeEdges::command(const Mesh& mesh) const {
-  std::string text(info.id);
-  for (Halfedge h : edges) text += " " + (is_there(mesh, h) ? name_to_choose(mesh, h) : name_of(mesh, h));
-  if (offset) return text + " " + format_place(*offset);
-  if (distance) text += " " + format_double(*distance);
-  return text;
-}
 
 glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
   if (offset) return *offset;

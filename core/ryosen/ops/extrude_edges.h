@@ -29,28 +29,14 @@ struct ExtrudeEdges {
   std::optional<double> distance = {};  // default: the mean length of the edges
   std::optional<glm::dvec3> offset = {};
 
-  static constexpr OpInfo info{
-      "extrude_edges",
-      "Extrude edges",
-      "稜線の押し出し",
-      "A-B [C-D ...] [DISTANCE|X,Y,Z]",
-      "moves copies of edges together, away from their faces or by X,Y,Z, and connects each to its edge by a face",
-      "稜線の複製をまとめて面から離れる方向または X,Y,Z だけ動かし、元の稜線と面でつなぐ",
-      '\0',
-      OpTargetKind::edge,
-      OpGroup::refine,
-      "",
-      Topology::may_change,
-      Subject::edge,
-      OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<ExtrudeEdges> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static ExtrudeEdges at(const Mesh&, const OpTarget& target) { return {{target.halfedge}}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const ExtrudeEdges&) const = default;
 
   // The displacement of the copies: by default along the sum of the directions that lead out of the faces beside the
   // edges; where those cancel out, as around a hole, along the normal of the loop that the edges make. Zero if there is

@@ -5,12 +5,38 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter fill_parameters[] = {required(edge<&Fill::halfedge>("A-B"))};
+
+void turn_to_hole(const Mesh& mesh, void* op) {
+  Fill& fill = *static_cast<Fill*>(op);
+  fill = Fill::of_edge(mesh, fill.halfedge);
+}
+
+}  // namespace
+
+constinit const OpInfo Fill::info{.id = "fill",
+                                  .name_en = "Fill hole",
+                                  .name_ja = "穴埋め",
+                                  .line = {.lists = {fill_parameters}, .normalise = turn_to_hole},
+                                  .help_en = "puts one face on the hole at a boundary edge",
+                                  .help_ja = "境界稜線 A-B の穴に一枚の面を張る",
+                                  .key = '\0',
+                                  .target = OpTargetKind::edge,
+                                  .group = OpGroup::fill,
+                                  .subject = Subject::cycle,
+                                  .made = {"One face was made.", "# faces were made.", "面を # 個張りました。"}};
 
 namespace {
 
@@ -25,12 +51,6 @@ Vertex repeated_point(std::vector<std::uint32_t> points) {
 
 Fill Fill::of_edge(const Mesh& mesh, Halfedge h) {
   return {!mesh.is_outside(h) && mesh.is_outside(twin(h)) ? twin(h) : h};
-}
-
-Parsed<Fill> Fill::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const Halfedge h = in.halfedge();
-  return in.result(in.failed() ? Fill() : of_edge(mesh, h));
 }
 
 Fill Fill::at(const Mesh& mesh, const OpTarget& target) {

@@ -5,7 +5,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/attach_face.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -13,6 +13,27 @@
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter make_face_parameters[] = {required(unprinted(copy<&MakeFace::corners>("A"))),
+                                                required(unprinted(copy<&MakeFace::corners>("B"))),
+                                                list(copy<&MakeFace::corners>("C"))};
+
+}  // namespace
+
+constinit const OpInfo MakeFace::info{.id = "make_face",
+                                      .name_en = "Make face",
+                                      .name_ja = "面生成",
+                                      .line = {.lists = {make_face_parameters}},
+                                      .help_en = "makes a face on three or more vertices, counter-clockwise",
+                                      .help_ja = "三つ以上の頂点に反時計回りに面を張る",
+                                      .key = '\0',
+                                      .target = OpTargetKind::selection,
+                                      .group = OpGroup::fill,
+                                      .on_selection = OnSelection::all};
 
 namespace {
 
@@ -41,20 +62,6 @@ void check_side(const Mesh& m, Vertex a, Vertex b, Verdict& verdict) {
 }
 
 }  // namespace
-
-Parsed<MakeFace> MakeFace::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  MakeFace op;
-  do op.corners.push_back(in.vertex());
-  while (!in.failed() && (!in.at_end() || op.corners.size() < 3));
-  return in.result(op);
-}
-
-std::string MakeFace::command(const Mesh& mesh) const {
-  std::string line = "make_face";
-  for (Vertex v : corners) line += " " + name_of_copy(mesh, v);
-  return line;
-}
 
 Verdict MakeFace::check(const Mesh& m) const {
   Verdict verdict;

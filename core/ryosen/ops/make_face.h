@@ -22,27 +22,14 @@ namespace ryosen {
 struct MakeFace {
   std::vector<Vertex> corners;
 
-  static constexpr OpInfo info{"make_face",
-                               "Make face",
-                               "面生成",
-                               "A B C ...",
-                               "makes a face on three or more vertices, counter-clockwise",
-                               "三つ以上の頂点に反時計回りに面を張る",
-                               '\0',
-                               OpTargetKind::selection,
-                               OpGroup::fill,
-                               "",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<MakeFace> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeFace at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const MakeFace&) const = default;
 };
 
 }  // namespace ryosen

@@ -1,16 +1,13 @@
 // The operator concept: how an operator is described, parsed, checked and applied.
 //
 // An operator is a small struct with these members:
-//   static constexpr OpInfo info;
-//   static Parsed<Op> parse(const Mesh&, std::span<const std::string_view> arguments);   from a script line
+//   static const OpInfo info;                              its row, with the parameters of its line
 //   static Op at(const Mesh&, const OpTarget&);           what a click on the target does
-//   std::string command(const Mesh&) const;               the script line that does the same
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
 //   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
 //   OpEffect apply(Edit&) const;                           the check must be legal
-// at, command and check also accept elements that are none, deleted or out of range, as an undo may leave them. One that
-// acts on a single vertex, halfedge or face gets parse, at, command and warnings from ops/lines/on_element.h, as reverse
-// does. What a syntax may say stands in ops/lines/syntax.h.
+// at and check also accept elements that are none, deleted or out of range, as an undo may leave them, and so does the
+// printing of its line. One that acts on a single vertex, halfedge or face gets at and warnings from a base (below).
 //
 // The comment above an operator gives its effect on the polygon list (wires are pairs), its preconditions, what it
 // changes, and its inverse. In the line "changes" V, E, F, H, S and G are the terms of the Euler-Poincare sum, and B
@@ -31,6 +28,7 @@
 #include "ryosen/base/verdict.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/ops/parameters/op_parameter.h"
 
 namespace ryosen {
 
@@ -65,7 +63,7 @@ class OpSeries;
 struct OpInfo {
   std::string_view id;
   std::string_view name_en, name_ja;
-  std::string_view syntax;  // of the script line's arguments
+  OpLine line = {};
   std::string_view help_en, help_ja;
   char key;  // selects the tool in the editor
   OpTargetKind target;
@@ -139,40 +137,33 @@ bool is_gone(const Mesh& mesh, Handle element, Verdict& verdict) {
   return true;
 }
 
-// Parses the single edge argument of an operator; forwards errors.
+// Bases of the operators that act on one element and are told nothing else: the element, and what a click on it means.
+// Such an operator adds its row, check() and apply(), its warnings() if it has any, and what differs.
 template <class Op>
-std::optional<Halfedge> parse_edge_argument(const Mesh& mesh, std::span<const std::string_view> arguments,
-                                            Parsed<Op>& out) {
-  if (arguments.empty()) {
-    out.error = NameError::malformed;
-    out.sentence = {"an edge A-B is missing", "稜線 A-B の指定がありません"};
-    return std::nullopt;
-  }
-  const Named<Halfedge> edge = find_edge(mesh, arguments[0]);
-  if (edge.ok()) return edge.element;
-  out.error = edge.error;
-  out.sentence = edge.sentence;
-  return std::nullopt;
-}
+struct OnVertex {
+  Vertex vertex;
 
-// The error for an argument that cannot be parsed; `expected` in Japanese includes its particle.
-Text not_understood(std::string_view argument, const Text& expected);
-// The error for an argument that does not match the operator's syntax (empty if it takes none).
-Text not_of_syntax(std::string_view argument, std::string_view syntax);
-Text argument_missing(std::string_view syntax);
+  static Op at(const Mesh&, const OpTarget& target) { return {{target.vertex}}; }
+  std::vector<Reason> warnings(const Mesh&) const { return {}; }
+  bool operator==(const OnVertex&) const = default;
+};
 
 template <class Op>
-Parsed<Op> malformed_argument(std::string_view argument, const Text& expected) {
-  return {std::nullopt, NameError::malformed, not_understood(argument, expected)};
-}
-template <class Op>
-Parsed<Op> malformed_argument(std::string_view argument) {
-  return {std::nullopt, NameError::malformed, not_of_syntax(argument, Op::info.syntax)};
-}
+struct OnHalfedge {
+  Halfedge halfedge;
 
-// Parses a finite number that spans the whole text.
-std::optional<double> parse_double(std::string_view text);
-// The shortest decimal that reads back as the same double.
-std::string format_double(double value);
+  static Op at(const Mesh&, const OpTarget& target) { return {{target.halfedge}}; }
+  std::vector<Reason> warnings(const Mesh&) const { return {}; }
+  bool operator==(const OnHalfedge&) const = default;
+};
+
+template <class Op>
+struct OnFace {
+  Face face;
+
+  static Op at(const Mesh&, const OpTarget& target) { return {{target.face}}; }
+  std::vector<Reason> warnings(const Mesh&) const { return {}; }
+  bool operator==(const OnFace&) const = default;
+};
 
 }  // namespace ryosen

@@ -12,6 +12,17 @@
 
 namespace ryosen {
 
+constinit const OpInfo Orient::info{
+    .id = "orient",
+    .name_en = "Orient faces",
+    .name_ja = "面の向きを揃える",
+    .help_en = "flips faces so that neighbours are consistently oriented where possible",
+    .help_ja = "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
+    .key = 'O',
+    .target = OpTargetKind::none,
+    .group = OpGroup::orient,
+    .on_selection = OnSelection::none};
+
 namespace {
 
 // The adjacent face across a side, and whether the two are consistently oriented; none unless the edge has exactly two
@@ -144,13 +155,6 @@ class Choice {
 }  // namespace
 
 std::vector<bool> turned_by_orient(const Mesh& mesh) { return Choice(mesh).choose(); }
-
-Parsed<Orient> Orient::parse(const Mesh&, std::span<const std::string_view> arguments) {
-  if (!arguments.empty()) return malformed_argument<Orient>(arguments[0]);
-  Parsed<Orient> out;
-  out.op = Orient{};
-  return out;
-}
 
 Verdict Orient::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -24,27 +24,14 @@
 namespace ryosen {
 
 struct Orient {
-  static constexpr OpInfo info{"orient",
-                               "Orient faces",
-                               "面の向きを揃える",
-                               "",
-                               "flips faces so that neighbours are consistently oriented where possible",
-                               "隣り合う面の向きの不一致が減るように、可能ならなくなるように面を裏返す",
-                               'O',
-                               OpTargetKind::none,
-                               OpGroup::orient,
-                               "",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::none};
+  static const OpInfo info;
 
-  static Parsed<Orient> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Orient at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh&) const { return "orient"; }
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh&) const { return {}; }
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Orient&) const = default;
 };
 
 // By face slot whether the operator turns it.

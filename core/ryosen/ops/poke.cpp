@@ -5,8 +5,8 @@
 
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op_series.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/equal_face_index.h"
 #include "ryosen/ops/rules/face_geometry.h"
@@ -14,16 +14,25 @@
 
 namespace ryosen {
 
-Parsed<Poke> Poke::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Poke op{in.face()};
-  if (!in.at_end()) op.target = in.place();
-  return in.result(op);
-}
+namespace {
 
-std::string Poke::command(const Mesh& mesh) const {
-  return "poke " + name_of(mesh, face) + (target ? " " + format_place(*target) : "");
-}
+using namespace parameters;
+
+constexpr OpParameter poke_parameters[] = {required(face<&Poke::face>("fN")), optional(position<&Poke::target>())};
+
+}  // namespace
+
+constinit const OpInfo Poke::info{.id = "poke",
+                                  .name_en = "Poke face",
+                                  .name_ja = "面の放射分割",
+                                  .line = {.lists = {poke_parameters}},
+                                  .help_en = "puts a vertex into the face and joins it to all corners",
+                                  .help_ja = "面の中に頂点を置き、すべての角と結ぶ",
+                                  .key = '\0',
+                                  .target = OpTargetKind::face,
+                                  .group = OpGroup::refine,
+                                  .topology = Topology::kept,
+                                  .in_series = pokes_in_series};
 
 glm::dvec3 Poke::position(const Mesh& mesh) const {
   if (target) return *target;

@@ -23,30 +23,14 @@ struct Poke {
   Face face;
   std::optional<glm::dvec3> target = {};  // position of m; default: the mean of the corners
 
-  static constexpr OpInfo info{"poke",
-                               "Poke face",
-                               "面の放射分割",
-                               "fN [X,Y,Z]",
-                               "puts a vertex into the face and joins it to all corners",
-                               "面の中に頂点を置き、すべての角と結ぶ",
-                               '\0',
-                               OpTargetKind::face,
-                               OpGroup::refine,
-                               "",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               pokes_in_series};
+  static const OpInfo info;
 
-  static Parsed<Poke> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Poke at(const Mesh&, const OpTarget& target) { return {target.face}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Poke&) const = default;
 
   // The position of m; the mean is taken over the finite corners. O(corners).
   glm::dvec3 position(const Mesh& mesh) const;

@@ -5,23 +5,29 @@
 
 #include "ryosen/analysis/components.h"
 #include "ryosen/base/index_set.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/turn_faces.h"
 
 namespace ryosen {
 
-Parsed<Reverse> Reverse::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Reverse op{{in.face()}};
-  while (!in.at_end() && !in.failed()) op.faces.push_back(in.face());
-  return in.result(op);
-}
+namespace {
 
-std::string Reverse::command(const Mesh& mesh) const {
-  std::string text(info.id);
-  for (const Face f : faces) text += " " + name_of(mesh, f);
-  return text;
-}
+using namespace parameters;
+
+constexpr OpParameter reverse_parameters[] = {list(face<&Reverse::faces>("fN"), "fM")};
+
+}  // namespace
+
+constinit const OpInfo Reverse::info{.id = "reverse",
+                                     .name_en = "Reverse component",
+                                     .name_ja = "成分の反転",
+                                     .line = {.lists = {reverse_parameters}},
+                                     .help_en = "flips all faces of the components of the named faces",
+                                     .help_ja = "指定した面の連結成分の面をすべて裏返す",
+                                     .key = '\0',
+                                     .target = OpTargetKind::face,
+                                     .group = OpGroup::orient,
+                                     .on_selection = OnSelection::all};
 
 Verdict Reverse::check(const Mesh& mesh) const {
   Verdict verdict;

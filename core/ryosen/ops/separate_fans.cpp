@@ -3,9 +3,28 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter separate_fans_parameters[] = {required(vertex<&SeparateFans::vertex>("vN"))};
+
+}  // namespace
+
+constinit const OpInfo SeparateFans::info{.id = "separate_fans",
+                                          .name_en = "Separate fans",
+                                          .name_ja = "扇の分離",
+                                          .line = {.lists = {separate_fans_parameters}},
+                                          .help_en = "gives each fan of faces at a vertex a copy of its own",
+                                          .help_ja = "頂点の面の扇ごとに複製の頂点を作る",
+                                          .key = '\0',
+                                          .target = OpTargetKind::vertex,
+                                          .group = OpGroup::join};
 
 namespace {
 

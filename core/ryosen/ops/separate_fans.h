@@ -13,23 +13,16 @@
 // inverse: weld of the copies. To make them separate points: detach.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct SeparateFans : OnVertex<SeparateFans> {
-  static constexpr OpInfo info{"separate_fans",
-                               "Separate fans",
-                               "扇の分離",
-                               "vN",
-                               "gives each fan of faces at a vertex a copy of its own",
-                               "頂点の面の扇ごとに複製の頂点を作る",
-                               '\0',
-                               OpTargetKind::vertex,
-                               OpGroup::join};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const SeparateFans&) const = default;
 };
 
 }  // namespace ryosen

@@ -7,40 +7,41 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/rings.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/point_in_edge.h"
 
 namespace ryosen {
 
-Parsed<SplitEdge> SplitEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  Parsed<SplitEdge> out;
-  const auto h = parse_edge_argument(mesh, arguments, out);
-  if (!h) return out;
-  SplitEdge op{*h};
-  if (arguments.size() >= 2) {
-    const auto t = parse_double(arguments[1]);
-    if (!t) {
-      op.place = parse_place(arguments[1]);
-      if (!op.place)
-        return malformed_argument<SplitEdge>(arguments[1], {"a number t or X,Y,Z", "数 t または X,Y,Z を"});
-    }
-    op.along = t.value_or(op.along);
-    const glm::dvec3 &a = mesh.position(mesh.from(*h)), &b = mesh.position(mesh.to(*h));
-    if (is_finite(a) && is_finite(b) && t && !is_finite(point_between(a, b, *t)))
-      return malformed_argument<SplitEdge>(
-          arguments[1], {"a t that leaves the new vertex at a finite place", "新しい頂点の座標が有限になる t を"});
-  }
-  if (arguments.size() > 2) return malformed_argument<SplitEdge>(arguments[2]);
-  out.op = op;
-  return out;
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter split_parameters[] = {
+    missing(required(edge<&SplitEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません"),
+    expecting(optional(number<&SplitEdge::along>("t"), position<&SplitEdge::place>()), "a number t or X,Y,Z",
+              "数 t または X,Y,Z を")};
+
+std::optional<Text> fault_of_split(const Mesh& mesh, const void* op) {
+  const auto& [h, along, place] = *static_cast<const SplitEdge*>(op);
+  const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
+  if (place || !is_finite(a) || !is_finite(b) || is_finite(point_between(a, b, along))) return std::nullopt;
+  return Text{"a t that leaves the new vertex at a finite place", "新しい頂点の座標が有限になる t を"};
 }
 
-std::string SplitEdge::command(const Mesh& mesh) const {
-  const std::string line = "split " + name_of(mesh, halfedge);
-  if (place) return line + " " + format_place(*place);
-  return line + (along == 0.5 ? "" : " " + format_double(along));
-}
+}  // namespace
+
+constinit const OpInfo SplitEdge::info{.id = "split",
+                                       .name_en = "Split edge",
+                                       .name_ja = "辺細分",
+                                       .line = {.lists = {split_parameters}, .fault = fault_of_split},
+                                       .help_en = "puts a vertex at A + t (B - A), 0.5 without t, or at a place",
+                                       .help_ja = "A + t(B − A)（t を省くと 0.5）、または指定の座標に頂点を置く",
+                                       .key = 'D',
+                                       .target = OpTargetKind::edge,
+                                       .group = OpGroup::refine,
+                                       .topology = Topology::kept,
+                                       .subject = Subject::points};
 
 Verdict SplitEdge::check(const Mesh& m) const {
   Verdict verdict;

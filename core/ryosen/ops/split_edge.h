@@ -29,26 +29,14 @@ struct SplitEdge {
   double along = 0.5;                    // position A + along (B - A)
   std::optional<glm::dvec3> place = {};  // instead; finite
 
-  static constexpr OpInfo info{"split",
-                               "Split edge",
-                               "辺細分",
-                               "A-B [t|X,Y,Z]",
-                               "puts a vertex at A + t (B - A), 0.5 without t, or at a place",
-                               "A + t(B − A)（t を省くと 0.5）、または指定の座標に頂点を置く",
-                               'D',
-                               OpTargetKind::edge,
-                               OpGroup::refine,
-                               "",
-                               Topology::kept,
-                               Subject::points};
+  static const OpInfo info;
 
-  static Parsed<SplitEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SplitEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, target.snapped_along()}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const SplitEdge&) const = default;
 
   // Where the new vertex comes, and the share of the way along the edge by which values are blended. O(1).
   glm::dvec3 position(const Mesh& mesh) const;

@@ -6,6 +6,7 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -13,6 +14,28 @@
 #include "ryosen/ops/rules/plain_faces.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter swap_parameters[] = {
+    missing(required(edge<&SwapEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません"),
+    optional(word<&SwapEdge::back, true>("back"))};
+
+}  // namespace
+
+constinit const OpInfo SwapEdge::info{.id = "swap",
+                                      .name_en = "Swap edge",
+                                      .name_ja = "稜線交換",
+                                      .line = {.lists = {swap_parameters}},
+                                      .help_en = "rotates the edge by one corner within its two faces",
+                                      .help_ja = "稜線を両側の面の中で一角ぶん回す",
+                                      .key = 'S',
+                                      .target = OpTargetKind::edge,
+                                      .group = OpGroup::orient,
+                                      .aliases = "flip",
+                                      .topology = Topology::kept};
 
 namespace {
 
@@ -108,20 +131,6 @@ bool is_plainly_legal(const Mesh& m, Halfedge h, bool back, LocalFacts& known) {
 }
 
 }  // namespace
-
-Parsed<SwapEdge> SwapEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  Parsed<SwapEdge> out;
-  const auto h = parse_edge_argument(mesh, arguments, out);
-  if (!h) return out;
-  const bool back = arguments.size() >= 2;
-  if (back && (arguments[1] != "back" || arguments.size() > 2)) return malformed_argument<SwapEdge>(arguments.back());
-  out.op = SwapEdge{*h, back};
-  return out;
-}
-
-std::string SwapEdge::command(const Mesh& mesh) const {
-  return "swap " + name_of(mesh, halfedge) + (back ? " back" : "");
-}
 
 Verdict SwapEdge::check(const Mesh& m) const {
   if (m.exists(halfedge) && m.is_alive(halfedge) && quick_swap(m, halfedge) == QuickAnswer::legal) return {};

@@ -26,21 +26,9 @@ struct SwapEdge {
   Halfedge halfedge;
   bool back = false;
 
-  static constexpr OpInfo info{"swap",
-                               "Swap edge",
-                               "稜線交換",
-                               "A-B [back]",
-                               "rotates the edge by one corner within its two faces",
-                               "稜線を両側の面の中で一角ぶん回す",
-                               'S',
-                               OpTargetKind::edge,
-                               OpGroup::orient,
-                               "flip",
-                               Topology::kept};
+  static const OpInfo info;
 
-  static Parsed<SwapEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SwapEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, false}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   // For many questions about one mesh.
@@ -51,6 +39,7 @@ struct SwapEdge {
   bool is_legal(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const SwapEdge&) const = default;
 };
 
 }  // namespace ryosen

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op_series.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/equal_face_index.h"
 #include "ryosen/ops/rules/face_geometry.h"
@@ -12,6 +12,26 @@
 #include "ryosen/ops/rules/face_triangles.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter triangulate_parameters[] = {optional(face<&Triangulate::face>("fN"))};
+
+}  // namespace
+
+constinit const OpInfo Triangulate::info{.id = "triangulate",
+                                         .name_en = "Triangulate",
+                                         .name_ja = "三角形分割",
+                                         .line = {.lists = {triangulate_parameters}},
+                                         .help_en = "cuts a face, or all faces, into triangles",
+                                         .help_ja = "面（省くとすべての面）を三角形に分割する",
+                                         .key = '\0',
+                                         .target = OpTargetKind::face,
+                                         .group = OpGroup::refine,
+                                         .topology = Topology::kept,
+                                         .in_series = triangulations_in_series};
 
 namespace {
 
@@ -108,17 +128,6 @@ void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
 }
 
 }  // namespace
-
-Parsed<Triangulate> Triangulate::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Triangulate op;
-  if (!in.at_end()) op.face = in.face();
-  return in.result(op);
-}
-
-std::string Triangulate::command(const Mesh& mesh) const {
-  return face ? "triangulate " + name_of(mesh, face) : "triangulate";
-}
 
 Verdict Triangulate::check(const Mesh& mesh) const {
   Verdict verdict;

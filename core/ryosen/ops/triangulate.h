@@ -24,30 +24,14 @@ std::unique_ptr<OpSeries> triangulations_in_series(Edit& edit);
 struct Triangulate {
   Face face;  // none: all faces
 
-  static constexpr OpInfo info{"triangulate",
-                               "Triangulate",
-                               "三角形分割",
-                               "[fN]",
-                               "cuts a face, or all faces, into triangles",
-                               "面（省くとすべての面）を三角形に分割する",
-                               '\0',
-                               OpTargetKind::face,
-                               OpGroup::refine,
-                               "",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               triangulations_in_series};
+  static const OpInfo info;
 
-  static Parsed<Triangulate> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Triangulate at(const Mesh&, const OpTarget& target) { return {target.face}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Triangulate&) const = default;
 };
 
 }  // namespace ryosen

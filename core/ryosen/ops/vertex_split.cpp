@@ -9,7 +9,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -108,6 +108,14 @@ void check_end(const Mesh& m, Halfedge end, bool has_face, Verdict& verdict) {
     verdict.refuse(Rule::copies, {point(m, m.from(end)), point(m, m.to(end))});
 }
 
+using namespace parameters;
+
+constexpr OpParameter vertex_split_parameters[] = {
+    required(one_copy<&VertexSplit::vertex>("v")),
+    required(element(OpValueKind::vertex, "L"), element(OpValueKind::edge, "v-L"), element(OpValueKind::word, "-")),
+    required(element(OpValueKind::vertex, "R"), element(OpValueKind::edge, "v-R"), element(OpValueKind::word, "-")),
+    optional(position<&VertexSplit::target>())};
+
 // The outgoing halfedge named by an argument: by its end, or as an edge if several lead to one point. `-` gives none.
 Halfedge read_end(const Mesh& mesh, Vertex v, ArgumentReader& in) {
   const std::string text(in.peek());
@@ -145,6 +153,21 @@ std::string end_text(const Mesh& mesh, Vertex v, Halfedge end) {
   std::size_t same = 0;
   for (Halfedge h : outgoing(mesh, v)) same += same_point(mesh, mesh.to(h), mesh.to(end));
   return same == 1 ? name_of(mesh, mesh.to(end)) : name_of(mesh, end);
+}
+
+void read_ends(const Mesh& mesh, ArgumentReader& in, void* op) {
+  VertexSplit& split = *static_cast<VertexSplit*>(op);
+  split.left = read_end(mesh, split.vertex, in);
+  if (!in.failed()) split.right = read_end(mesh, split.vertex, in);
+  if (!in.at_end()) split.target = in.place();
+  if (!in.failed() && !split.left && !split.right)
+    in.fail(NameError::malformed,
+            {"one of L and R must be a neighbour", "L と R の一方は隣接頂点でなければなりません"});
+}
+
+void print_ends(const Mesh& mesh, const void* op, std::string& line) {
+  const VertexSplit& split = *static_cast<const VertexSplit*>(op);
+  for (const Halfedge end : {split.left, split.right}) line += " " + end_text(mesh, split.vertex, end);
 }
 
 glm::dvec3 mean_of_ends(const Mesh& m, const std::vector<Halfedge>& edges) {
@@ -260,23 +283,18 @@ class Splitter {
 
 }  // namespace
 
-Parsed<VertexSplit> VertexSplit::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  VertexSplit op{in.copy(), {}, {}};
-  if (!in.failed()) op.left = read_end(mesh, op.vertex, in);
-  if (!in.failed()) op.right = read_end(mesh, op.vertex, in);
-  if (!in.at_end()) op.target = in.place();
-  if (!in.failed() && !op.left && !op.right)
-    in.fail(NameError::malformed,
-            {"one of L and R must be a neighbour", "L と R の一方は隣接頂点でなければなりません"});
-  return in.result(op);
-}
-
-std::string VertexSplit::command(const Mesh& mesh) const {
-  std::string text = "vertex_split " + name_of_copy(mesh, vertex);
-  for (Halfedge end : {left, right}) text += " " + end_text(mesh, vertex, end);
-  return text + (target ? " " + format_place(*target) : "");
-}
+constinit const OpInfo VertexSplit::info{
+    .id = "vertex_split",
+    .name_en = "Split vertex",
+    .name_ja = "頂点分割",
+    .line = {.lists = {vertex_split_parameters}, .read_rest = read_ends, .print_rest = print_ends},
+    .help_en = "splits a vertex into an edge; the new end gets the faces from L counter-clockwise to R",
+    .help_ja = "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
+    .key = '\0',
+    .target = OpTargetKind::selection,
+    .group = OpGroup::refine,
+    .topology = Topology::kept,
+    .on_selection = OnSelection::all};
 
 glm::dvec3 VertexSplit::position(const Mesh& m) const {
   if (target) return *target;

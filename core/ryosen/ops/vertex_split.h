@@ -27,27 +27,14 @@ struct VertexSplit {
   Halfedge left, right;  // v -> L and v -> R; none for `-`
   std::optional<glm::dvec3> target = {};
 
-  static constexpr OpInfo info{"vertex_split",
-                               "Split vertex",
-                               "頂点分割",
-                               "v L|v-L|- R|v-R|- [X,Y,Z]",
-                               "splits a vertex into an edge; the new end gets the faces from L counter-clockwise to R",
-                               "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
-                               '\0',
-                               OpTargetKind::selection,
-                               OpGroup::refine,
-                               "",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<VertexSplit> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static VertexSplit at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const VertexSplit&) const = default;
 
   // The position of m. Without a target: halfway to the mean of its future neighbours or, if that inverts a face,
   // halfway away from the mean of those that v keeps, then a quarter and an eighth of the way on either line; the first

@@ -10,8 +10,8 @@
 #include "ryosen/base/index_set.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
 #include "ryosen/ops/op_series.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/local_facts.h"
@@ -21,6 +21,38 @@
 #include "ryosen/ops/rules/weld_judge.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter weld_vertices[] = {required(copy<&Weld::a>("A")), required(copy<&Weld::b>("B")),
+                                         optional(word<&Weld::place, Weld::Place::middle>("mid"),
+                                                  position_if<&Weld::target, &Weld::place, Weld::Place::point>())};
+constexpr OpParameter weld_edges[] = {required(edge<&Weld::first>("A-B")), required(edge<&Weld::second>("C-D")),
+                                      optional(word<&Weld::place, Weld::Place::middle>("mid"))};
+
+}  // namespace
+
+constinit const OpInfo Weld::info{
+    .id = "weld",
+    .name_en = "Weld",
+    .name_ja = "縫合",
+    .line = {.lists = {weld_vertices, weld_edges}},
+    .help_en =
+        "merges two vertices, or two boundary edges, at the place of the first, in the middle or anywhere; of what is "
+        "selected the vertices into the last, those of faces too",
+    .help_ja =
+        "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする。選択した頂点（面ではその頂"
+        "点）は最後の頂点にまとめる",
+    .key = '\0',
+    .target = OpTargetKind::selection,
+    .group = OpGroup::join,
+    .aliases = "merge",
+    .on_selection = OnSelection::into_last,
+    .in_place_of = &all_their_vertices,
+    .along_edge = "collapse",
+    .in_series = welds_in_series};
 
 namespace {
 
@@ -151,34 +183,6 @@ std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Elem
       for (const Vertex v : vertices_around(mesh, e.face())) add(v);
   }
   return vertices;
-}
-
-Parsed<Weld> Weld::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  Weld op;
-  const std::string_view name = in.peek();
-  if (name.find('-') != std::string_view::npos || name.starts_with('h') || name.starts_with('e')) {
-    op.first = in.halfedge();
-    op.second = in.halfedge();
-  } else {
-    op.a = in.vertex();
-    op.b = in.vertex();
-  }
-  if (in.word("mid")) {
-    op.place = Place::middle;
-  } else if (!op.first && !in.failed() && !in.at_end()) {
-    op.place = Place::point;
-    op.target = in.place();
-  }
-  return in.result(op);
-}
-
-std::string Weld::command(const Mesh& mesh) const {
-  const std::string where = place == Place::middle            ? " mid"
-                            : place == Place::point && !first ? " " + format_place(target)
-                                                              : "";
-  if (first) return "weld " + name_of(mesh, first) + " " + name_of(mesh, second) + where;
-  return "weld " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b) + where;
 }
 
 Verdict Weld::check(const Mesh& mesh) const {

@@ -36,33 +36,14 @@ struct Weld {
   Place place = Place::first;
   glm::dvec3 target{};  // for Place::point, which edges do not know: there it is as `first`
 
-  static constexpr OpInfo info{
-      "weld",
-      "Weld",
-      "縫合",
-      "A B [mid|X,Y,Z] | A-B C-D [mid]",
-      "merges two vertices, or two boundary edges, at the place of the first, in the middle or anywhere; of what is "
-      "selected the vertices into the last, those of faces too",
-      "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする。選択した頂点（面ではその頂"
-      "点）は最後の頂点にまとめる",
-      '\0',
-      OpTargetKind::selection,
-      OpGroup::join,
-      "merge",
-      Topology::may_change,
-      Subject::edge,
-      OnSelection::into_last,
-      &all_their_vertices,
-      "collapse",
-      welds_in_series};
+  static const OpInfo info;
 
-  static Parsed<Weld> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static Weld at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const Weld&) const = default;
   // The same where the point of `a` may be known from the call before (rules/sheets.h), and is known for the next one.
   OpEffect apply(Edit& edit, SettledPoint& known) const;
 };

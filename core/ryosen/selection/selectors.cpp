@@ -7,11 +7,11 @@
 
 #include "ryosen/analysis/components.h"
 #include "ryosen/analysis/measures.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/highlights/creases.h"
 #include "ryosen/highlights/map_values.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/op.h"
 #include "ryosen/selection/conversion.h"
 #include "ryosen/selection/element_set.h"
 #include "ryosen/selection/spread.h"

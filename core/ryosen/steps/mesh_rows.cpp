@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/op.h"

@@ -3,6 +3,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen::test {
 

@@ -63,7 +63,7 @@ std::string RandomLines::next(const Session& session) {
   if (dice_.one_in(4)) return algorithm_line(session);
   if (dice_.one_in(4)) return dice_.one_in(2) ? "select all" : "select " + element(session) + " " + element(session);
   const std::string& id = one_of(ids_);
-  const std::optional<CommandRow> row = find_command_row(id);
+  const CommandRow* const row = find_command_row(id);
   std::string arguments = filled(session, row->syntax);
   if (id == "select" && dice_.one_in(2)) arguments = filled(session, one_of(selectors()).id);
   return arguments.empty() ? id : id + " " + arguments;
@@ -73,7 +73,7 @@ std::string RandomLines::operator_line(const Session& session) {
   const std::size_t place = static_cast<std::size_t>(dice_.below(static_cast<int>(all_ops().size())));
   const OpInfo& op = all_ops()[place];
   if (dice_.one_in(3)) return std::string(op.id) + " selected";
-  if (dice_.one_in(3)) return std::string(op.id) + " " + filled(session, op.syntax);
+  if (dice_.one_in(3)) return std::string(op.id) + " " + filled(session, syntax_of(op.line));
   return command_of(session.mesh(), random_op(session.mesh(), place, dice_));
 }
 

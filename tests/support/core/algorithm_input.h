@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ryosen/algo/algorithm.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen::test {
 

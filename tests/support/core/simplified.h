@@ -12,6 +12,7 @@
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/invariants.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "tests/support/core/run_algorithm.h"
 
@@ -65,7 +66,7 @@ inline void expect_all_refused(const Mesh& mesh, const std::string& name) {
       // A point with copies stays where it is.
       if (has_copy && place != CollapseEdge::Place::start && place != CollapseEdge::Place::end) continue;
       if (has_copy && has_copies(mesh, mesh.from(h)) != (place == CollapseEdge::Place::start)) continue;
-      EXPECT_TRUE(is_refused_plainly(mesh, {h, place})) << name << ": " << CollapseEdge{h, place}.command(mesh);
+      EXPECT_TRUE(is_refused_plainly(mesh, {h, place})) << name << ": " << command_of(mesh, CollapseEdge{h, place});
     }
   }
 }

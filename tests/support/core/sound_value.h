@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ryosen/algo/parameters.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen::test {
 

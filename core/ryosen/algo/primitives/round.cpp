@@ -1,7 +1,7 @@
 #include "ryosen/algo/primitives/round.h"
 
 #include "ryosen/algo/primitives/shape.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/number_text.h"
 
 namespace ryosen {
 

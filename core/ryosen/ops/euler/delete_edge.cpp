@@ -2,9 +2,28 @@
 
 #include <cassert>
 
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter delete_edge_parameters[] = {required(edge<&DeleteEdge::halfedge>("A-B"))};
+
+}  // namespace
+
+constinit const OpInfo DeleteEdge::info{.id = "delete_edge",
+                                        .name_en = "Delete edge",
+                                        .name_ja = "稜線消去",
+                                        .line = {.lists = {delete_edge_parameters}},
+                                        .help_en = "takes away an edge that has no face",
+                                        .help_ja = "面を持たない稜線を取り除く",
+                                        .key = '\0',
+                                        .target = OpTargetKind::edge,
+                                        .group = OpGroup::euler};
 
 Verdict DeleteEdge::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -10,23 +10,16 @@
 // inverse: make_edge.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct DeleteEdge : OnHalfedge<DeleteEdge> {
-  static constexpr OpInfo info{"delete_edge",
-                               "Delete edge",
-                               "稜線消去",
-                               "A-B",
-                               "takes away an edge that has no face",
-                               "面を持たない稜線を取り除く",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::euler};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const DeleteEdge&) const = default;
 };
 
 }  // namespace ryosen

@@ -2,10 +2,30 @@
 
 #include <cassert>
 
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter delete_loop_parameters[] = {required(face<&DeleteLoop::face>("fN"))};
+
+}  // namespace
+
+constinit const OpInfo DeleteLoop::info{.id = "delete_loop",
+                                        .name_en = "Delete loop",
+                                        .name_ja = "ループ消去",
+                                        .line = {.lists = {delete_loop_parameters}},
+                                        .help_en = "deletes a face but keeps its edges",
+                                        .help_ja = "面だけを取り除き、稜線は残す",
+                                        .key = '\0',
+                                        .target = OpTargetKind::face,
+                                        .group = OpGroup::euler,
+                                        .aliases = "kf"};
 
 Verdict DeleteLoop::check(const Mesh& mesh) const {
   Verdict verdict;

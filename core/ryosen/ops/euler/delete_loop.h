@@ -11,25 +11,17 @@
 // inverse: make_loop, for a face without rings.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct DeleteLoop : OnFace<DeleteLoop> {
-  static constexpr OpInfo info{"delete_loop",
-                               "Delete loop",
-                               "ループ消去",
-                               "fN",
-                               "deletes a face but keeps its edges",
-                               "面だけを取り除き、稜線は残す",
-                               '\0',
-                               OpTargetKind::face,
-                               OpGroup::euler,
-                               "kf"};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const DeleteLoop&) const = default;
 };
 
 }  // namespace ryosen

@@ -5,12 +5,18 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
 
 namespace {
+
+using namespace parameters;
+
+constexpr OpParameter make_edge_parameters[] = {required(copy<&MakeEdge::a>("A")), required(copy<&MakeEdge::b>("B")),
+                                                optional(element(OpValueKind::edge, "P-A")),
+                                                optional(element(OpValueKind::edge, "Q-B"))};
 
 // The boundary halfedges that end at v (its gaps), at most `most` of them.
 std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most) {
@@ -31,33 +37,39 @@ Halfedge read_gap(const Mesh& mesh, Vertex v, ArgumentReader& in) {
   return in.halfedge();
 }
 
+// A single named corner belongs to the vertex at which it ends.
+void read_gaps(const Mesh& mesh, ArgumentReader& in, void* op) {
+  auto& [a, b, into_a, into_b] = *static_cast<MakeEdge*>(op);
+  const std::vector<Halfedge> at_a = some_gaps_at(mesh, a, 2);
+  const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : find_edge(mesh, in.peek());
+  const bool is_for_a = in.left() == 2 || (!in.at_end() && named.ok() && mesh.to(named.element) == a);
+  if (at_a.size() > 1 || (is_for_a && !at_a.empty())) into_a = read_gap(mesh, a, in);
+  if (into_a.is_none() && !at_a.empty()) into_a = at_a[0];
+  into_b = read_gap(mesh, b, in);
+}
+
+// If one corner must be named, prints both (where they exist).
+void print_gaps(const Mesh& mesh, const void* op, std::string& line) {
+  const auto& [a, b, into_a, into_b] = *static_cast<const MakeEdge*>(op);
+  const auto has_choice = [&](Vertex v) { return is_there(mesh, v) && some_gaps_at(mesh, v, 2).size() == 2; };
+  if (!has_choice(a) && !has_choice(b)) return;
+  for (const Halfedge into : {into_a, into_b})
+    if (into) line += " " + name_of(mesh, into);
+}
+
 }  // namespace
 
-Parsed<MakeEdge> MakeEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  MakeEdge op;
-  op.a = in.vertex();
-  op.b = in.vertex();
-  if (in.failed()) return in.result(op);
-  // A single named corner belongs to the vertex at which it ends.
-  const std::vector<Halfedge> at_a = some_gaps_at(mesh, op.a, 2);
-  const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : find_edge(mesh, in.peek());
-  const bool is_for_a = in.left() == 2 || (!in.at_end() && named.ok() && mesh.to(named.element) == op.a);
-  if (at_a.size() > 1 || (is_for_a && !at_a.empty())) op.into_a = read_gap(mesh, op.a, in);
-  if (op.into_a.is_none() && !at_a.empty()) op.into_a = at_a[0];
-  op.into_b = read_gap(mesh, op.b, in);
-  return in.result(op);
-}
-
-std::string MakeEdge::command(const Mesh& mesh) const {
-  std::string line = "make_edge " + name_of_copy(mesh, a) + " " + name_of_copy(mesh, b);
-  // If one corner must be named, name both (where they exist).
-  const auto has_choice = [&](Vertex v) { return is_there(mesh, v) && some_gaps_at(mesh, v, 2).size() == 2; };
-  if (!has_choice(a) && !has_choice(b)) return line;
-  for (Halfedge into : {into_a, into_b})
-    if (into) line += " " + name_of(mesh, into);
-  return line;
-}
+constinit const OpInfo MakeEdge::info{
+    .id = "make_edge",
+    .name_en = "Make edge",
+    .name_ja = "稜線生成",
+    .line = {.lists = {make_edge_parameters}, .read_rest = read_gaps, .print_rest = print_gaps},
+    .help_en = "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
+    .help_ja = "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
+    .key = '\0',
+    .target = OpTargetKind::selection,
+    .group = OpGroup::euler,
+    .on_selection = OnSelection::all};
 
 Verdict MakeEdge::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -19,27 +19,14 @@ struct MakeEdge {
   Vertex a, b;
   Halfedge into_a, into_b;  // none at an isolated vertex
 
-  static constexpr OpInfo info{"make_edge",
-                               "Make edge",
-                               "稜線生成",
-                               "A B [P-A] [Q-B]",
-                               "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
-                               "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
-                               '\0',
-                               OpTargetKind::selection,
-                               OpGroup::euler,
-                               "",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<MakeEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeEdge at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh&) const { return {}; }
   OpEffect apply(Edit& edit) const;
+  bool operator==(const MakeEdge&) const = default;
 };
 
 }  // namespace ryosen

@@ -3,11 +3,32 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter make_loop_parameters[] = {required(edge<&MakeLoop::halfedge>("A-B"))};
+
+}  // namespace
+
+constinit const OpInfo MakeLoop::info{.id = "make_loop",
+                                      .name_en = "Make loop",
+                                      .name_ja = "ループ生成",
+                                      .line = {.lists = {make_loop_parameters}},
+                                      .help_en = "puts a face into the outside cycle left of A-B",
+                                      .help_ja = "半稜線 A-B の左の外側の閉路に面を張る",
+                                      .key = '\0',
+                                      .target = OpTargetKind::edge,
+                                      .group = OpGroup::euler,
+                                      .aliases = "mf",
+                                      .subject = Subject::cycle};
 
 MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
   const Halfedge h = target.halfedge;

@@ -13,29 +13,19 @@
 // inverse: delete_loop.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct MakeLoop : OnHalfedge<MakeLoop> {
-  static constexpr OpInfo info{"make_loop",
-                               "Make loop",
-                               "ループ生成",
-                               "A-B",
-                               "puts a face into the outside cycle left of A-B",
-                               "半稜線 A-B の左の外側の閉路に面を張る",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::euler,
-                               "mf",
-                               Topology::may_change,
-                               Subject::cycle};
+  static const OpInfo info;
 
   static MakeLoop at(const Mesh& mesh, const OpTarget& target);
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const MakeLoop&) const = default;
 };
 
 }  // namespace ryosen

@@ -7,10 +7,31 @@
 #include "ryosen/geometry/locate.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter make_ring_parameters[] = {required(edge<&MakeRing::halfedge>("A-B"))};
+
+}  // namespace
+
+constinit const OpInfo MakeRing::info{.id = "make_ring",
+                                      .name_en = "Make ring",
+                                      .name_ja = "リング生成",
+                                      .line = {.lists = {make_ring_parameters}},
+                                      .help_en = "takes a bridge away and makes the inner loop a ring of the face",
+                                      .help_ja = "橋の稜線を取り除き、内側のループを面のリングにする",
+                                      .key = '\0',
+                                      .target = OpTargetKind::edge,
+                                      .group = OpGroup::euler,
+                                      .aliases = "kemr",
+                                      .topology = Topology::kept};
 
 namespace {
 

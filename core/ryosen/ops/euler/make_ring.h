@@ -14,25 +14,16 @@
 // inverse: unite_ring.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct MakeRing : OnHalfedge<MakeRing> {
-  static constexpr OpInfo info{"make_ring",
-                               "Make ring",
-                               "リング生成",
-                               "A-B",
-                               "takes a bridge away and makes the inner loop a ring of the face",
-                               "橋の稜線を取り除き、内側のループを面のリングにする",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::euler,
-                               "kemr",
-                               Topology::kept};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const MakeRing&) const = default;
 };
 
 }  // namespace ryosen

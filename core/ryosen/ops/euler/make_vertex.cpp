@@ -2,17 +2,29 @@
 
 #include <cassert>
 
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 
 namespace ryosen {
 
-Parsed<MakeVertex> MakeVertex::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const MakeVertex op{in.place()};
-  return in.result(op);
-}
+namespace {
 
-std::string MakeVertex::command(const Mesh&) const { return "make_vertex " + format_place(position); }
+using namespace parameters;
+
+constexpr OpParameter make_vertex_parameters[] = {required(position<&MakeVertex::position>())};
+
+}  // namespace
+
+constinit const OpInfo MakeVertex::info{.id = "make_vertex",
+                                        .name_en = "Make vertex",
+                                        .name_ja = "頂点生成",
+                                        .line = {.lists = {make_vertex_parameters}},
+                                        .help_en = "makes an isolated vertex at a position",
+                                        .help_ja = "指定した位置に孤立頂点を置く",
+                                        .key = '\0',
+                                        .target = OpTargetKind::none,
+                                        .group = OpGroup::euler,
+                                        .aliases = "mvs",
+                                        .on_selection = OnSelection::none};
 
 OpEffect MakeVertex::apply(Edit& edit) const {
   OpEffect effect;

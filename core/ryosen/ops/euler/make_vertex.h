@@ -16,27 +16,14 @@ namespace ryosen {
 struct MakeVertex {
   glm::dvec3 position{0.0};
 
-  static constexpr OpInfo info{"make_vertex",
-                               "Make vertex",
-                               "頂点生成",
-                               "X,Y,Z",
-                               "makes an isolated vertex at a position",
-                               "指定した位置に孤立頂点を置く",
-                               '\0',
-                               OpTargetKind::none,
-                               OpGroup::euler,
-                               "mvs",
-                               Topology::may_change,
-                               Subject::edge,
-                               OnSelection::none};
+  static const OpInfo info;
 
-  static Parsed<MakeVertex> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static MakeVertex at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh&) const { return {}; }
   std::vector<Reason> warnings(const Mesh&) const { return {}; }
   OpEffect apply(Edit& edit) const;
+  bool operator==(const MakeVertex&) const = default;
 };
 
 }  // namespace ryosen

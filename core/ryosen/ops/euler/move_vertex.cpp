@@ -4,24 +4,34 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 
 namespace ryosen {
 
-Parsed<MoveVertex> MoveVertex::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const Vertex v = in.vertex();
-  const MoveVertex op{v, in.place()};
-  return in.result(op);
-}
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter move_vertex_parameters[] = {required(vertex<&MoveVertex::vertex>("vN")),
+                                                  required(position<&MoveVertex::position>())};
+
+}  // namespace
+
+constinit const OpInfo MoveVertex::info{.id = "move_vertex",
+                                        .name_en = "Move vertex",
+                                        .name_ja = "頂点移動",
+                                        .line = {.lists = {move_vertex_parameters}},
+                                        .help_en = "moves a vertex and all its copies to a place",
+                                        .help_ja = "頂点をそのすべての複製とともに移動する",
+                                        .key = '\0',
+                                        .target = OpTargetKind::none,
+                                        .group = OpGroup::euler,
+                                        .aliases = "move",
+                                        .topology = Topology::kept};
 
 MoveVertex MoveVertex::at(const Mesh& mesh, const OpTarget& target) {
   return {target.vertex, is_there(mesh, target.vertex) ? mesh.position(target.vertex) : glm::dvec3()};
-}
-
-std::string MoveVertex::command(const Mesh& mesh) const {
-  return "move_vertex " + name_of(mesh, vertex) + " " + format_place(position);
 }
 
 Verdict MoveVertex::check(const Mesh& mesh) const {

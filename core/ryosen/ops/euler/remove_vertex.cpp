@@ -3,10 +3,28 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 
 namespace ryosen {
 
-std::string RemoveVertex::command(const Mesh& mesh) const { return "remove_vertex " + name_of_copy(mesh, vertex); }
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter remove_vertex_parameters[] = {required(copy<&RemoveVertex::vertex>("vN"))};
+
+}  // namespace
+
+constinit const OpInfo RemoveVertex::info{.id = "remove_vertex",
+                                          .name_en = "Remove vertex",
+                                          .name_ja = "頂点消去",
+                                          .line = {.lists = {remove_vertex_parameters}},
+                                          .help_en = "removes an isolated vertex",
+                                          .help_ja = "孤立頂点を取り除く",
+                                          .key = '\0',
+                                          .target = OpTargetKind::vertex,
+                                          .group = OpGroup::euler,
+                                          .aliases = "kvs"};
 
 Verdict RemoveVertex::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -9,19 +9,16 @@
 // inverse: make_vertex.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
 struct RemoveVertex : OnVertex<RemoveVertex> {
-  static constexpr OpInfo info{
-      "remove_vertex",      "Remove vertex", "頂点消去", "vN", "removes an isolated vertex", "孤立頂点を取り除く", '\0',
-      OpTargetKind::vertex, OpGroup::euler,  "kvs"};
-
-  std::string command(const Mesh& mesh) const;
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const RemoveVertex&) const = default;
 };
 
 }  // namespace ryosen

@@ -3,21 +3,32 @@
 #include <cassert>
 
 #include "ryosen/mesh/rings.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/point_in_edge.h"
 
 namespace ryosen {
 
-Parsed<SeparateEdge> SeparateEdge::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  SeparateEdge op{in.halfedge()};
-  if (!in.at_end()) op.along = in.number();
-  return in.result(op);
-}
+namespace {
 
-std::string SeparateEdge::command(const Mesh& mesh) const {
-  return "separate_edge " + name_of(mesh, halfedge) + (along == 0.5 ? "" : " " + format_double(along));
-}
+using namespace parameters;
+
+constexpr OpParameter separate_edge_parameters[] = {required(edge<&SeparateEdge::halfedge>("A-B")),
+                                                    optional(number<&SeparateEdge::along>("t"))};
+
+}  // namespace
+
+constinit const OpInfo SeparateEdge::info{.id = "separate_edge",
+                                          .name_en = "Divide edge",
+                                          .name_ja = "稜線分割",
+                                          .line = {.lists = {separate_edge_parameters}},
+                                          .help_en = "puts a vertex into an edge without cutting faces",
+                                          .help_ja = "面を切らずに稜線の途中に頂点を入れる",
+                                          .key = '\0',
+                                          .target = OpTargetKind::edge,
+                                          .group = OpGroup::euler,
+                                          .aliases = "semv",
+                                          .topology = Topology::kept,
+                                          .subject = Subject::points};
 
 Verdict SeparateEdge::check(const Mesh& mesh) const {
   Verdict verdict;

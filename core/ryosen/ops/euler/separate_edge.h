@@ -16,26 +16,14 @@ struct SeparateEdge {
   Halfedge halfedge;
   double along = 0.5;
 
-  static constexpr OpInfo info{"separate_edge",
-                               "Divide edge",
-                               "稜線分割",
-                               "A-B [t]",
-                               "puts a vertex into an edge without cutting faces",
-                               "面を切らずに稜線の途中に頂点を入れる",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::euler,
-                               "semv",
-                               Topology::kept,
-                               Subject::points};
+  static const OpInfo info;
 
-  static Parsed<SeparateEdge> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateEdge at(const Mesh&, const OpTarget& target) { return {target.halfedge, target.snapped_along()}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const SeparateEdge&) const = default;
 };
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 #include "ryosen/geometry/locate.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/face_geometry.h"
@@ -15,6 +15,36 @@
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+void read_separated_corners(const Mesh& mesh, ArgumentReader& in, void* op) {
+  const FaceCorners corners = read_face_corners(mesh, in);
+  *static_cast<SeparateLoop*>(op) = {corners.into_a, corners.into_b};
+}
+void print_separated_corners(const Mesh& mesh, const void* op, std::string& line) {
+  const auto& [into_a, into_b] = *static_cast<const SeparateLoop*>(op);
+  line += " " + face_corners_text(mesh, {into_a, into_b});
+}
+
+}  // namespace
+
+constinit const OpInfo SeparateLoop::info{.id = "separate_loop",
+                                          .name_en = "Divide face",
+                                          .name_ja = "ループ分割",
+                                          .line = {.lists = {face_corner_parameters},
+                                                   .read_rest = read_separated_corners,
+                                                   .print_rest = print_separated_corners},
+                                          .help_en = "divides a face by an edge from corner A to corner B",
+                                          .help_ja = "面を角 A と角 B を結ぶ稜線で分割する",
+                                          .key = '\0',
+                                          .target = OpTargetKind::selection,
+                                          .group = OpGroup::euler,
+                                          .aliases = "divide mef",
+                                          .topology = Topology::kept,
+                                          .on_selection = OnSelection::all};
 
 namespace {
 
@@ -87,16 +117,6 @@ std::pair<CornerLoops, CornerLoops> lists_after(const Mesh& mesh, Face f, std::u
 }
 
 }  // namespace
-
-Parsed<SeparateLoop> SeparateLoop::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
-  const FaceCorners corners = read_face_corners(mesh, in);
-  return in.result(SeparateLoop{corners.into_a, corners.into_b});
-}
-
-std::string SeparateLoop::command(const Mesh& mesh) const {
-  return "separate_loop " + face_corners_text(mesh, {into_a, into_b});
-}
 
 Verdict SeparateLoop::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -21,27 +21,14 @@ namespace ryosen {
 struct SeparateLoop {
   Halfedge into_a, into_b;  // the sides of the face that end at the two corners
 
-  static constexpr OpInfo info{"separate_loop",
-                               "Divide face",
-                               "ループ分割",
-                               "A B [fN] [P-A] [Q-B]",
-                               "divides a face by an edge from corner A to corner B",
-                               "面を角 A と角 B を結ぶ稜線で分割する",
-                               '\0',
-                               OpTargetKind::selection,
-                               OpGroup::euler,
-                               "divide mef",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::all};
+  static const OpInfo info;
 
-  static Parsed<SeparateLoop> parse(const Mesh& mesh, std::span<const std::string_view> arguments);
   static SeparateLoop at(const Mesh&, const OpTarget&) { return {}; }
-  std::string command(const Mesh& mesh) const;
 
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const SeparateLoop&) const = default;
 };
 
 }  // namespace ryosen

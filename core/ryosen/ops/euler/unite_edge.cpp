@@ -5,11 +5,33 @@
 #include <utility>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter unite_edge_parameters[] = {required(vertex<&UniteEdge::vertex>("vN"))};
+
+}  // namespace
+
+constinit const OpInfo UniteEdge::info{.id = "unite_edge",
+                                       .name_en = "Unite edges",
+                                       .name_ja = "稜線結合",
+                                       .line = {.lists = {unite_edge_parameters}},
+                                       .help_en = "removes a vertex with exactly two edges and unites them",
+                                       .help_ja = "稜線がちょうど二本の頂点を取り除く",
+                                       .key = '\0',
+                                       .target = OpTargetKind::vertex,
+                                       .group = OpGroup::euler,
+                                       .aliases = "jekv",
+                                       .topology = Topology::kept,
+                                       .in_series = unites_edges_in_series};
 
 namespace {
 

@@ -9,7 +9,7 @@
 // inverse: separate_edge.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
@@ -17,25 +17,11 @@ namespace ryosen {
 std::unique_ptr<OpSeries> unites_edges_in_series(Edit& edit);
 
 struct UniteEdge : OnVertex<UniteEdge> {
-  static constexpr OpInfo info{"unite_edge",
-                               "Unite edges",
-                               "稜線結合",
-                               "vN",
-                               "removes a vertex with exactly two edges and unites them",
-                               "稜線がちょうど二本の頂点を取り除く",
-                               '\0',
-                               OpTargetKind::vertex,
-                               OpGroup::euler,
-                               "jekv",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               unites_edges_in_series};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const UniteEdge&) const = default;
 };
 
 }  // namespace ryosen

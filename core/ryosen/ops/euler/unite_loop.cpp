@@ -4,12 +4,34 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/plain_faces.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
+
+namespace {
+
+using namespace parameters;
+
+constexpr OpParameter unite_loop_parameters[] = {required(edge<&UniteLoop::halfedge>("A-B"))};
+
+}  // namespace
+
+constinit const OpInfo UniteLoop::info{.id = "unite_loop",
+                                       .name_en = "Unite loops",
+                                       .name_ja = "ループ結合",
+                                       .line = {.lists = {unite_loop_parameters}},
+                                       .help_en = "unites the two faces at an edge into one",
+                                       .help_ja = "稜線の両側の面を一つにまとめる",
+                                       .key = '\0',
+                                       .target = OpTargetKind::edge,
+                                       .group = OpGroup::euler,
+                                       .aliases = "kef",
+                                       .topology = Topology::kept,
+                                       .in_series = unites_loops_in_series};
 
 namespace {
 

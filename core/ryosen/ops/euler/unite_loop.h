@@ -14,7 +14,7 @@
 // inverse: separate_loop.
 #pragma once
 
-#include "ryosen/ops/lines/on_element.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 
@@ -24,28 +24,14 @@ class LocalFacts;
 std::unique_ptr<OpSeries> unites_loops_in_series(Edit& edit);
 
 struct UniteLoop : OnHalfedge<UniteLoop> {
-  static constexpr OpInfo info{"unite_loop",
-                               "Unite loops",
-                               "ループ結合",
-                               "A-B",
-                               "unites the two faces at an edge into one",
-                               "稜線の両側の面を一つにまとめる",
-                               '\0',
-                               OpTargetKind::edge,
-                               OpGroup::euler,
-                               "kef",
-                               Topology::kept,
-                               Subject::edge,
-                               OnSelection::each,
-                               nullptr,
-                               "",
-                               unites_loops_in_series};
+  static const OpInfo info;
 
   Verdict check(const Mesh& mesh) const;
   // For many questions about one mesh.
   Verdict check(const Mesh& mesh, LocalFacts& known) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
+  bool operator==(const UniteLoop&) const = default;
 };
 
 }  // namespace ryosen

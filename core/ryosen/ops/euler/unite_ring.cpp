@@ -3,21 +3,40 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
 
-Parsed<UniteRing> UniteRing::parse(const Mesh& mesh, std::span<const std::string_view> arguments) {
-  ArgumentReader in(mesh, arguments, info.syntax);
+namespace {
+
+using namespace parameters;
+
+void read_bridged_corners(const Mesh& mesh, ArgumentReader& in, void* op) {
   const FaceCorners corners = read_face_corners(mesh, in);
-  return in.result(UniteRing{corners.into_a, corners.into_b});
+  *static_cast<UniteRing*>(op) = {corners.into_a, corners.into_b};
+}
+void print_bridged_corners(const Mesh& mesh, const void* op, std::string& line) {
+  const auto& [into_a, into_b] = *static_cast<const UniteRing*>(op);
+  line += " " + face_corners_text(mesh, {into_a, into_b});
 }
 
-std::string UniteRing::command(const Mesh& mesh) const {
-  return "unite_ring " + face_corners_text(mesh, {into_a, into_b});
-}
+}  // namespace
+
+constinit const OpInfo UniteRing::info{
+    .id = "unite_ring",
+    .name_en = "Unite ring",
+    .name_ja = "リング結合",
+    .line = {.lists = {face_corner_parameters}, .read_rest = read_bridged_corners, .print_rest = print_bridged_corners},
+    .help_en = "joins two loops of a face by a bridge",
+    .help_ja = "一つの面の二つのループを橋の稜線でつなぐ",
+    .key = '\0',
+    .target = OpTargetKind::selection,
+    .group = OpGroup::euler,
+    .aliases = "mekr",
+    .topology = Topology::kept,
+    .on_selection = OnSelection::all};
 
 Verdict UniteRing::check(const Mesh& mesh) const {
   Verdict verdict;

@@ -1,10 +1,10 @@
-// Parsing of two corners of one face for separate_loop and unite_ring: A B [fN] [P-A] [Q-B].
+// Reads and prints two corners of one face for separate_loop and unite_ring: A B [fN] [P-A] [Q-B].
 #pragma once
 
 #include <string>
 
 #include "ryosen/base/verdict.h"
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/member_values.h"
 
 namespace ryosen {
 
@@ -12,6 +12,13 @@ namespace ryosen {
 struct FaceCorners {
   Halfedge into_a, into_b;
 };
+
+inline constexpr OpParameter face_corner_parameters[] = {
+    parameters::required(parameters::element(OpValueKind::vertex, "A")),
+    parameters::required(parameters::element(OpValueKind::vertex, "B")),
+    parameters::optional(parameters::element(OpValueKind::face, "fN")),
+    parameters::optional(parameters::element(OpValueKind::edge, "P-A")),
+    parameters::optional(parameters::element(OpValueKind::edge, "Q-B"))};
 
 // The face may be omitted if only one has both corners, the incoming sides if the face visits each point once.
 FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/scatter_algorithm.h"

@@ -4,6 +4,7 @@
 
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 
@@ -117,9 +118,9 @@ TEST(delete_op, parse_errors) {
 
 TEST(delete_op, a_click_takes_what_is_picked) {
   const Mesh mesh = make_mesh(tetrahedron());
-  EXPECT_EQ(Delete::at(mesh, {Halfedge(), 0, Vertex(2), Face()}).command(mesh), "delete v2");
-  EXPECT_EQ(Delete::at(mesh, {Halfedge(), 0, Vertex(), Face(1)}).command(mesh), "delete f1");
-  EXPECT_EQ(Delete::at(mesh, {mesh.halfedge(Face(1)), 0.5, Vertex(), Face()}).command(mesh), "delete 0-1");
+  EXPECT_EQ(command_of(mesh, Delete::at(mesh, {Halfedge(), 0, Vertex(2), Face()})), "delete v2");
+  EXPECT_EQ(command_of(mesh, Delete::at(mesh, {Halfedge(), 0, Vertex(), Face(1)})), "delete f1");
+  EXPECT_EQ(command_of(mesh, Delete::at(mesh, {mesh.halfedge(Face(1)), 0.5, Vertex(), Face()})), "delete 0-1");
 }
 
 }  // namespace

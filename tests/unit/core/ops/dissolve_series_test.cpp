@@ -7,6 +7,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/invariants.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/ops/each.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "tests/support/core/random_ops.h"
@@ -56,7 +57,7 @@ void expect_same_as_one_by_one(const Mesh& start, Dice& dice) {
       if (is_strict && reasons.empty()) reasons = op.warnings(single);
       std::optional<Rule> rule = series.broken_rule(op);
       if (is_strict && !rule) rule = series.doubt(op);
-      ASSERT_EQ(rule, reasons.empty() ? std::nullopt : std::optional(reasons[0].rule)) << op.command(single);
+      ASSERT_EQ(rule, reasons.empty() ? std::nullopt : std::optional(reasons[0].rule)) << command_of(single, op);
       if (rule) continue;
       series.apply(op);
       Edit once(single, nullptr);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/editor/session/session.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/app/program.h"

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/session/session.h"
+#include "ryosen/base/number_text.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

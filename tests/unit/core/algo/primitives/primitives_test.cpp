@@ -11,6 +11,7 @@
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/core/run_algorithm.h"

@@ -7,6 +7,7 @@
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/simplified.h"
@@ -59,7 +60,7 @@ void expect_refused_where_lowest(Mesh mesh, const std::string& name) {
     if (!is_finite(mesh.position(mesh.from(h))) || !is_finite(mesh.position(mesh.to(h)))) continue;
     for (const Halfedge way : {h, twin(h)}) {
       const CollapseEdge op{way, CollapseEdge::Place::point, simplifier.lowest_place(e)};
-      EXPECT_TRUE(is_refused_plainly(mesh, op)) << name << ": " << op.command(mesh);
+      EXPECT_TRUE(is_refused_plainly(mesh, op)) << name << ": " << command_of(mesh, op);
     }
   }
 }

@@ -26,11 +26,11 @@ struct Count {
 template <class Op>
 void compare(const Mesh& mesh, const Op& op, QuickAnswer quick, Count& count) {
   const Verdict judged = op.judge(mesh);
-  ASSERT_EQ(op.check(mesh).reasons, judged.reasons) << op.command(mesh);
-  ASSERT_EQ(op.is_legal(mesh), judged.legal()) << op.command(mesh);
+  ASSERT_EQ(op.check(mesh).reasons, judged.reasons) << command_of(mesh, op);
+  ASSERT_EQ(op.is_legal(mesh), judged.legal()) << command_of(mesh, op);
   ASSERT_TRUE(judged.legal() || quick != QuickAnswer::legal)
-      << op.command(mesh) << ": " << text_of(judged.reasons[0].rule).id;
-  ASSERT_TRUE(!judged.legal() || quick != QuickAnswer::refused) << op.command(mesh);
+      << command_of(mesh, op) << ": " << text_of(judged.reasons[0].rule).id;
+  ASSERT_TRUE(!judged.legal() || quick != QuickAnswer::refused) << command_of(mesh, op);
   count.quick += quick == QuickAnswer::legal;
   count.quickly_refused += quick == QuickAnswer::refused;
   ++(judged.legal() ? count.legal : count.refused);

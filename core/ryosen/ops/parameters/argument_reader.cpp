@@ -1,27 +1,27 @@
-#include "ryosen/ops/lines/arguments.h"
+#include "ryosen/ops/parameters/argument_reader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/parameters/op_line.h"
 
 namespace ryosen {
 
-std::optional<glm::dvec3> parse_place(std::string_view text) {
-  glm::dvec3 p{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (axis == 2)) return std::nullopt;
-    const auto value = parse_double(text.substr(0, comma));
-    if (!value) return std::nullopt;
-    p[axis] = *value;
-    if (axis < 2) text.remove_prefix(comma + 1);
-  }
-  return p;
+Text not_understood(std::string_view argument, const Text& expected) {
+  const std::string a(argument);
+  return {"'" + a + "' is not understood; expected " + expected.en,
+          "「" + a + "」は解釈できません。" + expected.ja + "指定してください"};
 }
 
-std::string format_place(const glm::dvec3& place) {
-  return format_double(place.x) + "," + format_double(place.y) + "," + format_double(place.z);
+Text not_of_syntax(std::string_view argument, std::string_view syntax) {
+  const std::string a(argument), expected(syntax);
+  if (!expected.empty()) return not_understood(argument, {expected, expected + " を"});
+  return {"'" + a + "' is not understood; expected no argument", "「" + a + "」は解釈できません。引数は付けられません"};
+}
+
+Text argument_missing(std::string_view syntax) {
+  const std::string expected(syntax);
+  return {"an argument is missing; expected " + expected, "引数が足りません。" + expected + " を指定してください"};
 }
 
 std::string_view ArgumentReader::take() { return arguments_[next_++]; }
@@ -33,10 +33,10 @@ void ArgumentReader::fail(NameError error, Text sentence) {
 }
 
 void ArgumentReader::fail_at(std::string_view argument) {
-  fail(NameError::malformed, not_of_syntax(argument, syntax_));
+  fail(NameError::malformed, not_of_syntax(argument, syntax_of(line_)));
 }
 
-void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missing(syntax_)); }
+void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missing(syntax_of(line_))); }
 
 double ArgumentReader::number() {
   if (failed()) return 0;

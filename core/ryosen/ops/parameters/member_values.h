@@ -1,0 +1,257 @@
+// Values of an operator's line that a member of the operator keeps.
+//
+//   constexpr OpParameter parameters[] = {required(edge<&SwapEdge::halfedge>("A-B")),
+//                                         optional(word<&SwapEdge::back, true>("back"))};
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "ryosen/base/element.h"
+#include "ryosen/ops/parameters/argument_reader.h"
+#include "ryosen/ops/parameters/op_parameter.h"
+
+namespace ryosen::parameters {
+
+template <auto Member>
+struct Access;
+template <class Op_, class Value_, Value_ Op_::*Member>
+struct Access<Member> {
+  using Op = Op_;
+  using Value = Value_;
+  static Value& of(void* op) { return static_cast<Op*>(op)->*Member; }
+  static const Value& of(const void* op) { return static_cast<const Op*>(op)->*Member; }
+};
+
+template <class Value>
+void keep(Value& member, const Value& value) {
+  member = value;
+}
+inline void keep(Element& member, Element value) { member = value; }
+template <class Value>
+void keep(std::vector<Value>& member, const Value& value) {
+  member.push_back(value);
+}
+
+template <class Handle>
+bool is_held(const Handle& member) {
+  if constexpr (requires { member.empty(); })
+    return !member.empty();
+  else
+    return static_cast<bool>(member);
+}
+inline bool is_held_as(const Element& member, Element::Kind kind) {
+  return member.index != no_index && member.kind == kind;
+}
+
+template <class Visit>
+void for_each_kept(const Element& member, Visit visit) {
+  visit(member);
+}
+template <class Handle, class Visit>
+void for_each_kept(const Handle& member, Visit visit) {
+  if constexpr (requires { member.begin(); })
+    for (const auto& each : member) visit(each);
+  else
+    visit(member);
+}
+
+enum class VertexName { of_point, of_copy };
+
+template <auto Member, VertexName Name, Vertex (ArgumentReader::*Read)()>
+constexpr OpValue vertex_value(std::string_view called) {
+  using Kept = Access<Member>;
+  return {.kind = OpValueKind::vertex,
+          .called = called,
+          .read = [](ArgumentReader& in, void* op) { keep(Kept::of(op), (in.*Read)()); },
+          .is_held =
+              [](const void* op) {
+                if constexpr (std::is_same_v<typename Kept::Value, Element>)
+                  return is_held_as(Kept::of(op), Element::Kind::vertex);
+                else
+                  return is_held(Kept::of(op));
+              },
+          .print =
+              [](const Mesh& mesh, const void* op, std::string& line) {
+                for_each_kept(Kept::of(op), [&](const auto& v) {
+                  if constexpr (Name == VertexName::of_copy)
+                    line += " " + name_of_copy(mesh, v);
+                  else
+                    line += " " + name_of(mesh, v);
+                });
+              },
+          .halfedge = nullptr};
+}
+
+// A vertex that stands for its point, and is printed so.
+template <auto Member>
+constexpr OpValue vertex(std::string_view called) {
+  return vertex_value<Member, VertexName::of_point, &ArgumentReader::vertex>(called);
+}
+// A vertex that is printed as a copy of its point; without a face a name means the point's first one.
+template <auto Member>
+constexpr OpValue copy(std::string_view called) {
+  return vertex_value<Member, VertexName::of_copy, &ArgumentReader::vertex>(called);
+}
+// The same; where the point has several copies, the name must tell which.
+template <auto Member>
+constexpr OpValue one_copy(std::string_view called) {
+  return vertex_value<Member, VertexName::of_copy, &ArgumentReader::copy>(called);
+}
+// A further value of a list that another value prints.
+constexpr OpValue unprinted(OpValue value) {
+  value.print = nullptr;
+  return value;
+}
+
+template <auto Member>
+constexpr OpValue face(std::string_view called) {
+  using Kept = Access<Member>;
+  return {.kind = OpValueKind::face,
+          .called = called,
+          .read = [](ArgumentReader& in, void* op) { keep(Kept::of(op), in.face()); },
+          .is_held =
+              [](const void* op) {
+                if constexpr (std::is_same_v<typename Kept::Value, Element>)
+                  return is_held_as(Kept::of(op), Element::Kind::face);
+                else
+                  return is_held(Kept::of(op));
+              },
+          .print =
+              [](const Mesh& mesh, const void* op, std::string& line) {
+                for_each_kept(Kept::of(op), [&](const auto& f) { line += " " + name_of(mesh, f); });
+              },
+          .halfedge = nullptr};
+}
+
+// An edge in the direction of its name; an Element has no direction.
+template <auto Member, auto Find = find_edge>
+constexpr OpValue edge(std::string_view called) {
+  using Kept = Access<Member>;
+  OpValue value{.kind = OpValueKind::edge, .called = called};
+  if constexpr (std::is_same_v<typename Kept::Value, Element>) {
+    value.read = [](ArgumentReader& in, void* op) { Kept::of(op) = ryosen::edge(in.read(Find)); };
+    value.is_held = [](const void* op) { return is_held_as(Kept::of(op), Element::Kind::edge); };
+    value.print = [](const Mesh& mesh, const void* op, std::string& line) {
+      line += " " + name_of(mesh, Kept::of(op));
+    };
+  } else if constexpr (std::is_same_v<typename Kept::Value, Halfedge>) {
+    value.read = [](ArgumentReader& in, void* op) { Kept::of(op) = in.read(Find); };
+    value.is_held = [](const void* op) { return static_cast<bool>(Kept::of(op)); };
+    value.print = [](const Mesh& mesh, const void* op, std::string& line) {
+      line += " " + name_of(mesh, Kept::of(op));
+    };
+    value.halfedge = [](const void* op) { return Kept::of(op); };
+  } else {  // a list of halfedges: their names keep the direction
+    value.read = [](ArgumentReader& in, void* op) { Kept::of(op).push_back(in.read(Find)); };
+    value.is_held = [](const void* op) { return !Kept::of(op).empty(); };
+    value.print = [](const Mesh& mesh, const void* op, std::string& line) {
+      for (const Halfedge h : Kept::of(op))
+        line += " " + (h && mesh.exists(h) && mesh.is_alive(h) ? name_to_choose(mesh, h) : name_of(mesh, h));
+    };
+    value.halfedge = [](const void* op) { return Kept::of(op).size() == 1 ? Kept::of(op)[0] : Halfedge(); };
+  }
+  return value;
+}
+
+// An element that the operator reads and prints itself.
+constexpr OpValue element(OpValueKind kind, std::string_view called) { return {.kind = kind, .called = called}; }
+
+// A number; a plain double is printed only if it differs from its default.
+template <auto Member>
+constexpr OpValue number(std::string_view called) {
+  using Kept = Access<Member>;
+  return {.kind = OpValueKind::number,
+          .called = called,
+          .read = [](ArgumentReader& in, void* op) { Kept::of(op) = in.number(); },
+          .is_held =
+              [](const void* op) {
+                if constexpr (std::is_same_v<typename Kept::Value, double>)
+                  return Kept::of(op) != (typename Kept::Op{}).*Member;
+                else
+                  return Kept::of(op).has_value();
+              },
+          .print =
+              [](const Mesh&, const void* op, std::string& line) {
+                if constexpr (std::is_same_v<typename Kept::Value, double>)
+                  line += " " + format_double(Kept::of(op));
+                else
+                  line += " " + format_double(*Kept::of(op));
+              },
+          .halfedge = nullptr};
+}
+
+template <auto Member>
+constexpr OpValue position(std::string_view called = "X,Y,Z") {
+  using Kept = Access<Member>;
+  return {.kind = OpValueKind::position,
+          .called = called,
+          .read = [](ArgumentReader& in, void* op) { Kept::of(op) = in.place(); },
+          .is_held =
+              [](const void* op) {
+                if constexpr (std::is_same_v<typename Kept::Value, glm::dvec3>)
+                  return true;
+                else
+                  return Kept::of(op).has_value();
+              },
+          .print =
+              [](const Mesh&, const void* op, std::string& line) {
+                if constexpr (std::is_same_v<typename Kept::Value, glm::dvec3>)
+                  line += " " + format_place(Kept::of(op));
+                else
+                  line += " " + format_place(*Kept::of(op));
+              },
+          .halfedge = nullptr};
+}
+// A position that also gives member `Told` a value, and is printed only if it has that value.
+template <auto Member, auto Told, auto Value>
+constexpr OpValue position_if(std::string_view called = "X,Y,Z") {
+  OpValue value = position<Member>(called);
+  value.read = [](ArgumentReader& in, void* op) {
+    Access<Told>::of(op) = Value;
+    Access<Member>::of(op) = in.place();
+  };
+  value.is_held = [](const void* op) { return Access<Told>::of(op) == Value; };
+  return value;
+}
+
+// A word that gives a member a value.
+template <auto Member, auto Value>
+constexpr OpValue word(std::string_view called) {
+  using Kept = Access<Member>;
+  return {.kind = OpValueKind::word,
+          .called = called,
+          .read =
+              [](ArgumentReader& in, void* op) {
+                in.skip();
+                Kept::of(op) = Value;
+              },
+          .is_held = [](const void* op) { return Kept::of(op) == Value; },
+          .print = nullptr,
+          .halfedge = nullptr};
+}
+
+template <class... Values>
+constexpr OpParameter required(Values... values) {
+  return {.need = OpParameter::Need::required, .values = {values...}};
+}
+template <class... Values>
+constexpr OpParameter optional(Values... values) {
+  return {.need = OpParameter::Need::optional, .values = {values...}};
+}
+constexpr OpParameter list(OpValue value, std::string_view more = "") {
+  return {.need = OpParameter::Need::list, .values = {value}, .more = more};
+}
+constexpr OpParameter expecting(OpParameter parameter, std::string_view en, std::string_view ja) {
+  parameter.expected_en = en;
+  parameter.expected_ja = ja;
+  return parameter;
+}
+constexpr OpParameter missing(OpParameter parameter, std::string_view en, std::string_view ja) {
+  parameter.missing_en = en;
+  parameter.missing_ja = ja;
+  return parameter;
+}
+
+}  // namespace ryosen::parameters

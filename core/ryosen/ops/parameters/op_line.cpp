@@ -1,0 +1,255 @@
+#include "ryosen/ops/parameters/op_line.h"
+
+#include <algorithm>
+#include <set>
+
+#include "ryosen/base/number_text.h"
+#include "ryosen/mesh/find_element.h"
+
+namespace ryosen {
+
+namespace {
+
+std::span<const OpValue> values_of(const OpParameter& parameter) {
+  return std::span(parameter.values).first(parameter.count());
+}
+
+// Whether a word is written as a value of this kind is. A vertex is whatever else is none.
+bool looks_like(const OpValue& value, std::string_view word) {
+  switch (value.kind) {
+    case OpValueKind::vertex:
+      return false;
+    case OpValueKind::edge:
+      return word.find('-') != std::string_view::npos || word.starts_with('h') || word.starts_with('e');
+    case OpValueKind::face:
+      return word.starts_with('f');
+    case OpValueKind::number:
+      return parse_double(word).has_value();
+    case OpValueKind::position:
+      return parse_place(word).has_value();
+    case OpValueKind::word:
+      return word == value.called;
+  }
+  return false;
+}
+
+// The value that a word of this place is meant for; null where it is none.
+const OpValue* meant(const OpParameter& parameter, std::string_view word) {
+  const auto values = values_of(parameter);
+  if (values.size() == 1 && values[0].kind != OpValueKind::word) return &values[0];
+  for (const OpValue& value : values)
+    if (looks_like(value, word)) return &value;
+  for (const OpValue& value : values)
+    if (value.kind == OpValueKind::vertex) return &value;
+  return nullptr;
+}
+
+OpParameters list_meant(const OpLine& line, std::string_view word) {
+  const auto lists = line.all_lists();
+  if (lists.empty()) return {};
+  for (const OpParameters& list : lists)
+    if (looks_like(list[0].values[0], word)) return list;
+  return lists[0];
+}
+
+// Whether a list goes on with this word, rather than the parameters after it.
+bool goes_on(const OpParameter& list, bool is_last, std::string_view word) {
+  if (is_last) return true;
+  return looks_like(list.values[0], word) && !word.starts_with('-') && word.find(',') == std::string_view::npos &&
+         !parse_double(word);
+}
+
+Text text_or(std::string_view en, std::string_view ja) { return {std::string(en), std::string(ja)}; }
+
+// Reads one place; false where the operator reads the rest itself.
+bool read_parameter(const OpParameters& list, std::size_t i, ArgumentReader& in, void* op) {
+  const OpParameter& parameter = list[i];
+  const bool is_last = i + 1 == list.size();
+  if (!parameter.values[0].read) return false;
+  do {
+    if (in.at_end()) {
+      if (!parameter.is_optional())
+        parameter.missing_en.empty()
+            ? in.fail_missing()
+            : in.fail(NameError::malformed, text_or(parameter.missing_en, parameter.missing_ja));
+      return true;
+    }
+    const OpValue* value = meant(parameter, in.peek());
+    if (value) {
+      value->read(in, op);
+    } else {
+      parameter.expected_en.empty()
+          ? in.fail_at(in.peek())
+          : in.fail(NameError::malformed,
+                    not_understood(in.peek(), text_or(parameter.expected_en, parameter.expected_ja)));
+    }
+  } while (parameter.is_list() && !in.failed() && !in.at_end() && goes_on(parameter, is_last, in.peek()));
+  return true;
+}
+
+// The value that an operator keeps in a place, of several the last; the first one of a place that must have one.
+const OpValue* held(const OpParameter& parameter, const void* op) {
+  for (std::size_t i = parameter.count(); i-- > 0;)
+    if (parameter.values[i].is_held && parameter.values[i].is_held(op)) return &parameter.values[i];
+  return parameter.is_optional() ? nullptr : &parameter.values[0];
+}
+
+OpParameters list_held(const OpLine& line, const void* op) {
+  const auto lists = line.all_lists();
+  if (lists.empty()) return {};
+  for (const OpParameters& list : lists)
+    if (list[0].values[0].is_held && list[0].values[0].is_held(op)) return list;
+  return lists[0];
+}
+
+using Places = std::set<std::size_t>;
+
+// Matches words that need not name anything that exists, in all ways at once.
+class Matcher {
+ public:
+  explicit Matcher(std::span<const OpWord> words) : words_(words) {}
+
+  // The positions that a list of parameters can end at.
+  Places match(OpParameters list) {
+    Places at{0};
+    for (const OpParameter& parameter : list) at = match(parameter, at);
+    return at;
+  }
+
+  // The last position at which a word was missing or did not fit.
+  std::size_t farthest() const { return farthest_; }
+  // The kinds of elements that fit behind the last word.
+  const std::set<Element::Kind>& next() const { return next_; }
+
+ private:
+  Places match(const OpParameter& parameter, const Places& at) {
+    Places ends = match_once(parameter, at);
+    if (parameter.is_optional()) ends.insert(at.begin(), at.end());
+    if (parameter.is_list())
+      for (Places more = match_once(parameter, ends); !more.empty(); more = match_once(parameter, more))
+        ends.insert(more.begin(), more.end());
+    return ends;
+  }
+
+  Places match_once(const OpParameter& parameter, const Places& at) {
+    Places ends;
+    const auto values = values_of(parameter);
+    for (const std::size_t i : at) {
+      if (i == words_.size()) note_next(values);
+      if (i < words_.size() &&
+          std::any_of(values.begin(), values.end(), [&](const OpValue& value) { return fits(value, words_[i]); }))
+        ends.insert(i + 1);
+      else
+        farthest_ = std::max(farthest_, i);
+    }
+    return ends;
+  }
+
+  void note_next(std::span<const OpValue> values) {
+    for (const OpValue& value : values) {
+      if (value.kind == OpValueKind::vertex) next_.insert(Element::Kind::vertex);
+      if (value.kind == OpValueKind::edge) next_.insert(Element::Kind::edge);
+      if (value.kind == OpValueKind::face) next_.insert(Element::Kind::face);
+    }
+  }
+
+  static bool fits(const OpValue& value, const OpWord& word) {
+    const auto is = [&](Element::Kind kind) { return word.kind == kind; };
+    switch (value.kind) {
+      case OpValueKind::vertex:
+        return word.kind ? is(Element::Kind::vertex) : is_vertex_name(word.text);
+      case OpValueKind::edge:
+        return word.kind ? is(Element::Kind::edge) || is(Element::Kind::halfedge) : is_edge_name(word.text);
+      case OpValueKind::face:
+        return word.kind ? is(Element::Kind::face) : is_face_name(word.text);
+      default:
+        return !word.kind && looks_like(value, word.text);
+    }
+  }
+
+  std::span<const OpWord> words_;
+  std::size_t farthest_ = 0;
+  std::set<Element::Kind> next_;
+};
+
+}  // namespace
+
+std::string syntax_of(const OpLine& line) {
+  std::string text;
+  for (const OpParameters& list : line.all_lists()) {
+    if (!text.empty()) text += " | ";
+    for (const OpParameter& parameter : list) {
+      if (&parameter != &list.front()) text += " ";
+      std::string values;
+      for (const OpValue& value : values_of(parameter)) values.append(values.empty() ? "" : "|").append(value.called);
+      text += parameter.is_optional() ? "[" + values + "]" : values;
+      if (parameter.is_list()) text += parameter.more.empty() ? " ..." : " [" + std::string(parameter.more) + " ...]";
+    }
+  }
+  return text;
+}
+
+void read_line(const OpLine& line, const Mesh& mesh, ArgumentReader& in, void* op) {
+  const OpParameters list = list_meant(line, in.peek());
+  bool reads_rest = false;
+  for (std::size_t i = 0; i < list.size() && !in.failed() && !reads_rest; ++i)
+    reads_rest = !read_parameter(list, i, in, op);
+  if (!in.failed() && line.read_rest) line.read_rest(mesh, in, op);
+  if (!in.failed() && !in.at_end()) in.fail_at(in.peek());
+  if (!in.failed() && line.normalise) line.normalise(mesh, op);
+  if (in.failed() || !line.fault) return;
+  if (const auto expected = line.fault(mesh, op)) in.fail(NameError::malformed, not_understood(in.last(), *expected));
+}
+
+std::string print_line(const OpLine& line, const Mesh& mesh, const void* op) {
+  std::string text;
+  bool has_rest = false;
+  for (const OpParameter& parameter : list_held(line, op)) {
+    const bool is_rest = !parameter.values[0].read;
+    if (is_rest && !has_rest && line.print_rest) line.print_rest(mesh, op, text);
+    has_rest = has_rest || is_rest;
+    const OpValue* value = is_rest ? nullptr : held(parameter, op);
+    if (value && value->kind == OpValueKind::word) text.append(" ").append(value->called);
+    if (value && value->print) value->print(mesh, op, text);
+  }
+  return text;
+}
+
+Halfedge halfedge_of(const OpLine& line, const void* op) {
+  if (line.lists[0].empty()) return Halfedge();
+  const OpValue& first = line.lists[0][0].values[0];
+  return first.halfedge ? first.halfedge(op) : Halfedge();
+}
+
+std::vector<OpWord> op_words(std::span<const std::string_view> words) { return {words.begin(), words.end()}; }
+
+std::vector<OpWord> op_words(Element::Kind kind, std::size_t count, std::span<const std::string_view> words) {
+  std::vector<OpWord> all(count, OpWord(kind));
+  all.insert(all.end(), words.begin(), words.end());
+  return all;
+}
+
+std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpWord> words) {
+  Matcher matcher(words);
+  Places ends;
+  for (const OpParameters& list : line.all_lists()) ends.merge(matcher.match(list));
+  if (line.lists[0].empty()) ends.insert(0);
+  if (ends.contains(words.size())) return std::nullopt;
+  return std::max(matcher.farthest(), ends.empty() ? 0 : *ends.rbegin());
+}
+
+std::optional<Element::Kind> next_element(const OpLine& line, std::span<const OpWord> words) {
+  Matcher matcher(words);
+  for (const OpParameters& list : line.all_lists()) matcher.match(list);
+  if (matcher.next().empty()) return std::nullopt;
+  return *matcher.next().begin();  // in the order of the kinds
+}
+
+bool takes_any_number(const OpLine& line) {
+  for (const OpParameters& list : line.all_lists())
+    if (std::any_of(list.begin(), list.end(), [](const OpParameter& parameter) { return parameter.is_list(); }))
+      return true;
+  return false;
+}
+
+}  // namespace ryosen

@@ -206,7 +206,7 @@ Outcome Pointing::click(glm::dvec2 pixel, const std::string& with_tool, Modifier
 }
 
 Outcome Pointing::use_tool(glm::dvec2 pixel, const Picked& picked, const std::string& tool, Modifiers modifiers) {
-  Outcome outcome = session_.run(command_of(mesh(), op_at(mesh(), tool, target_of(picked, modifiers))));
+  Outcome outcome = session_.run(op_at(mesh(), tool, target_of(picked, modifiers)));
   if (outcome.kind != Outcome::Kind::refused || tool != selecting_.tool) return outcome;
   look_at(pixel, modifiers);
   selecting_.hold_verdict();

@@ -30,11 +30,8 @@
 
 namespace ryosen {
 
-class Input;
-
-class Mesh;
-
 class Autosave;
+class Input;
 
 class Session {
  public:
@@ -52,6 +49,8 @@ class Session {
 
   // Executes a command line (see commands.h) and logs it if done. Never throws on user input.
   Outcome run(const std::string& line);
+  // Applies an operator that was made on the shown mesh, and logs its line.
+  Outcome run(const AnyOp& op);
   // What is carried out at the moment, by its name.
   Text at_work() const;
   // The command lines executed so far: a script that reproduces the state.
@@ -85,8 +84,7 @@ class Session {
   bool is_at_start() const;
   // There is no mesh, and none is shown or read.
   bool is_empty() const;
-  RunFiles files{
-      RunFiles::Policy::by_kind};  // asked before a command writes; another policy is set by whoever runs scripts
+  RunFiles files{RunFiles::Policy::by_kind};  // asked before a command writes; who runs scripts sets another policy
   Frontend frontend;
   // Where the events of scripts go.
   Input& input();
@@ -108,7 +106,9 @@ class Session {
  private:
   friend class Shown;  // has what is found forgotten where memory runs out
 
-  Outcome run_line(const std::string& line);
+  template <class Run>
+  Outcome run_safely(Run run);  // undoes what a lack of memory left half done
+  Outcome run_line(const std::string& line, const AnyOp* op);
   // The log has room for it.
   void log_line(Outcome& outcome, std::string line);
   // Updates what is derived from the mesh; forgets that where there is no memory for it.

@@ -11,11 +11,12 @@
 
 namespace ryosen {
 
-Outcome Session::run(const std::string& line) {
+template <class Run>
+Outcome Session::run_safely(Run run) {
   const std::uint64_t serial = open_.document->serial();
   const std::size_t position = open_.document->position();
   try {
-    return run_line(line);
+    return run();
   } catch (const std::bad_alloc&) {
     running_.clear();
     shown.forget();
@@ -28,7 +29,15 @@ Outcome Session::run(const std::string& line) {
   }
 }
 
-Outcome Session::run_line(const std::string& line) {
+Outcome Session::run(const std::string& line) {
+  return run_safely([&] { return run_line(line, nullptr); });
+}
+
+Outcome Session::run(const AnyOp& op) {
+  return run_safely([&] { return run_line(command_of(mesh(), op), &op); });
+}
+
+Outcome Session::run_line(const std::string& line, const AnyOp* op) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty()) return {};
   const auto row = find_command_row(words[0]);
@@ -36,6 +45,7 @@ Outcome Session::run_line(const std::string& line) {
   const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
   const Words arguments = Words(words).subspan(1);
   const Effect effect = effect_of(*row, arguments);
+  const std::uint64_t made_on = open_.document->revision();
   Shown::Passage passage(shown, effect, line);
   if (passage.answered) return *std::move(passage.answered);
   if (is_logged(effect)) gesturing.cancel();
@@ -49,7 +59,11 @@ Outcome Session::run_line(const std::string& line) {
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);
   const std::string outer = std::exchange(running_, std::string(row->id));
-  Outcome outcome = row->run(*this, arguments, std::string_view(line).substr(after_id));
+  // The line is read if the mesh is no longer the one that the operator was made on.
+  const bool is_same_mesh = op && open_.document->revision() == made_on;
+  Outcome outcome = is_same_mesh ? open_.document->apply(*op, frontend.is_strict, line)
+                                 : row->run(*this, arguments, std::string_view(line).substr(after_id));
+  if (is_same_mesh && outcome.done()) outcome.performed = line;
   running_ = outer;
   passage.finish(outcome);
   // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.

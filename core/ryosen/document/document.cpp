@@ -80,11 +80,10 @@ Result<std::unique_ptr<Document>> Document::open(const std::filesystem::path& pa
   return document;
 }
 
-Outcome Document::refuse(const AnyOp& op, std::vector<Reason> reasons) {
+Outcome Document::refuse(const std::string& command, std::vector<Reason> reasons) {
   Outcome outcome;
   outcome.kind = Outcome::Kind::refused;
   outcome.exit_code = ExitCode::refused;
-  const std::string command = command_of(mesh_, op);
   outcome.sentence = join(describe_first(mesh_, reasons));
   outcome.sentence.en = command + " is refused: " + outcome.sentence.en;
   outcome.sentence.ja = command + " は実行できません：" + outcome.sentence.ja;
@@ -92,14 +91,14 @@ Outcome Document::refuse(const AnyOp& op, std::vector<Reason> reasons) {
   return outcome;
 }
 
-Outcome Document::apply(const AnyOp& op, bool strict) {
+Outcome Document::apply(const AnyOp& op, bool strict, std::string command) {
   Preview before = preview(op);
-  if (!before.verdict.legal()) return refuse(op, std::move(before.verdict.reasons));
-  if (strict && !before.warnings.empty()) return refuse(op, std::move(before.warnings));
+  if (command.empty()) command = command_of(mesh_, op);
+  if (!before.verdict.legal()) return refuse(command, std::move(before.verdict.reasons));
+  if (strict && !before.warnings.empty()) return refuse(command, std::move(before.warnings));
   Outcome outcome;
   outcome.warnings = std::move(before.warnings);
   outcome.deleted = names_with_copies(mesh_, before.deleted);
-  std::string command = command_of(mesh_, op);
   {
     Edit edit(writable(), &journal_);
     ryosen::apply(edit, op);

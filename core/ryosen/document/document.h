@@ -54,8 +54,9 @@ class Document {
   const FileTables& tables() const { return tables_; }
   const std::filesystem::path& path() const { return path_; }
 
-  // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too.
-  Outcome apply(const AnyOp& op, bool strict = false);
+  // Applies an operator as one entry of the history. Refused: nothing changes. strict: warnings refuse too. `command`
+  // is its line where that has been printed.
+  Outcome apply(const AnyOp& op, bool strict = false, std::string command = {});
   // Applies an operator to each of these elements (see each.h) as one entry of the history, or none where nothing was
   // done. None where `progress` cancels it.
   std::optional<EachResult> apply_to_each(const OpInfo& op, std::span<const Element> elements,
@@ -172,7 +173,7 @@ class Document {
     end_trial();
     return touchable();
   }
-  Outcome refuse(const AnyOp& op, std::vector<Reason> reasons);
+  Outcome refuse(const std::string& command, std::vector<Reason> reasons);
   // An algorithm in an edit of this mesh, with what it has to know of the file.
   AlgorithmResult run_in(Edit& edit, const AlgorithmRow& row, const ParameterValues& values, AlgorithmWants wants,
                          Progress& progress) const;

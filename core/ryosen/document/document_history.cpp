@@ -48,7 +48,7 @@ void Document::notify(const Journal& journal, std::size_t transaction, Change ch
 
 Outcome Document::try_out(const AnyOp& op) {
   Verdict verdict = check(mesh_, op);
-  if (!verdict.legal()) return refuse(op, std::move(verdict.reasons));
+  if (!verdict.legal()) return refuse(command_of(mesh_, op), std::move(verdict.reasons));
   {
     Edit edit(writable(), &trial_);
     ryosen::apply(edit, op);

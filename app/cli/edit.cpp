@@ -88,7 +88,7 @@ class EditRun {
 
   void take(Step& step) {
     // Warnings name elements of the document, as before the operator.
-    if (const auto call = call_of(step.line.text); call && session_.shown.response(call->row.effect) != Response::keep)
+    if (const auto call = call_of(step.line.text); call && session_.shown.response(call->effect) != Response::keep)
       session_.shown.end();
     const Parsed<AnyOp> parsed =
         find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
@@ -99,13 +99,13 @@ class EditRun {
       step.result = "done";
       ++applied_;
       const auto performed = call_of(step.outcome.performed);
-      if (!performed || performed->row.effect != Effect::writes) return;
+      if (!performed || performed->effect != Effect::writes) return;
       const std::string named = file_of(*performed);
       note_saved(named.empty() ? session_.document().path().string() : named);
       return;
     }
     // A save may fail after the file has been replaced.
-    if (const auto performed = call_of(step.outcome.performed); performed && performed->row.effect == Effect::writes)
+    if (const auto performed = call_of(step.outcome.performed); performed && performed->effect == Effect::writes)
       note_saved(file_of(*performed));
     if (step.outcome.exit_code != ExitCode::refused) {
       step.result = "failed";

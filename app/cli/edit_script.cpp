@@ -65,13 +65,13 @@ std::optional<Failure> fault_of_line(const std::string& line, FileUse& use) {
   if (auto fault = fault_of_command(line))
     return usage_failure(call ? Code("bad_arguments") : Code("unknown_command"), std::move(*fault));
   if (!call) return std::nullopt;
-  const CommandRow& row = call->row;
-  if (row.file == FileAccess::reads)
-    return row.effect == Effect::replaces ? use.open(file_of(*call)) : use.read(file_of(*call));
-  if (row.file == FileAccess::writes_part) return use.write({file_of(*call), FileRole::saved});
-  if (row.file == FileAccess::writes)
-    return row.effect == Effect::writes ? use.save(file_of(*call)) : use.shoot(file_of(*call));
-  return row.effect == Effect::replaces ? use.begin_another() : std::nullopt;
+  const FileAccess file = call->row->file;
+  if (file == FileAccess::reads)
+    return call->effect == Effect::replaces ? use.open(file_of(*call)) : use.read(file_of(*call));
+  if (file == FileAccess::writes_part) return use.write({file_of(*call), FileRole::saved});
+  if (file == FileAccess::writes)
+    return call->effect == Effect::writes ? use.save(file_of(*call)) : use.shoot(file_of(*call));
+  return call->effect == Effect::replaces ? use.begin_another() : std::nullopt;
 }
 
 }  // namespace

@@ -26,11 +26,14 @@ std::string_view choose(Language language, std::string_view en, std::string_view
 
 std::string_view help_of(const OpInfo& op, Language language) { return choose(language, op.help_en, op.help_ja); }
 
+std::string syntax_of(const OpInfo& op) { return ryosen::syntax_of(op.line); }
+const std::string& syntax_of(const CommandRow& row) { return row.syntax; }
+
 // A row of the operators or of the commands.
 template <class Row>
 void add(Columns& columns, const Row& row, Language language) {
   std::string left(row.id), help(help_of(row, language));
-  if (!row.syntax.empty()) left.append(" ").append(row.syntax);
+  if (const std::string syntax = syntax_of(row); !syntax.empty()) left.append(" ").append(syntax);
   if (!row.aliases.empty())
     help.append(choose(language, " (also ", "（別名 ")).append(row.aliases).append(choose(language, ")", "）"));
   columns.add(std::move(left), help);
@@ -164,7 +167,7 @@ std::string recovery_topic(Language language) {
 
 std::string script_commands_topic(Language language) {
   Columns columns;
-  for (const CommandRow& row : command_table()) add(columns, row, language);
+  for (const CommandRow* row : command_table()) add(columns, *row, language);
   return std::string(choose(language, "Commands, one per line or separated by ; (# begins a comment):\n",
                             "コマンド（一行に一つ、または ; 区切り。# 以降は注釈）：\n")) +
          columns.text();

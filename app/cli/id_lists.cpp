@@ -52,11 +52,18 @@ Severities severities_of(const Row&) {
 bool is_no_operator(const CommandRow& row) { return !find_op(row.id); }
 bool is_repair(const AlgorithmRow& row) { return row.is_repair(); }
 
+template <class Row>
+const Row& row_at(const Row& row) {
+  return row;
+}
+const CommandRow& row_at(const CommandRow* row) { return *row; }
+
 // Of a table whose rows have an id and these two members.
 template <auto table, auto en, auto ja, auto is_wanted = nullptr>
 std::vector<IdEntry> entries_of() {
   std::vector<IdEntry> all;
-  for (const auto& row : table()) {
+  for (const auto& at : table()) {
+    const auto& row = row_at(at);
     if constexpr (!std::is_null_pointer_v<decltype(is_wanted)>)
       if (!is_wanted(row)) continue;
     all.push_back({std::string(row.id), {std::string(row.*en), std::string(row.*ja)}, severities_of(row)});

@@ -97,22 +97,22 @@ namespace {
 // are wrong: they fail where they were written.
 std::optional<int> frames_to_wait(const std::string& line) {
   const auto call = call_of(line);
-  if (!call || !(call->row.is_long || call->row.sees_window) || fault_of_command(line)) return std::nullopt;
+  if (!call || !(call->is_long || call->row->sees_window) || fault_of_command(line)) return std::nullopt;
   // The panel closes in the next frame; the one behind that is without it, and drawn when a third is laid out.
-  return call->row.sees_window ? 3 : 0;
+  return call->row->sees_window ? 3 : 0;
 }
 
 // Whether edits that are not saved would go with what the line replaces.
 bool loses_edits(const Document& document, const std::string& line) {
   if (!document.is_modified()) return false;
   const auto call = call_of(line);
-  return call && call->row.effect == Effect::replaces && !fault_of_command(line);
+  return call && call->effect == Effect::replaces && !fault_of_command(line);
 }
 
 // Whether the line saves to a file that has no name yet.
 bool lacks_file(const Document& document, const std::string& line) {
   const auto call = call_of(line);
-  return call && call->row.effect == Effect::writes && file_of(*call).empty() && document.path().empty();
+  return call && call->effect == Effect::writes && file_of(*call).empty() && document.path().empty();
 }
 
 // Several lines, the first of which begins anew: the program makes what it shows. At once, so that all that there is behind
@@ -174,7 +174,7 @@ Outcome PanelContext::open(PanelOpener opener) { return run("panel " + std::stri
 
 bool PendingLeave::reads_again() const {
   const auto call = call_of(command);
-  return call && call->row.reads_again;
+  return call && call->row->reads_again;
 }
 
 void PanelContext::begin_command(std::string line) {

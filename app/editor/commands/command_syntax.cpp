@@ -47,8 +47,8 @@ std::optional<Text> fault_of_command(const std::string& line) {
   if (words.empty()) return std::nullopt;
   const auto call = call_of(line);
   if (!call) return unknown_command(words[0]).sentence;
-  if (!call->row.fault) return fault_on_nothing(call->line);
-  return call->row.fault(Words(split_words(call->line)).subspan(1), call->line);
+  if (!call->row->fault) return fault_on_nothing(call->line);
+  return call->row->fault(Words(split_words(call->line)).subspan(1), call->line);
 }
 
 namespace {

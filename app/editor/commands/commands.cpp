@@ -34,9 +34,9 @@ std::string help_of(const CommandRow& row, Language language) {
 
 std::vector<std::string> command_ids() {
   std::vector<std::string> ids;
-  for (const CommandRow& row : command_table()) {
-    ids.emplace_back(row.id);
-    for (std::string_view alias : split_words(row.aliases)) ids.emplace_back(alias);
+  for (const CommandRow* row : command_table()) {
+    ids.emplace_back(row->id);
+    for (std::string_view alias : split_words(row->aliases)) ids.emplace_back(alias);
   }
   return ids;
 }

@@ -73,10 +73,11 @@ struct CommandRow {
 // The effect with these words.
 Effect effect_of(const CommandRow& row, Words arguments);
 
-// All commands: operators, those of the editor, and algorithms.
-std::vector<CommandRow> command_table();
-// By id or alias.
-std::optional<CommandRow> find_command_row(std::string_view id);
+// All commands: operators, those of the editor, and algorithms. A row stays where it is as long as the program runs, or
+// its ScopedCommand.
+std::vector<const CommandRow*> command_table();
+// By id or alias; null where there is none. Copies nothing.
+const CommandRow* find_command_row(std::string_view id);
 // As the window calls it: an operator or an algorithm by its name, others by their id.
 Text name_of_command(std::string_view id);
 // The same of a line, which may be a call that has a name of its own.
@@ -87,7 +88,9 @@ std::string help_of(const CommandRow& row, Language language);
 
 // A line as its row sees it.
 struct CommandCall {
-  CommandRow row;    // with the properties that it has with these arguments
+  const CommandRow* row;
+  Effect effect;     // with these arguments
+  bool is_long;      // with these arguments
   std::string line;  // what is done: what a key sends, in place of the line that presses it
 };
 // None where the line says no command.

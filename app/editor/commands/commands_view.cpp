@@ -91,8 +91,10 @@ Outcome run_show(ViewState& view, Words arguments, std::string_view) {
                      did_you_mean(wrong, known));
 }
 
+// Its run looks the switch up again, since one of ScopedViewSwitch comes and goes.
 CommandRow row_of(const ViewSwitch& given) {
-  const auto run = [row = given](Session& session, Words arguments, std::string_view) -> Outcome {
+  const auto run = [id = given.id](Session& session, Words arguments, std::string_view) -> Outcome {
+    const ViewSwitch& row = *find_view_switch(id);
     if (arguments.size() != 1) return wrong_arguments(row.id);
     auto value = find_value(row, arguments[0]);
     if (row.toggles() && arguments[0] == "toggle") value = (row.value(session) + 1) % row.values.size();

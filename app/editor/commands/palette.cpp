@@ -76,7 +76,7 @@ Text title_of(const CommandRow& row) {
 // A command whose id has been typed, with a blank behind it.
 std::optional<PaletteEntry> begun(std::string_view typed) {
   const std::size_t end = typed.find(' ');
-  const auto row = end == typed.npos ? std::nullopt : find_command_row(typed.substr(0, end));
+  const CommandRow* const row = end == typed.npos ? nullptr : find_command_row(typed.substr(0, end));
   if (!row) return std::nullopt;
   const std::string id(row->id);
   return PaletteEntry{id, {id, id}, {help_of(*row, Language::english), help_of(*row, Language::japanese)}, row->syntax};
@@ -91,7 +91,7 @@ std::vector<PaletteEntry> palette_entries() {
     if (lines.insert(entry.line).second) entries.push_back(std::move(entry));
   };
   for (const OpInfo& op : all_ops())
-    add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), std::string(op.syntax)});
+    add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), syntax_of(op.line)});
   for (const AlgorithmRow& row : algorithm_table())
     if (!find_op(row.id))
       add({std::string(row.id), name_in(row.name_en, row.name_ja), name_in(row.help_en, row.help_ja), ""});
@@ -108,9 +108,9 @@ std::vector<PaletteEntry> palette_entries() {
     add({"colours " + std::string(map.id), name_in(map.name_en, map.name_ja), name_in(map.legend_en, map.legend_ja),
          ""});
   for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
-  for (const CommandRow& row : command_table()) {
-    for (const NamedCall& call : row.named) add({std::string(call.line), name_in(call.en, call.ja), {}, ""});
-    add({std::string(row.id), title_of(row), name_in(row.help_en, row.help_ja), row.syntax});
+  for (const CommandRow* row : command_table()) {
+    for (const NamedCall& call : row->named) add({std::string(call.line), name_in(call.en, call.ja), {}, ""});
+    add({std::string(row->id), title_of(*row), name_in(row->help_en, row->help_ja), row->syntax});
   }
   return entries;
 }

@@ -169,7 +169,7 @@ std::optional<Text> Autosave::open_script(const Document& document, const std::v
 
 std::optional<Text> Autosave::note(const Session& session, const std::string& line) {
   const auto call = call_of(line);
-  const bool edits = is_edit(line), saves = call && call->row.effect == Effect::writes;
+  const bool edits = is_edit(line), saves = call && call->effect == Effect::writes;
   if (saves) file_ = whole(session.document().path());
   if (has_failed_) {
     // The script from before the failure may start from a file that has now been replaced.

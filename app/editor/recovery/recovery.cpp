@@ -228,7 +228,7 @@ fs::path recovery_folder() {
 
 bool is_edit(std::string_view line) {
   const auto call = call_of(line);
-  return call && (call->row.effect == Effect::edits || call->row.effect == Effect::steps || call->row.prepares_edits);
+  return call && (call->effect == Effect::edits || call->effect == Effect::steps || call->row->prepares_edits);
 }
 
 bool can_be_as_was(const LostSession& lost) { return has_original(lost) || !can_be_as_is(lost); }

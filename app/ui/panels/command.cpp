@@ -80,7 +80,7 @@ void CommandPanel::follow_keys(ImGuiInputTextCallbackData& data) {
   const std::string typed(data.Buf, static_cast<std::size_t>(data.BufTextLen));
   const auto call = call_of(typed);
   const std::size_t word = typed.find(' ');
-  const bool names_file = call && call->row.file != FileAccess::none && word != typed.npos;
+  const bool names_file = call && call->row->file != FileAccess::none && word != typed.npos;
   if (data.EventFlag == ImGuiInputTextFlags_CallbackCompletion && names_file) {
     std::error_code ignored;
     const std::string argument = file_name(typed.substr(word));
@@ -231,7 +231,7 @@ std::optional<std::size_t> CommandPanel::meant() const {
   const bool is_bare = found_[0].line == line;
   const AlgorithmRow* const algorithm = find_algorithm(line);
   const auto call = call_of(line);
-  const bool is_about_elements = find_op(line) || (call && call->row.most_elements > 0);
+  const bool is_about_elements = find_op(line) || (call && call->row->most_elements > 0);
   const bool lacks_something = fault_of_command(line).has_value();
   const bool asks = is_bare && (is_about_elements || (lacks_something && !is_begun()) ||
                                 (algorithm && !algorithm->parameters.empty()));

@@ -66,7 +66,7 @@ void draw_recover(PanelContext& context) {
   const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
-  if (call_of(chosen)->row.effect == Effect::replaces) {
+  if (call_of(chosen)->effect == Effect::replaces) {
     const std::string own(panel_opened_by(PanelOpener::lost_sessions).id);
     return context.leave({.command = chosen, .asks_again = own});
   }

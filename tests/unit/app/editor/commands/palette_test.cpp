@@ -39,7 +39,7 @@ TEST(palette, has_every_line_once) {
     EXPECT_FALSE(entry.name.en.empty() || entry.name.ja.empty()) << entry.line;
     EXPECT_TRUE(call_of(entry.line)) << entry.line;
   }
-  for (const CommandRow& row : command_table()) EXPECT_TRUE(lines.contains(std::string(row.id))) << row.id;
+  for (const CommandRow* row : command_table()) EXPECT_TRUE(lines.contains(std::string(row->id))) << row->id;
 }
 
 TEST(palette, finds_by_any_word_in_either_language_best_first) {

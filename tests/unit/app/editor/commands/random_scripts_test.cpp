@@ -71,8 +71,9 @@ void run_script(std::uint64_t seed, const std::vector<std::string>& ids) {
 // All but what looks at the folders of the user.
 std::vector<std::string> commands_to_try() {
   std::vector<std::string> ids;
-  for (const CommandRow& row : command_table())
-    if (row.id != "recover" && row.id != "prefer" && row.id != "bind" && row.id != "quit") ids.emplace_back(row.id);
+  for (const CommandRow* row : command_table())
+    if (row->id != "recover" && row->id != "prefer" && row->id != "bind" && row->id != "quit")
+      ids.emplace_back(row->id);
   return ids;
 }
 

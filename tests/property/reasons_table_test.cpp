@@ -30,7 +30,7 @@ struct Instance {
   AnyOp op;
 };
 
-// Of each reason so many instances are kept and remedied.
+// The number of instances of each reason that are kept and remedied.
 const std::size_t most_instances = is_long_run() ? 60 : 20;
 
 std::set<Key> listed(RuleSeverity severity) {

@@ -92,7 +92,7 @@ RunCommand run_move;
 RunOn<Input> run_press, run_release, run_wheel, run_type, run_key;
 FaultOfCommand fault_of_move, fault_of_key;
 std::string sent_by_move(Words arguments), sent_by_key(Words arguments);
-// What is seen: commands_view.cpp
+// The view: commands_view.cpp
 CommandRow row_of(const ViewSwitch& row);
 RunCommand run_drag;
 RunOn<Findings, ViewState, Framing, const Selecting> run_frame;

@@ -76,7 +76,7 @@ Effect effect_of(const CommandRow& row, Words arguments);
 // All commands: operators, those of the editor, and algorithms. A row stays where it is as long as the program runs, or
 // its ScopedCommand.
 std::vector<const CommandRow*> command_table();
-// By id or alias; null where there is none. Copies nothing.
+// The row with this id or alias; null if there is none. Copies nothing.
 const CommandRow* find_command_row(std::string_view id);
 // As the window calls it: an operator or an algorithm by its name, others by their id.
 Text name_of_command(std::string_view id);

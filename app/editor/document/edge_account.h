@@ -1,4 +1,4 @@
-// What holds the edges that an algorithm with a goal left.
+// The reasons why an algorithm with a goal left edges.
 #pragma once
 
 #include <cstddef>

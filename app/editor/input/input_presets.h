@@ -19,10 +19,10 @@ enum class DragAction { orbit, pan, zoom, box, lasso };
 
 constexpr bool selects(DragAction action) { return action == DragAction::box || action == DragAction::lasso; }
 
-// What a drag that orbits turns about: the point of the mesh that was pressed, or always the target of the camera.
+// The centre that an orbiting drag turns about: the point of the mesh that was pressed, or the target of the camera.
 enum class OrbitAbout { point, centre };
 
-// What a drag has drawn so far, to select by: a box from its first to its last corner, or a lasso.
+// The outline that a selecting drag has drawn so far: a box from its first to its last corner, or a lasso.
 struct Band {
   DragAction action = DragAction::box;
   std::vector<glm::dvec2> path;  // pixels; not empty
@@ -41,7 +41,7 @@ struct KeyChange {
   std::string_view chord, command, help_en, help_ja;
 };
 
-// What the user has bound a key to otherwise than its preset; an empty command takes the key away.
+// The command that the user bound to a key in place of its preset; an empty command takes the key away.
 struct KeyBinding {
   std::string chord, command;
   bool operator==(const KeyBinding&) const = default;

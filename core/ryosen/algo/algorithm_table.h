@@ -17,7 +17,7 @@ namespace ryosen {
 // Repairs first, in the order in which they are done, each after those that make its work easier; then primitives, transforms, copies and the hull. Rows
 // stay where they are.
 const std::deque<AlgorithmRow>& algorithm_table();
-// By id; null when there is none.
+// The row with this id; null if there is none.
 const AlgorithmRow* find_algorithm(std::string_view id);
 
 // A further row for its life: for tests, and for programs that embed the library. The last one made ends first. Not while

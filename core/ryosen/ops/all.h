@@ -63,7 +63,7 @@ Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const st
 // The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
 Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line);
 std::vector<std::string_view> split_words(std::string_view line);
-// What is wrong with the arguments of the operator with this id, on any mesh; none if that depends on the mesh.
+// The fault of the arguments of the operator with this id, on any mesh; none if that depends on the mesh.
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments);
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
 

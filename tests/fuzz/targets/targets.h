@@ -1,4 +1,4 @@
-// What a fuzzer hands its inputs to. Each ends the program where something is wrong.
+// Functions that a fuzzer hands its inputs to. Each ends the program where something is wrong.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,7 @@ struct OpParameter {
   Need need = Need::required;
   std::array<OpValue, 4> values = {};
   std::string_view more = "";  // how the syntax calls further values of a list; empty where `...` does
-  // What is said in place of the syntax where a word is not understood, or missing.
+  // Words that replace the syntax where a word is not understood, or missing.
   std::string_view expected_en = "", expected_ja = "", missing_en = "", missing_ja = "";
 
   constexpr std::size_t count() const {
@@ -60,7 +60,7 @@ struct OpLine {
   // Reads and prints the places from the first value without functions on.
   void (*read_rest)(const Mesh& mesh, ArgumentReader& in, void* op) = nullptr;
   void (*print_rest)(const Mesh& mesh, const void* op, std::string& line) = nullptr;
-  // What is expected in place of the last word, where the values do not go together.
+  // The text expected in place of the last word, if the values do not go together.
   std::optional<Text> (*fault)(const Mesh& mesh, const void* op) = nullptr;
   // Changes what was read to what is meant.
   void (*normalise)(const Mesh& mesh, void* op) = nullptr;

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "render/colour.h"
-#include "ryosen/highlights/looks.h"
+#include "ryosen/scene/highlights/looks.h"
 
 namespace ryosen {
 

@@ -8,7 +8,7 @@
 
 #include "render/colour.h"
 #include "ryosen/base/result.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

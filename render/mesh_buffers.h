@@ -33,7 +33,7 @@ struct TriangleSource {
   // Writes the triangles of these numbers, in their order; asked from several threads.
   std::function<void(std::span<const std::uint32_t> numbers, DrawnTriangle* to)> read;
   std::span<const std::uint8_t> face_tints;  // see face_tint.h; faces past the end have none
-  // Of the corners of each triangle, see ryosen/view/packed_normal.h. Empty: the surface is not drawn smooth.
+  // Of the corners of each triangle, see ryosen/scene/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
   // What the surface is painted with in place of its own colour: 0xAABBGGRR, 0 for none, of the corners of a triangle, or
   // of its sides from each corner to the next; asked from several threads. Changes are named with the triangles.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/colour.h"
-#include "ryosen/highlights/looks.h"
+#include "ryosen/scene/highlights/looks.h"
 
 namespace ryosen {
 

@@ -6,7 +6,7 @@
 
 #include "render/colour.h"
 #include "render/overlay.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

@@ -29,8 +29,8 @@
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/base/result.h"
-#include "ryosen/view/camera.h"
-#include "ryosen/view/clip_plane.h"
+#include "ryosen/scene/view/camera.h"
+#include "ryosen/scene/view/clip_plane.h"
 
 namespace ryosen {
 

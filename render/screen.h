@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 // triangles of a plane do.
 #ifdef SMOOTH
 #define SHADED smooth
-uniform usamplerBuffer corner_normals;  // by slot, packed as in ryosen/view/packed_normal.h
+uniform usamplerBuffer corner_normals;  // by slot, packed as in ryosen/scene/view/packed_normal.h
 #else
 #define SHADED flat
 #endif

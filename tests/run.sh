@@ -24,7 +24,7 @@ cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -D
   -DRYOSEN_PEERS=$peers -DCMAKE_CXX_FLAGS=--param=ggc-min-heapsize=524288 >&2
 build "$root/build/release" all
 if [ -n "${RYOSEN_LONG:-}" ]; then  # each header and each source file is complete in itself
-  build "$root/build/release" ryosen_core_verify_interface_header_sets
+  build "$root/build/release" all_verify_interface_header_sets
   configure_arguments="-DCMAKE_UNITY_BUILD=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0"
   build "$root/build/single" all
 fi

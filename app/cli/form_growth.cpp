@@ -9,7 +9,7 @@
 #include "app/cli/progress_line.h"
 #include "app/ui/growth_plots.h"
 #include "app/ui/plot_picture.h"
-#include "ryosen/forms/growth/meshes.h"
+#include "ryosen/textbook/forms/growth/meshes.h"
 
 namespace ryosen::cli {
 

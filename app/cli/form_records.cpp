@@ -4,10 +4,10 @@
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/record.h"
 #include "app/editor/textbook/record_text.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/records.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/name_failure.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/records.h"
 
 namespace ryosen::cli {
 

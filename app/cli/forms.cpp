@@ -6,9 +6,9 @@
 #include "app/cli/form_records.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/visible.h"
-#include "ryosen/forms/comparison.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/textbook/forms/comparison.h"
 
 namespace ryosen::cli {
 

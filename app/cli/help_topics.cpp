@@ -10,11 +10,11 @@
 #include "app/editor/textbook/practice.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/pairing.h"
-#include "ryosen/highlights/colour_maps.h"
-#include "ryosen/highlights/highlight_table.h"
-#include "ryosen/steps/all.h"
+#include "ryosen/scene/highlights/colour_maps.h"
+#include "ryosen/scene/highlights/highlight_table.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
+#include "ryosen/textbook/steps/all.h"
 
 namespace ryosen::cli {
 

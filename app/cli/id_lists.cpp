@@ -12,13 +12,13 @@
 #include "ryosen/base/codes.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/reasons.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/pairing.h"
-#include "ryosen/highlights/colour_maps.h"
-#include "ryosen/highlights/highlight_table.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/steps/all.h"
+#include "ryosen/scene/highlights/colour_maps.h"
+#include "ryosen/scene/highlights/highlight_table.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
+#include "ryosen/textbook/steps/all.h"
 
 namespace ryosen::cli {
 

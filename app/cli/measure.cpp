@@ -13,11 +13,11 @@
 #include "app/editor/commands/lines/words.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/analysis/measure/other_surface.h"
-#include "ryosen/highlights/map_values.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/name_failure.h"
+#include "ryosen/scene/highlights/map_values.h"
 
 namespace ryosen::cli {
 

@@ -8,8 +8,8 @@
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/commands/lines/words.h"
 #include "ryosen/base/number_text.h"
-#include "ryosen/highlights/highlight_table.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/highlights/highlight_table.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen::cli {
 

@@ -23,7 +23,7 @@
 #include "app/cli/subcommands.h"
 #include "app/editor/preferences/view_switches.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen::cli {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/preferences/layout.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 
 #include "app/ui/log_plot.h"
 #include "ryosen/base/message.h"
-#include "ryosen/forms/growth/growth.h"
+#include "ryosen/textbook/forms/growth/growth.h"
 
 namespace ryosen {
 

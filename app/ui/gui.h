@@ -13,7 +13,7 @@
 #include "app/ui/side_columns.h"
 #include "app/ui/start_page.h"
 #include "app/ui/whole_lines.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 struct ImGuiContext;
 struct ImDrawData;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/editor/labels/labels.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/view_settings.h"
 
 struct ImFontAtlas;
 

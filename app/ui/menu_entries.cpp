@@ -18,7 +18,7 @@
 #include "app/ui/widgets.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
 // clang-format on

@@ -10,7 +10,7 @@
 #include "ryosen/analysis/mean_edge.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/view/packed_normal.h"
+#include "ryosen/scene/view/packed_normal.h"
 
 namespace ryosen {
 

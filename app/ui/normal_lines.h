@@ -6,7 +6,7 @@
 
 #include "app/editor/document/change_feed.h"
 #include "render/renderer.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

@@ -8,8 +8,8 @@
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/highlights/highlight_table.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
+#include "ryosen/scene/highlights/highlight_table.h"
 
 namespace ryosen {
 

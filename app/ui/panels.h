@@ -19,8 +19,8 @@
 #include "app/ui/style.h"
 #include "app/ui/texts.h"
 #include "ryosen/document/outcome.h"
-#include "ryosen/view/size.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/size.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "render/palette.h"
-#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/scene/highlights/highlight_table.h"
 
 namespace ryosen {
 

@@ -18,7 +18,7 @@
 #include "render/canvas.h"
 #include "render/renderer.h"
 #include "ryosen/base/element.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

@@ -9,7 +9,7 @@
 #include "app/window/glfw.h"
 #include "app/window/window_event.h"
 #include "ryosen/base/result.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

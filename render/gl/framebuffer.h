@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/gl/object.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

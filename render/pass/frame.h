@@ -6,8 +6,8 @@
 #include <glm/vec4.hpp>
 
 #include "render/gl/program.h"
-#include "ryosen/view/size.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/size.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 
 #include "render/palette.h"
 #include "render/pass/linear.h"
-#include "ryosen/view/round_step.h"
+#include "ryosen/scene/view/round_step.h"
 
 namespace ryosen {
 

@@ -9,7 +9,7 @@
 #include "render/colour.h"
 #include "render/pass/ui.h"
 #include "ryosen/base/result.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

@@ -13,7 +13,7 @@
 #include "render/pass/frame.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/result.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

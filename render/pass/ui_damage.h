@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 struct ImDrawData;
 struct ImDrawList;

@@ -3,9 +3,9 @@
 
 #include <random>
 
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/pairing.h"
 #include "ryosen/indexed/from_indexed.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
 #include "tests/bench/bench_meshes.h"
 
 namespace ryosen::bench {

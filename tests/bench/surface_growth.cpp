@@ -12,9 +12,9 @@
 
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/measure/distance.h"
-#include "ryosen/highlights/map_values.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/scene/highlights/map_values.h"
 #include "tests/bench/counted_memory.h"
 #include "tests/bench/generated_meshes.h"
 

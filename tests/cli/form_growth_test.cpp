@@ -4,8 +4,8 @@
 #include <set>
 
 #include "render/image.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/pairing.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/long_run.h"
 

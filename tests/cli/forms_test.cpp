@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <map>
 
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/pairing.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ryosen/highlights/colour_maps.h"
+#include "ryosen/scene/highlights/colour_maps.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

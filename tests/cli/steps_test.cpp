@@ -5,7 +5,7 @@
 #include <set>
 
 #include "render/image.h"
-#include "ryosen/steps/all.h"
+#include "ryosen/textbook/steps/all.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen::test {

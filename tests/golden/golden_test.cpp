@@ -10,7 +10,7 @@
 
 #include "render/image.h"
 #include "render/palette.h"
-#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/scene/highlights/highlight_table.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

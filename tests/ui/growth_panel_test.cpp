@@ -10,7 +10,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/growth_work.h"
 #include "app/ui/log_plot.h"
-#include "ryosen/forms/pairing.h"
+#include "ryosen/textbook/forms/pairing.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -11,8 +11,8 @@
 
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/record_book.h"
-#include "ryosen/forms/all.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/textbook/forms/all.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

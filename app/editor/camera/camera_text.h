@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "ryosen/base/message.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

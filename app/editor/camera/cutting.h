@@ -1,7 +1,7 @@
 // The plane that a session cuts its mesh at.
 #pragma once
 
-#include "ryosen/view/clip_plane.h"
+#include "ryosen/scene/view/clip_plane.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -8,7 +8,7 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
-#include "ryosen/pick/screen_segment.h"
+#include "ryosen/scene/pick/screen_segment.h"
 
 namespace ryosen {
 

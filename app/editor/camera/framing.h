@@ -9,7 +9,7 @@
 
 #include "app/editor/camera/view_state.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -10,10 +10,10 @@
 #include "app/editor/input/gizmo.h"
 #include "app/editor/input/input_presets.h"
 #include "app/editor/labels/drawn_links.h"
-#include "ryosen/highlights/map_values.h"
-#include "ryosen/view/camera.h"
-#include "ryosen/view/clip_plane.h"
-#include "ryosen/view/view_settings.h"
+#include "ryosen/scene/highlights/map_values.h"
+#include "ryosen/scene/view/camera.h"
+#include "ryosen/scene/view/clip_plane.h"
+#include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
 

@@ -13,7 +13,7 @@
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen {
 

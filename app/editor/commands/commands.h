@@ -23,7 +23,7 @@
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/document/document.h"
-#include "ryosen/selection/selectors.h"
+#include "ryosen/scene/selection/selectors.h"
 
 namespace ryosen {
 

@@ -12,7 +12,7 @@
 #include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/parameters/op_line.h"
-#include "ryosen/selection/element_set.h"
+#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

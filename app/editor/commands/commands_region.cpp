@@ -4,7 +4,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/base/count_text.h"
-#include "ryosen/selection/element_set.h"
+#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

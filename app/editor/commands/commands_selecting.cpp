@@ -10,8 +10,8 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/selection/element_set.h"
-#include "ryosen/selection/selectors.h"
+#include "ryosen/scene/selection/element_set.h"
+#include "ryosen/scene/selection/selectors.h"
 
 namespace ryosen {
 

@@ -7,7 +7,7 @@
 #include "app/editor/commands/lines/script.h"
 #include "app/editor/input/view/navigation.h"
 #include "app/editor/session/session.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen {
 

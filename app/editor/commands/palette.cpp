@@ -14,8 +14,8 @@
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/highlights/colour_maps.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/highlights/colour_maps.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ryosen/base/recent_cells.h"
-#include "ryosen/highlights/highlight_sets.h"
+#include "ryosen/scene/highlights/highlight_sets.h"
 
 namespace ryosen {
 

@@ -20,7 +20,7 @@
 #include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/view/corner_normals.h"
+#include "ryosen/scene/view/corner_normals.h"
 
 namespace ryosen {
 

@@ -12,8 +12,8 @@
 #include "ryosen/analysis/boundary_loop_count.h"
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/mesh_kind.h"
-#include "ryosen/highlights/highlight_sets.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/highlights/highlight_sets.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

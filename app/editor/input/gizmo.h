@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

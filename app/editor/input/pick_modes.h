@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "ryosen/base/enum_table.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

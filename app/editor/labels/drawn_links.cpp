@@ -6,8 +6,8 @@
 #include "app/editor/labels/link_arrows.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/pick/screen_segment.h"
-#include "ryosen/view/clip_plane.h"
+#include "ryosen/scene/pick/screen_segment.h"
+#include "ryosen/scene/view/clip_plane.h"
 
 namespace ryosen {
 

@@ -14,7 +14,7 @@
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
-#include "ryosen/pick/screen_segment.h"
+#include "ryosen/scene/pick/screen_segment.h"
 
 namespace ryosen {
 

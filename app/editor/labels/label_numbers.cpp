@@ -7,11 +7,11 @@
 #include "app/editor/document/findings.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/views/seen_mesh.h"
-#include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/pick/screen_segment.h"
+#include "ryosen/scene/pick/screen_segment.h"
+#include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen {
 

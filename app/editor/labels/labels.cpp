@@ -7,7 +7,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/editor/views/seen_mesh.h"
-#include "ryosen/pick/screen_segment.h"
+#include "ryosen/scene/pick/screen_segment.h"
 
 namespace ryosen {
 

@@ -17,7 +17,7 @@
 #include "app/editor/session/owners.h"
 #include "ryosen/base/element.h"
 #include "ryosen/base/handle.h"
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
 

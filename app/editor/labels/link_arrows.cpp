@@ -1,8 +1,8 @@
 #include "app/editor/labels/link_arrows.h"
 
-#include "ryosen/forms/polygons.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
+#include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen {
 

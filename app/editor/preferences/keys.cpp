@@ -5,7 +5,7 @@
 #include "app/editor/commands/lines/line_of.h"
 #include "app/editor/preferences/view_switches.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 
 namespace ryosen {
 

@@ -1,6 +1,6 @@
 // The switches of the view: what is one of a few values at a time, and is neither a highlight nor a panel.
 //
-// To add one, write its row, and for what is drawn otherwise a field of ViewSettings (ryosen/view/view_settings.h),
+// To add one, write its row, and for what is drawn otherwise a field of ViewSettings (scene/view/view_settings.h),
 // which shaders read by its name. Commands, their help, the View menu, keys, the command window and the flags of `shot`
 // read the table.
 #pragma once

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "ryosen/document/outcome.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

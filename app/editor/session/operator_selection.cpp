@@ -9,7 +9,7 @@
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/each.h"
-#include "ryosen/selection/selectors.h"
+#include "ryosen/scene/selection/selectors.h"
 
 namespace ryosen {
 

@@ -11,7 +11,7 @@
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/mesh/slot_ranges.h"
-#include "ryosen/selection/spread.h"
+#include "ryosen/scene/selection/spread.h"
 
 namespace ryosen {
 

@@ -13,7 +13,7 @@
 #include "app/editor/session/selecting.h"
 #include "app/editor/views/mesh_view.h"
 #include "ryosen/document/outcome.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

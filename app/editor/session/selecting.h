@@ -14,7 +14,7 @@
 #include "app/editor/views/view.h"
 #include "ryosen/document/document.h"
 #include "ryosen/ops/outlook/tool_verdicts.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

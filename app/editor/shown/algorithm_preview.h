@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ryosen/algo/algorithm.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -15,7 +15,7 @@
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/shown/transform_gesture.h"
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

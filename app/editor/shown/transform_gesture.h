@@ -12,9 +12,9 @@
 #include "ryosen/algo/transform/point_transform.h"
 #include "ryosen/mesh/touched.h"
 #include "ryosen/ops/op.h"
-#include "ryosen/pick/picker.h"
-#include "ryosen/view/camera.h"
-#include "ryosen/view/round_step.h"
+#include "ryosen/scene/pick/picker.h"
+#include "ryosen/scene/view/camera.h"
+#include "ryosen/scene/view/round_step.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "ryosen/forms/growth/meshes.h"
+#include "ryosen/textbook/forms/growth/meshes.h"
 
 namespace ryosen {
 

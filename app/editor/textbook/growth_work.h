@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "ryosen/forms/growth/growth.h"
+#include "ryosen/textbook/forms/growth/growth.h"
 
 namespace ryosen {
 

@@ -13,7 +13,7 @@
 #include "ryosen/document/document.h"
 #include "ryosen/io/input_file.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/steps/players.h"
+#include "ryosen/textbook/steps/players.h"
 
 namespace ryosen {
 

@@ -1,4 +1,4 @@
-// Playing something step by step (ryosen/steps) by the words that call it, as "collapse 0-1" or "script cube".
+// Playing something step by step (ryosen/textbook/steps) by the words that call it, as "collapse 0-1" or "script cube".
 #pragma once
 
 #include <memory>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "ryosen/document/document.h"
-#include "ryosen/steps/all.h"
-#include "ryosen/steps/tables.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
+#include "ryosen/textbook/steps/all.h"
+#include "ryosen/textbook/steps/tables.h"
 
 namespace ryosen {
 

@@ -5,11 +5,11 @@
 #include "app/editor/textbook/figures.h"
 #include "app/editor/textbook/practice_parts.h"
 #include "ryosen/base/enum_table.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/records.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/records.h"
 
 namespace ryosen {
 

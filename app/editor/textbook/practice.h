@@ -10,8 +10,8 @@
 
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
-#include "ryosen/forms/records.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/textbook/forms/records.h"
 
 namespace ryosen {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "app/editor/textbook/practice.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/records.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/records.h"
 
 namespace ryosen {
 

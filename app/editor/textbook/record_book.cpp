@@ -3,7 +3,7 @@
 #include <system_error>
 #include <utility>
 
-#include "ryosen/forms/all.h"
+#include "ryosen/textbook/forms/all.h"
 
 namespace ryosen {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "ryosen/document/document.h"
-#include "ryosen/forms/records.h"
+#include "ryosen/textbook/forms/records.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ryosen/base/message.h"
-#include "ryosen/forms/record.h"
+#include "ryosen/textbook/forms/record.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ryosen/base/message.h"
-#include "ryosen/pick/hidden_elements.h"
+#include "ryosen/scene/pick/hidden_elements.h"
 
 namespace ryosen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ryosen/analysis/measuring.h"
-#include "ryosen/highlights/map_values.h"
+#include "ryosen/scene/highlights/map_values.h"
 
 namespace ryosen {
 

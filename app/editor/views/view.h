@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "ryosen/pick/picker.h"
+#include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
 

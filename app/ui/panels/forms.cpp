@@ -1,8 +1,8 @@
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/document/document.h"
-#include "ryosen/forms/comparison.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/textbook/forms/comparison.h"
 
 namespace ryosen {
 

@@ -5,9 +5,9 @@
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/document/document.h"
-#include "ryosen/forms/all.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/textbook/forms/all.h"
 
 namespace ryosen {
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "ryosen/steps/hull/hull_steps.h"
+#include "ryosen/textbook/steps/hull/hull_steps.h"
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/targets/targets.h"

@@ -6,10 +6,10 @@
 #include "app/editor/session/session.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/highlights/colour_maps.h"
-#include "ryosen/highlights/highlight_table.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/selection/selectors.h"
+#include "ryosen/scene/highlights/colour_maps.h"
+#include "ryosen/scene/highlights/highlight_table.h"
+#include "ryosen/scene/selection/selectors.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/sound_value.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/editor/session/session.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/app/real_window.h"
 

@@ -1,7 +1,7 @@
 // The size of the window that tests of the user interface draw.
 #pragma once
 
-#include "ryosen/view/size.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen::test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/steps/all.h"
+#include "ryosen/textbook/steps/all.h"
 
 namespace ryosen::test {
 

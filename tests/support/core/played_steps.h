@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ryosen/base/result.h"
-#include "ryosen/steps/sequence.h"
+#include "ryosen/textbook/steps/sequence.h"
 
 namespace ryosen::test {
 

@@ -1,7 +1,7 @@
 // What holds for everything that is played step by step.
 #pragma once
 
-#include "ryosen/steps/sequence.h"
+#include "ryosen/textbook/steps/sequence.h"
 
 namespace ryosen::test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ryosen/base/enum_table.h"
-#include "ryosen/highlights/highlight_table.h"
+#include "ryosen/scene/highlights/highlight_table.h"
 #include "tests/support/render/colour_difference.h"
 
 namespace ryosen {

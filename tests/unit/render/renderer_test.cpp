@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "ryosen/view/packed_normal.h"
+#include "ryosen/scene/view/packed_normal.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {

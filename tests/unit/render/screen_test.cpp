@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
 namespace {

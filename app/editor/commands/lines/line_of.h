@@ -6,7 +6,7 @@
 
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/selection/selectors.h"
+#include "ryosen/scene/selection/selectors.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/editor/session/session.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

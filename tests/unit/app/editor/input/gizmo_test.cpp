@@ -8,7 +8,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/snapping.h"
 #include "ryosen/algo/transform/moved_points.h"
-#include "ryosen/view/named_views.h"
+#include "ryosen/scene/view/named_views.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

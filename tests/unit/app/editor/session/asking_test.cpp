@@ -4,7 +4,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "ryosen/view/camera.h"
+#include "ryosen/scene/view/camera.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -8,11 +8,11 @@
 
 #include "app/editor/session/session.h"
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/forms/opposite_map.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/textbook/forms/opposite_map.h"
 #include "tests/support/app/program.h"
 
 namespace ryosen {

@@ -8,13 +8,13 @@
 #include <set>
 
 #include "app/editor/textbook/figures.h"
-#include "ryosen/forms/all.h"
-#include "ryosen/forms/polygons.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/polygons.h"
 #include "tests/support/app/program.h"
 #include "tests/support/core/kernel_lists.h"
 #include "tests/support/core/long_run.h"

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "ryosen/highlights/colour_maps.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/scene/highlights/colour_maps.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

@@ -1,0 +1,193 @@
+#include "ryosen/scene/selection/spread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/scene/highlights/creases.h"
+#include "ryosen/scene/selection/element_set.h"
+
+namespace ryosen {
+
+namespace {
+
+// The ends of an element, all corners of a face; some may be copies of one point.
+template <class Visit>
+void for_each_vertex(const Mesh& mesh, Element e, Visit visit) {
+  switch (e.kind) {
+    case Element::Kind::vertex:
+      return visit(e.vertex());
+    case Element::Kind::halfedge:
+      visit(mesh.from(e.halfedge()));
+      return visit(mesh.to(e.halfedge()));
+    case Element::Kind::edge:
+      visit(ends(mesh, e.edge()).first);
+      return visit(ends(mesh, e.edge()).second);
+    case Element::Kind::face:
+      for (Vertex v : vertices_around(mesh, e.face())) visit(v);
+  }
+}
+
+// The elements of a kind that touch a point; of vertices, those that an edge joins to it. Some more than once.
+template <class Visit>
+void for_each_at(const Mesh& mesh, Element::Kind kind, Vertex of_point, Visit visit) {
+  for_each_copy(mesh, of_point, [&](Vertex copy) {
+    for (Halfedge h : outgoing(mesh, copy)) switch (kind) {
+        case Element::Kind::vertex:
+          visit(point(mesh, mesh.to(h)));
+          break;
+        case Element::Kind::halfedge:
+          visit(h);
+          visit(twin(h));
+          break;
+        case Element::Kind::edge:
+          visit(edge(h));
+          break;
+        case Element::Kind::face:
+          if (mesh.face(h)) visit(mesh.face(h));
+      }
+  });
+}
+
+// Asks each point once for the elements of a kind, so that a point which many elements share costs no more than them.
+class Growth {
+ public:
+  Growth(const Mesh& mesh, std::span<const Element> selection)
+      : mesh_(mesh), selected_(selection), found_(selection.begin(), selection.end()) {}
+
+  // With the neighbours of the elements from `first` on.
+  void grow_from(std::size_t first) {
+    const std::size_t last = found_.size();
+    for (std::size_t i = first; i < last; ++i) {
+      const Element e = found_[i];
+      for_each_vertex(mesh_, e, [&](Vertex v) {
+        const Vertex p = point(mesh_, v);
+        if (!asked_[static_cast<std::size_t>(e.kind)].insert(p.index)) return;
+        for_each_at(mesh_, e.kind, p, [&](Element other) {
+          if (selected_.insert(other)) found_.push_back(other);
+        });
+      });
+    }
+    std::sort(found_.begin() + static_cast<std::ptrdiff_t>(last), found_.end());
+  }
+  std::size_t size() const { return found_.size(); }
+  Elements take() { return std::move(found_); }
+
+ private:
+  const Mesh& mesh_;
+  ElementSet selected_;
+  Elements found_;
+  std::array<IndexSet, 4> asked_;  // points, by kind
+};
+
+// Follows edges from the selected ones both ways, each edge once.
+template <class Next>
+Elements followed(const Mesh& mesh, std::span<const Element> selection, Next next) {
+  Elements found(selection.begin(), selection.end());
+  ElementSet selected(selection);
+  const std::size_t before = found.size();
+  for (std::size_t i = 0; i < before; ++i) {
+    const Element e = found[i];
+    if (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge) continue;
+    const Edge first = e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge());
+    if (selected.insert(first)) found.emplace_back(first);
+    for (int side = 0; side < 2; ++side)
+      for (Halfedge h = next(mesh, halfedge(first, side)); h && selected.insert(edge(h)); h = next(mesh, h))
+        found.emplace_back(edge(h));
+  }
+  return found;
+}
+
+// The halfedge that runs straight on, or along the boundary; none where there is none.
+Halfedge straight_on(const Mesh& mesh, Halfedge h) {
+  if (!mesh.face(h)) return mesh.next(h);
+  if (!mesh.face(twin(h))) return twin(mesh.prev(twin(h)));
+  if (has_copies(mesh, mesh.to(h))) return {};
+  const Halfedge start = twin(h);
+  Halfedge out = start;
+  for (int i = 0; i < 4; ++i) {
+    if (!mesh.face(out)) return {};
+    out = mesh.counter_clockwise(out);
+    if ((out == start) != (i == 3)) return {};
+  }
+  return mesh.counter_clockwise(mesh.counter_clockwise(start));
+}
+
+// The halfedge across the quad to its left, as seen from the next one; none where that is no quad.
+Halfedge across(const Mesh& mesh, Halfedge h) {
+  const Face f = mesh.face(h);
+  if (!f || mesh.first_ring(f) != no_index) return {};
+  const Halfedge opposite = mesh.next(mesh.next(h));
+  if (opposite == h || mesh.next(mesh.next(opposite)) != h) return {};
+  return twin(opposite);
+}
+
+}  // namespace
+
+Elements grown(const Mesh& mesh, std::span<const Element> selection) {
+  Growth growth(mesh, selection);
+  growth.grow_from(0);
+  return growth.take();
+}
+
+Elements linked(const Mesh& mesh, std::span<const Element> selection) {
+  Growth growth(mesh, selection);
+  for (std::size_t first = 0; first < growth.size();) {
+    const std::size_t before = growth.size();
+    growth.grow_from(first);
+    first = before;
+  }
+  Elements found = growth.take();
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(selection.size()), found.end());
+  return found;
+}
+
+Elements shrunk(const Mesh& mesh, std::span<const Element> selection) {
+  const ElementSet selected(selection);
+  std::array<IndexSet, 4> asked, open;  // points, by kind; open: one that touches an element which is not selected
+  const auto is_open = [&](Element::Kind kind, Vertex p) {
+    const std::size_t k = static_cast<std::size_t>(kind);
+    if (!asked[k].insert(p.index)) return open[k].contains(p.index);
+    for_each_at(mesh, kind, p, [&](Element other) {
+      bool is_in = selected.contains(other);
+      if (!is_in && kind == Element::Kind::vertex)  // a copy may be selected in place of its point
+        is_in = any_of_copies(mesh, other.vertex(), [&](Vertex copy) { return selected.contains(copy); });
+      if (!is_in) open[k].insert(p.index);
+    });
+    return open[k].contains(p.index);
+  };
+  Elements left;
+  for (const Element& e : selection) {
+    bool is_inside = true;
+    for_each_vertex(mesh, e, [&](Vertex v) { is_inside = is_inside && !is_open(e.kind, point(mesh, v)); });
+    if (is_inside) left.push_back(e);
+  }
+  return left;
+}
+
+Elements edge_loops(const Mesh& mesh, std::span<const Element> selection) {
+  return followed(mesh, selection, straight_on);
+}
+
+Elements edge_rings(const Mesh& mesh, std::span<const Element> selection) { return followed(mesh, selection, across); }
+
+Elements flat_regions(const Mesh& mesh, std::span<const Element> selection, double angle_deg) {
+  const double cosine = std::cos(angle_deg * std::numbers::pi / 180);
+  Neighbourhood around(mesh);
+  ElementSet selected(selection);
+  Elements found(selection.begin(), selection.end());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].kind != Element::Kind::face) continue;
+    for (Halfedge h : halfedges_around(mesh, found[i].face())) {
+      const Halfedge other = around.across(h);
+      if (!other || cosine_of_bend(around, h, other) < cosine) continue;
+      if (selected.insert(mesh.face(other))) found.emplace_back(mesh.face(other));
+    }
+  }
+  std::sort(found.begin() + static_cast<std::ptrdiff_t>(selection.size()), found.end());
+  return found;
+}
+
+}  // namespace ryosen

@@ -1,0 +1,86 @@
+#include "ryosen/textbook/forms/dcel.h"
+
+#include <utility>
+
+#include "ryosen/textbook/forms/polygons.h"
+#include "ryosen/textbook/forms/walk.h"
+
+namespace ryosen::forms {
+
+Dcel::Dcel(const Mesh& mesh) {
+  const Numbering numbers(mesh);
+  const auto number = [&](Halfedge h) { return numbers.halfedge(h).index; };
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    if (mesh.is_alive(Vertex(i)))
+      records_.vertices.push_back({mesh.position(Vertex(i)), number(mesh.halfedge(Vertex(i)))});
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!mesh.is_alive(h)) continue;
+    records_.half_edges.push_back({numbers.vertex[mesh.from(h).index], number(twin(h)), number(mesh.next(h)),
+                                   number(mesh.prev(h)), mesh.face(h) ? numbers.face[mesh.face(h).index] : no_index});
+  }
+  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+    if (!mesh.is_alive(Face(i))) continue;
+    records_.faces.push_back({number(mesh.halfedge(Face(i))), {}});
+    for (const Halfedge start : inner_loops(mesh, Face(i)))
+      records_.faces.back().inner_components.push_back(number(start));
+  }
+}
+
+std::size_t Dcel::bytes() const {
+  std::size_t bytes = bytes_of(records_.vertices) + bytes_of(records_.half_edges) + bytes_of(records_.faces);
+  for (const DcelRecords::FaceRecord& face : records_.faces) bytes += bytes_of(face.inner_components);
+  return bytes;
+}
+
+Mesh Dcel::to_mesh() const {
+  std::vector<Halfedge> slot(records_.half_edges.size());
+  std::uint32_t edges = 0;
+  for (std::uint32_t h = 0; h < slot.size(); ++h) slot[h] = pair(h) < h ? twin(slot[pair(h)]) : halfedge(Edge(edges++));
+  MeshColumns c;
+  c.halfedges.resize(slot.size());
+  for (const DcelRecords::VertexRecord& v : records_.vertices) {
+    c.positions.push_back(v.coordinates);
+    c.vertex_halfedge.push_back(v.incident_edge == no_index ? Halfedge() : slot[v.incident_edge]);
+  }
+  for (std::uint32_t h = 0; h < slot.size(); ++h)
+    c.halfedges[slot[h].index] = {Vertex(from(h)), slot[next(h)], slot[prev(h)],
+                                  face(h) == no_index ? Face() : Face(face(h))};
+  for (const DcelRecords::FaceRecord& f : records_.faces) c.face_halfedge.push_back(slot[f.outer_component]);
+  c.live = {static_cast<std::uint32_t>(records_.vertices.size()), edges,
+            static_cast<std::uint32_t>(records_.faces.size()), 0};
+  for (std::uint32_t f = 0; f < records_.faces.size(); ++f) {
+    std::vector<Halfedge> starts;
+    for (const std::uint32_t h : records_.faces[f].inner_components) starts.push_back(slot[h]);
+    set_inner_loops(c, Face(f), starts);
+  }
+  c.file_vertices = c.live.vertices;
+  return Mesh(std::move(c));
+}
+
+std::uint32_t Dcel::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
+
+bool Dcel::answer(Relation relation, std::uint32_t element, Answer& out) const {
+  answer_by_walk(*this, relation, element, out);
+  return true;
+}
+
+Fields Dcel::record(Element own) const {
+  if (own.kind == Element::Kind::vertex) {
+    const DcelRecords::VertexRecord& v = records_.vertices[own.index];
+    return {place("x, y, z", v.coordinates), link("halfedge", "incident_edge", Halfedge(v.incident_edge))};
+  }
+  if (own.kind == Element::Kind::halfedge) {
+    const DcelRecords::HalfEdgeRecord& h = records_.half_edges[own.index];
+    return {link("from", "origin", Vertex(h.origin)), link("twin", "twin", Halfedge(h.twin)),
+            link("next", "next", Halfedge(h.next)), link("prev", "prev", Halfedge(h.prev)),
+            link("face", "face", Face(h.face))};
+  }
+  if (own.kind != Element::Kind::face) return {};
+  const DcelRecords::FaceRecord& f = records_.faces[own.index];
+  return {
+      link("outer", "outer_component", Halfedge(f.outer_component)),
+      links("inner", "inner_components", std::vector<Halfedge>(f.inner_components.begin(), f.inner_components.end()))};
+}
+
+}  // namespace ryosen::forms

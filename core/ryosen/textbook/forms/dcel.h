@@ -1,0 +1,43 @@
+// The doubly connected edge list of the source texts: vertices with incident_edge, half-edges with origin, twin, next, prev and
+// face, faces with an outer component and inner components.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "ryosen/textbook/forms/dcel_records.h"
+#include "ryosen/textbook/forms/form.h"
+
+namespace ryosen::forms {
+
+// Every half-edge has a twin; outside the surface its face is none. The handle of an edge is one of its half-edges.
+class Dcel : public Form {
+ public:
+  explicit Dcel(const Mesh& mesh);
+  // Every row is in use, and the links are those of a mesh.
+  explicit Dcel(DcelRecords records) : records_(std::move(records)) {}
+
+  const DcelRecords& records() const { return records_; }
+
+  std::size_t bytes() const override;
+  Mesh to_mesh() const override;
+  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
+  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
+  Fields record(Element own) const override;
+
+  // The interface of walk.h.
+  std::uint32_t from(std::uint32_t h) const { return records_.half_edges[h].origin; }
+  std::uint32_t next(std::uint32_t h) const { return records_.half_edges[h].next; }
+  std::uint32_t prev(std::uint32_t h) const { return records_.half_edges[h].prev; }
+  std::uint32_t pair(std::uint32_t h) const { return records_.half_edges[h].twin; }
+  std::uint32_t face(std::uint32_t h) const { return records_.half_edges[h].face; }
+  std::uint32_t at_vertex(std::uint32_t v) const { return records_.vertices[v].incident_edge; }
+  std::uint32_t at_face(std::uint32_t f) const { return records_.faces[f].outer_component; }
+  std::uint32_t at_edge(std::uint32_t h) const { return h; }
+  const std::vector<std::uint32_t>& inner(std::uint32_t f) const { return records_.faces[f].inner_components; }
+
+ private:
+  DcelRecords records_;
+};
+
+}  // namespace ryosen::forms

@@ -1,0 +1,193 @@
+#include "ryosen/textbook/forms/growth/growth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "ryosen/base/stopwatch.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/growth/collapse.h"
+#include "ryosen/textbook/forms/pairing.h"
+#include "ryosen/textbook/forms/questions.h"
+#include "ryosen/textbook/forms/reading/relation_answer.h"
+
+namespace ryosen::forms {
+
+namespace {
+
+constexpr std::array rows{
+    GrowthRow{GrowthOf::pairing, "pairing", "Pairing the halfedges", "半稜線の対を見つける", "comparisons", "比較回数"},
+    GrowthRow{GrowthOf::query, "query", "One query", "問い合わせ 1 回", "records read", "読むデータの数"},
+    GrowthRow{GrowthOf::collapse, "collapse", "One edge collapse", "稜線削除 1 回",
+              "links followed, list entries compared, cells written", "たどるリンク・比べるリスト要素・書くデータの数"},
+};
+static_assert(rows_are_in_order(rows, &GrowthRow::of));
+
+// The slope of the straight line nearest to the logarithms.
+template <class Value>
+std::optional<double> slope_of(const GrowthCurve& curve, Value value) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const GrowthPoint& point : curve.points) {
+    if (!(value(point) > 0)) continue;
+    const double a = std::log(static_cast<double>(point.faces)), b = std::log(value(point));
+    n += 1, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  const double spread = n * xx - x * x;
+  if (n < 2 || !(spread > 0)) return {};
+  return (n * xy - x * y) / spread;
+}
+
+class GrowthRun {
+ public:
+  GrowthRun(const GrowthEffort& effort, Progress& progress) : effort_(effort), progress_(progress) {
+    for (const PairingMethod& method : pairing_methods())
+      curves_.push_back({GrowthOf::pairing, method.id, {}, method.en, method.ja, {}});
+    for (const FormRow& form : all_forms())
+      for (const RelationRow& relation : relations())
+        curves_.push_back({GrowthOf::query, form.id, relation.relation, form.en, form.ja, {}});
+    for (const CollapseWay& way : collapse_ways())
+      curves_.push_back({GrowthOf::collapse, way.id, {}, way.en, way.ja, {}});
+  }
+
+  // False when it is cancelled.
+  bool measure(const Mesh& mesh) {
+    faces_ = mesh.live().faces;
+    curve_ = curves_.begin();
+    return measure_pairings(mesh) && measure_queries(mesh) && measure_collapses(mesh);
+  }
+  std::vector<GrowthCurve> curves() && {
+    std::erase_if(curves_, [](const GrowthCurve& curve) { return curve.points.empty(); });
+    return std::move(curves_);
+  }
+
+ private:
+  // The curves come in the order of the tables.
+  GrowthCurve& next() { return *curve_++; }
+
+  bool measure_pairings(const Mesh& mesh) {
+    const IndexedMesh list = to_indexed(mesh).mesh;
+    for (const PairingMethod& method : pairing_methods()) {
+      GrowthCurve& curve = next();
+      if (method.steps(list) > effort_.pairing_steps) continue;
+      std::uint64_t comparisons = 0;
+      method.pair_counting(list, comparisons);
+      if (!progress_.go_on()) return false;
+      curve.points.push_back({faces_, static_cast<double>(comparisons), fastest([&] { method.pair(list); })});
+      if (!progress_.go_on()) return false;
+    }
+    return true;
+  }
+
+  bool measure_queries(const Mesh& mesh) {
+    const Questions questions(mesh);
+    for (const FormRow& row : all_forms()) {
+      if (why_unsuitable(mesh, row)) {
+        curve_ += relation_count;
+        continue;
+      }
+      const std::unique_ptr<Form> form = row.make(mesh);
+      const std::vector<std::uint32_t> edges = handles_of(*form, questions.edges, 8 * effort_.query_seconds);
+      RecordReader reader(mesh, row);
+      for (const RelationRow& relation : relations()) {
+        GrowthCurve& curve = next();
+        const std::optional<double> records = records_read(mesh, reader, relation);
+        const auto& elements = relation.asks == ElementOf::vertex ? questions.vertices
+                               : relation.asks == ElementOf::edge ? edges
+                                                                  : questions.faces;
+        if (records)
+          curve.points.push_back(
+              {faces_, *records,
+               time_per_query(*form, relation.relation, elements, effort_.query_seconds).value_or(0)});
+        if (!progress_.go_on()) return false;
+      }
+    }
+    return true;
+  }
+
+  // The mean over several elements that lie apart; of fewer where each reads many.
+  static std::optional<double> records_read(const Mesh& mesh, RecordReader& reader, const RelationRow& row) {
+    constexpr std::size_t most_asked = 8, enough_read = 2000;
+    std::size_t asked = 0, read = 0;
+    const auto ask = [&](Element element) {
+      reader.begin_anew();
+      Answer answer;
+      if (!answer_by_records(reader, asked_about(mesh, row, element), answer)) return false;
+      read += reader.read().size();
+      return ++asked < most_asked && read < enough_read;
+    };
+    const auto ask_all = [&]<class Handle>(Handle, std::uint32_t slots) {
+      for (std::uint32_t i = 0; i < most_asked; ++i)
+        if (const Handle element(i * (slots / most_asked)); slots > 0 && !ask(element)) return;
+    };
+    if (row.asks == ElementOf::vertex) ask_all(Vertex(), mesh.vertex_slots());
+    if (row.asks == ElementOf::edge) ask_all(Edge(), mesh.edge_slots());
+    if (row.asks == ElementOf::face) ask_all(Face(), mesh.face_slots());
+    if (asked == 0) return {};
+    return static_cast<double>(read) / static_cast<double>(asked);
+  }
+
+  bool measure_collapses(const Mesh& mesh) {
+    for (const CollapseWay& way : collapse_ways()) {
+      GrowthCurve& curve = next();
+      if (const std::optional<CollapseFigures> figures = way.measure(mesh))
+        curve.points.push_back({faces_, figures->count, figures->seconds});
+      if (!progress_.go_on()) return false;
+    }
+    return true;
+  }
+
+  template <class Work>
+  static double fastest(Work work) {
+    constexpr double enough_seconds = 0.03;
+    double best = std::numeric_limits<double>::infinity(), spent = 0;
+    for (int run = 0; run < 5 && spent < enough_seconds; ++run) {
+      const Stopwatch watch;
+      work();
+      const double taken = watch.seconds();
+      best = std::min(best, taken);
+      spent += taken;
+    }
+    return best;
+  }
+
+  const GrowthEffort& effort_;
+  Progress& progress_;
+  std::size_t faces_ = 0;
+  std::vector<GrowthCurve> curves_;
+  std::vector<GrowthCurve>::iterator curve_;
+};
+
+}  // namespace
+
+std::span<const GrowthRow> growth_rows() { return rows; }
+
+std::optional<double> slope_of_count(const GrowthCurve& curve) {
+  return slope_of(curve, [](const GrowthPoint& point) { return point.count; });
+}
+
+std::optional<double> slope_of_time(const GrowthCurve& curve) {
+  return slope_of(curve, [](const GrowthPoint& point) { return point.seconds; });
+}
+
+std::string slope_text(std::optional<double> slope) {
+  if (!slope) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", *slope);
+  return text == std::string("-0.00") ? "0.00" : text;
+}
+
+std::vector<GrowthCurve> measure_growth(std::span<const Mesh> meshes, const GrowthEffort& effort, Progress& progress) {
+  GrowthRun run(effort, progress);
+  std::size_t all = 0, done = 0;
+  for (const Mesh& mesh : meshes) all += mesh.live().faces;
+  for (const Mesh& mesh : meshes) {
+    if (!progress.go_on(done, all) || !run.measure(mesh)) return {};
+    done += mesh.live().faces;
+  }
+  return std::move(run).curves();
+}
+
+}  // namespace ryosen::forms

@@ -25,8 +25,8 @@ class Canvas {
     Renderer* view;
     int x, y;
   };
-  // Updates the views, copies their pictures to their places, and draws `ui` (in window pixels) over them. Returns the number
-  // of pixels redrawn; 0 if nothing changed. The rest of the window is black.
+  // Updates the views, copies their pictures to their places, and draws `ui` (in window pixels) over them. Returns the
+  // number of pixels redrawn; 0 if nothing changed. The rest of the window is black.
   std::int64_t compose(std::span<const Placed> views, const ImDrawData& ui);
   std::int64_t compose(Renderer& view, int x, int y, const ImDrawData& ui) {
     const Placed placed{&view, x, y};

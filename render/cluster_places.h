@@ -14,16 +14,17 @@ namespace ryosen {
 // Refers to the clusters by number; they are passed to each call as they are then.
 class ClusterPlaces {
  public:
-  // Places all clusters in a view of this size, so many neighbours as one: where but a part of their triangles are drawn,
-  // each by itself costs more than it has to show. The order is kept until the next call: of two coincident triangles the
-  // first one drawn is visible.
+  // Places all clusters in a view of this size, so many neighbours as one: where but a part of their triangles are
+  // drawn, each by itself costs more than it has to show. The order is kept until the next call: of two coincident
+  // triangles the first one drawn is visible.
   void place_all(std::span<const Cluster> clusters, std::uint32_t neighbours, const glm::dmat4& view_from_buffer,
                  const glm::mat4& clip_from_buffer, Size size);
   // Places those that have changed; new ones come last in the order.
   void place(std::span<const Cluster> clusters, std::span<const std::uint32_t> changed,
              const glm::mat4& clip_from_buffer, Size size);
 
-  // Those with a part in the rectangle, front to back, so that the depth test rejects occluded fragments before shading.
+  // Those with a part in the rectangle, front to back, so that the depth test rejects occluded fragments before
+  // shading.
   std::vector<std::uint32_t> inside(std::span<const Cluster> clusters, const PixelRect& rect) const;
   std::size_t triangles_inside(std::span<const Cluster> clusters, const PixelRect& rect) const;
   // Takes away those that are hidden for certain, and returns how many triangles they have; a picture pixel is `scale`

@@ -36,8 +36,8 @@ inline void turn(std::uint32_t& first, std::uint32_t& axis, unsigned level) {
   first ^= exchanged | (below & is_set);
 }
 
-// The indices of cells on the Hilbert curve, from the coarsest level down [Skilling04]. Unlike a Z-order curve it has no
-// jumps, so every run has a small bounding box.
+// The indices of cells on the Hilbert curve, from the coarsest level down [Skilling04]. Unlike a Z-order curve it has
+// no jumps, so every run has a small bounding box.
 Row places_on_curve(Row& x, Row& y, Row& z) {
   for (unsigned level = bits_per_axis - 1; level > 0; --level) {
     for (std::uint32_t i = 0; i < block; ++i) {

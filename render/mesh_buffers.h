@@ -22,8 +22,8 @@ namespace ryosen {
 // One with three equal corners is not drawn, and its face is not read; that of others is below 2^29.
 using DrawnTriangle = SurfaceTriangle;
 
-// own: lit as the surface's own colour is; else little, so that the colours stay those of a legend. sides: each part of a
-// triangle takes the colour of the edge of its face that is nearest.
+// own: lit as the surface's own colour is; else little, so that the colours stay those of a legend. sides: each part of
+// a triangle takes the colour of the edge of its face that is nearest.
 enum class Paint : std::uint8_t { none, own, corners, sides };
 
 // A triangle mesh owned by the caller.
@@ -35,8 +35,8 @@ struct TriangleSource {
   std::span<const std::uint8_t> face_tints;  // see face_tint.h; faces past the end have none
   // Of the corners of each triangle, see ryosen/scene/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
-  // What the surface is painted with in place of its own colour: 0xAABBGGRR, 0 for none, of the corners of a triangle, or
-  // of its sides from each corner to the next; asked from several threads. Changes are named with the triangles.
+  // What the surface is painted with in place of its own colour: 0xAABBGGRR, 0 for none, of the corners of a triangle,
+  // or of its sides from each corner to the next; asked from several threads. Changes are named with the triangles.
   Paint paint = Paint::none;
   std::function<std::array<std::uint32_t, 3>(const DrawnTriangle&)> colours = {};
 
@@ -76,10 +76,10 @@ struct BufferSpace {
 // The buffer space for a mesh with these bounds.
 BufferSpace buffer_space(const glm::dvec3& low, const glm::dvec3& high);
 
-// Positions are stored in single precision in the buffer space of the bounds given to set(). Triangles are ordered along a
-// space-filling curve, so that clusters are compact and a part of the view needs few of them. Triangles with an
-// out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes. What is
-// on the GPU is not kept beside it: 8 bytes per triangle, their order, and a byte per face are.
+// Positions are stored in single precision in the buffer space of the bounds given to set(). Triangles are ordered
+// along a space-filling curve, so that clusters are compact and a part of the view needs few of them. Triangles with an
+// out-of-range vertex or a non-finite position are not drawn. set() is linear; update() costs the listed changes. What
+// is on the GPU is not kept beside it: 8 bytes per triangle, their order, and a byte per face are.
 class MeshBuffers {
  public:
   static constexpr std::uint32_t cluster_size = 128;
@@ -91,8 +91,8 @@ class MeshBuffers {
 
   // Updates the copy after a change. `vertices` lists the vertices with a new position, `triangles` those with changed
   // corners, normals, face or edge bits or with a moved corner, `faces` those with changed tints. Elements appended or
-  // removed at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a pass
-  // over all triangles, unless for each such face some triangle is listed; then all its triangles must be.
+  // removed at the ends of the arrays need not be listed. Finding the triangles of faces with changed tints takes a
+  // pass over all triangles, unless for each such face some triangle is listed; then all its triangles must be.
   MeshChange update(const TriangleSource& source, std::span<const std::uint32_t> vertices,
                     std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> faces);
 

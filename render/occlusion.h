@@ -10,7 +10,8 @@
 
 namespace ryosen {
 
-// Keeps the farthest depth of small squares of pixels. Where something farther would be drawn, nothing would be seen of it.
+// Keeps the farthest depth of small squares of pixels. Where something farther would be drawn, nothing would be seen of
+// it.
 class Occlusion {
  public:
   // Reads the depths of a rectangle; waits for what is being drawn.

@@ -21,8 +21,8 @@ enum class Role {
   goes,  // what an operator takes away
 };
 
-// The looks of a role or a highlight in a theme. Colours are safe for colour-blind people, and no two that can meet share
-// both line style and point shape, so that colour is never the only sign.
+// The looks of a role or a highlight in a theme. Colours are safe for colour-blind people, and no two that can meet
+// share both line style and point shape, so that colour is never the only sign.
 struct Style {
   Rgba colour;
   LineStyle line;

@@ -76,8 +76,8 @@ class Renderer {
   void set_camera(const Camera& camera);
   // What lies beyond a plane is not drawn, nor what the layers up to `hover` have there.
   void set_clip(const std::optional<ClipPlane>& plane);
-  // Draws every so many-th triangle only, a part that is even over the surface, since they are ordered along it. A power
-  // of two up to MeshBuffers::cluster_size; at first 1, which draws all.
+  // Draws every so many-th triangle only, a part that is even over the surface, since they are ordered along it. A
+  // power of two up to MeshBuffers::cluster_size; at first 1, which draws all.
   void set_thinning(std::uint32_t thinning);
   std::uint32_t thinning() const { return thinning_; }
   // draw() stops after about so many triangles, at least one rectangle, and goes on when it is called again; 0 as at
@@ -86,7 +86,8 @@ class Renderer {
   // draw() goes on, when all is drawn, to draw a part at a time with several samples a pixel, until is_refined(). What
   // changes is drawn with those of resize() at first. No effect where they are as many.
   void set_refining(bool refines) { refines_ = refines; }
-  // Makes what refining needs, at a picture of the present size, so that its first part takes no longer than the others.
+  // Makes what refining needs, at a picture of the present size, so that its first part takes no longer than the
+  // others.
   void prepare_refining();
   bool is_refined() const { return !can_refine_ || (is_drawn() && refinement_.is_done()); }
   // Such a draw() refines parts of at most so much effort together, which is about nanoseconds of one core; one part at
@@ -120,8 +121,8 @@ class Renderer {
   bool is_drawn() const { return dirty_.empty() && waiting_.empty() && !planes_stale_; }
   // Whether the picture shows all triangles, and is_drawn().
   bool is_whole() const { return thinning_ == 1 && is_drawn(); }
-  // How many triangles the last draw() drew or found hidden, and among how many the next one, if it drew all, would find
-  // those it shows.
+  // How many triangles the last draw() drew or found hidden, and among how many the next one, if it drew all, would
+  // find those it shows.
   std::size_t triangles_drawn() const { return triangles_drawn_; }
   std::size_t triangles_in_view();
   // How many of them the last draw() left out, because nearer ones hide them.

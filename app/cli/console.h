@@ -25,15 +25,15 @@ struct Console {
     return language == Language::japanese ? ja : en;
   }
 
-  // Appends to stdout, or to what takes its place. Names of files go through visible_line() before, so that one that holds
-  // a line end stays on its line; other control characters become escapes here.
+  // Appends to stdout, or to what takes its place. Names of files go through visible_line() before, so that one that
+  // holds a line end stays on its line; other control characters become escapes here.
   void print(std::string_view text) const;
   // The same, flushed immediately, also into a pipe.
   void print_now(std::string_view text) const;
   // Writes what is printed so far; false where any of it could not be written.
   static bool flush();
-  // Prints the last of a run and flushes it, in one section: a signal comes before it and cancels, or behind it and ends
-  // the program with this code, without a further word. False where any of what was printed could not be written.
+  // Prints the last of a run and flushes it, in one section: a signal comes before it and cancels, or behind it and
+  // ends the program with this code, without a further word. False where any of what was printed could not be written.
   bool conclude(std::string_view text, ExitCode code) const;
   // A line on stderr, unless quiet.
   void note(const Text& text) const;

@@ -30,8 +30,8 @@ struct PlannedOutput {
 };
 
 // The first fault that shows without a mesh: a line that is wrong on every mesh, an output in an unknown format, or a
-// file that the run must not replace. `files` has the files that are read, but for those that the script opens; what the
-// run would write is added. `input` is empty where the script begins without one.
+// file that the run must not replace. `files` has the files that are read, but for those that the script opens; what
+// the run would write is added. `input` is empty where the script begins without one.
 std::optional<Failure> find_fault(const EditScript& script, const std::string& input,
                                   const std::vector<PlannedOutput>& outputs, RunFiles& files);
 

@@ -1,6 +1,6 @@
 // `forms`: the representations of the source texts side by side for a mesh.
-#include "app/cli/columns.h"
 #include "app/cli/contract/forms.h"
+#include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/form_growth.h"
 #include "app/cli/form_records.h"

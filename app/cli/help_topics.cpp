@@ -162,7 +162,8 @@ std::string recovery_topic(Language language) {
                     "  The editor offers it at its next start, and under Recover... in the menu File.\n"
                     "  Without a window: ryosen edit --new --do \"recover list\", --do \"recover 1\" -o OUT\n"
                     "  Where the file has changed since, that is said first: recover 1 as_was recovers the mesh as it\n"
-                    "  was and leaves the file alone; recover 1 as_is does the edits again on the file as it is now.\n");
+                    "  was and leaves the file alone; recover 1 as_is does the edits again on the file "
+                    "as it is now.\n");
 }
 
 std::string script_commands_topic(Language language) {

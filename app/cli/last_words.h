@@ -11,12 +11,12 @@ namespace ryosen::cli {
 
 enum class LastWords { cancelled, cancelled_after_writing, stream_cut, window_ended, report_cut, out_of_memory };
 
-// Composes them for this run, about this file where there is one; `has_goal`: why it stopped is told, too. Before, they are
-// in English and not JSON.
+// Composes them for this run, about this file where there is one; `has_goal`: why it stopped is told, too. Before, they
+// are in English and not JSON.
 void prepare_last_words(const Console& console, std::optional<std::string_view> file, bool has_goal);
 
-// Writes the line on stderr and, with --json and `may_print`, its object on stdout. Allocates nothing, and may be called
-// within a signal handler. Returns the exit code.
+// Writes the line on stderr and, with --json and `may_print`, its object on stdout. Allocates nothing, and may be
+// called within a signal handler. Returns the exit code.
 ExitCode say_last_words(LastWords words, bool may_print) noexcept;
 
 // The run has said its last, whose exit code this is; prepare_last_words() takes it back.

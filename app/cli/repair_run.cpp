@@ -113,8 +113,8 @@ void RepairRun::run_as_written(std::span<const RecipeStep> steps, const std::str
   if (was_no_better_ && rounds_ == 0) print_no_better();
 }
 
-// Runs the steps on the document, and undoes them where the file would be no better. What is found is counted as the file
-// has it. Returns whether another run on what the file gives back would change nothing.
+// Runs the steps on the document, and undoes them where the file would be no better. What is found is counted as the
+// file has it. Returns whether another run on what the file gives back would change nothing.
 bool RepairRun::run_once(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events) {
   const WrittenMesh before(document().contents(), *job_.format);
   RecipeResult result = job_.document->run(steps, command, events).value();

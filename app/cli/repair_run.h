@@ -18,9 +18,9 @@ class RepairRun {
   // The job must outlive it.
   RepairRun(AlgorithmJob& job, const Console& console) : job_(job), console_(console) {}
 
-  // Runs the calls in rounds, and where the file gives other points back than were written, again on what the file gives
-  // back, until they make that no better: the job has the document that was read last then, and what was lost for that.
-  // Prints each step when it is done. The calls get their values and results.
+  // Runs the calls in rounds, and where the file gives other points back than were written, again on what the file
+  // gives back, until they make that no better: the job has the document that was read last then, and what was lost for
+  // that. Prints each step when it is done. The calls get their values and results.
   std::optional<Failure> run(std::vector<Call>& calls);
 
   const Document& document() const { return *job_.document; }

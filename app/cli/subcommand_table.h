@@ -50,11 +50,10 @@ class Arguments {
 
 struct Subcommand {
   std::string_view id;
-  std::string_view
-      operands;             // as in the help: words with a blank between them, one that may be left out in [], the last
-                            // with ... where there may be several
-  std::string_view en, ja;  // one line
-  std::vector<Flag> flags;  // besides the common ones
+  std::string_view operands;  // as in the help: words with a blank between them, one that may be left out in [], the
+                              // last with ... where there may be several
+  std::string_view en, ja;    // one line
+  std::vector<Flag> flags;    // besides the common ones
   std::function<std::string(Language)> more;  // further lines of the help; may be empty
   std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
   Contract contract = {};  // what it prints as JSON and ends with

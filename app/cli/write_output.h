@@ -17,8 +17,8 @@ struct WrittenOutput {
   std::optional<Failure> failure;
 };
 
-// The mesh of -o. Shows the losses and the failure. is_strict: losses are a failure. `given_up`: losses that the document
-// no longer knows of (give_up_lost_elements), which come first.
+// The mesh of -o. Shows the losses and the failure. is_strict: losses are a failure. `given_up`: losses that the
+// document no longer knows of (give_up_lost_elements), which come first.
 WrittenOutput write_output(Document& document, RunFiles& files, const std::string& path, bool is_strict,
                            const Console& console, const std::vector<Message>& given_up = {});
 

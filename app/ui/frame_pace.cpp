@@ -46,8 +46,8 @@ double FramePace::effort_of_refining() const { return nanoseconds(refining_frame
 
 void FramePace::took_refining(double effort, Clock::duration time) {
   if (effort <= 0) return;
-  // On a busy machine each part waits for a processor, however small it is: below this smaller parts take no less time, and
-  // there would be thousands of them.
+  // On a busy machine each part waits for a processor, however small it is: below this smaller parts take no less time,
+  // and there would be thousands of them.
   constexpr double slowest_ns = 8;
   const double now_ns = std::clamp(nanoseconds(time) / effort, 0.01, slowest_ns);
   const double weight = now_ns > refining_ns_ ? 0.5 : 0.1;

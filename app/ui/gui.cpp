@@ -35,8 +35,8 @@ void draw_over(PanelContext& context, OwnPanel& own) {
   if (std::exchange(own.was_over, is_over) && !is_over) own.panel->closed(context);
 }
 
-// Tab goes on from what has the keyboard, which ImGui does from fields alone: from a button it would begin anew. What it
-// comes to is marked.
+// Tab goes on from what has the keyboard, which ImGui does from fields alone: from a button it would begin anew. What
+// it comes to is marked.
 void go_on_by_tab(bool had_keyboard) {
   ImGuiContext& imgui = *GImGui;
   const ImGuiNavMoveFlags of_key = imgui.NavMoveFlags & (ImGuiNavMoveFlags_Tabbing | ImGuiNavMoveFlags_FocusApi);

@@ -41,8 +41,8 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu, and
-  // known to the command `panel` while this lives. The row's texts must live as long.
+  // A panel beside those of the list, for programs with panels of their own: behind them in its column and the menu,
+  // and known to the command `panel` while this lives. The row's texts must live as long.
   void add_panel(const PanelRow& row, std::unique_ptr<Panel> panel);
   // Changes the scale of the display; letters at the next prepare().
   void set_scale(float scale);
@@ -76,7 +76,8 @@ class Gui {
   // A menu is open, which Escape closes; while it is, keys are not for what lies behind it.
   bool has_menu(const Layout& layout) const;
   void close_menus();
-  // A key was pressed that no frame has seen, or what it opened or closed is not laid out yet: who has the keyboard may change.
+  // A key was pressed that no frame has seen, or what it opened or closed is not laid out yet: who has the keyboard may
+  // change.
   bool awaits_frame(const Layout& layout) const;
   // The next key is for a panel that asks which one it is to be (GuiState::asks_for_key); true where it took it.
   bool wants_chord(const Layout& layout) const;

@@ -16,8 +16,8 @@ namespace ryosen {
 
 namespace {
 
-// The ghost of what an operator would do, whole in front of the old surface: what stays thin, what goes thinly dashed, what
-// comes thick, and new vertices and those that move as points.
+// The ghost of what an operator would do, whole in front of the old surface: what stays thin, what goes thinly dashed,
+// what comes thick, and new vertices and those that move as points.
 class Ghost {
  public:
   Ghost(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, Theme theme, Overlay& overlay)

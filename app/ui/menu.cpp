@@ -35,8 +35,8 @@ void go_sideways(PanelContext& context, const MenuRow& open) {
   ImGui::NavMoveRequestCancel();
 }
 
-// The name of what is shown: in the middle of the bar, or of what the menus leave of it up to here. What lies beneath is
-// told where there is room for it.
+// The name of what is shown: in the middle of the bar, or of what the menus leave of it up to here. What lies beneath
+// is told where there is room for it.
 void draw_name(PanelContext& context, float end) {
   std::string name = shown_name(context.session);
   const std::string whole = name;
@@ -52,8 +52,8 @@ void draw_name(PanelContext& context, float end) {
   if (shown != whole) tip(whole);
 }
 
-// What there is room for beside the menus: they stand closer, and then the switch of the language, which the preferences
-// have too, gives way before the name does.
+// What there is room for beside the menus: they stand closer, and then the switch of the language, which the
+// preferences have too, gives way before the name does.
 struct BarRoom {
   float spacing;
   bool has_language;

@@ -35,8 +35,8 @@ void item(PanelContext& context, UiText name, const std::string& line, bool enab
   item(context, context.text(name), line, enabled, ticked);
 }
 
-// The panels of a menu: what opens one over the view ends in dots; those of the columns are ticked where they are shown,
-// and stand together in the menu of the view.
+// The panels of a menu: what opens one over the view ends in dots; those of the columns are ticked where they are
+// shown, and stand together in the menu of the view.
 void panel_items(PanelContext& context, PanelMenu menu) {
   for (const PanelRow& row : panel_list()) {
     const bool is_over = row.place == PanelPlace::over, is_ticked = !is_over && context.layout.is_shown(row);
@@ -216,8 +216,8 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
-// What the textbooks build or do step by step, as their scripts play it. In no menu within the menu: beside this one there
-// is no room for names that long in a narrow window.
+// What the textbooks build or do step by step, as their scripts play it. In no menu within the menu: beside this one
+// there is no room for names that long in a narrow window.
 void script_items(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
   ImGui::Separator();
   ImGui::TextColored(context.colours().dim, "%s", title);

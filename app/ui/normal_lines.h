@@ -12,8 +12,8 @@ namespace ryosen {
 
 struct SeenMesh;
 
-// At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements, those
-// that changed alone.
+// At a vertex one line for each normal that smooth shading has there: several at creases. Drawn in blocks of elements,
+// those that changed alone.
 class NormalLines {
  public:
   // What changed in the mesh since the last call of follow().

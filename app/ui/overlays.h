@@ -31,8 +31,8 @@ Overlay highlight_overlay(Findings& findings, std::span<const glm::dvec3> places
 inline constexpr std::size_t most_ringed = 20;
 Overlay selection_overlay(const Findings& findings, const ViewState& view, const Selecting& selecting,
                           const Gesturing& gesturing, Theme theme);
-// The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles of
-// faces as points, which have so much room.
+// The elements of such a verdict with slot numbers from first to before end: edges as lines, vertices and the middles
+// of faces as points, which have so much room.
 Overlay verdicts_overlay(const Findings& findings, std::span<const glm::dvec3> places, const ToolVerdicts& verdicts,
                          ElementVerdict which, std::uint32_t first, std::uint32_t end, Theme theme, double room);
 // The ways along which was measured, where all elements of it are still there.
@@ -42,8 +42,8 @@ Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& g
                      Theme theme);
 // What the open question of practice is about.
 Overlay question_overlay(const Session& session, Theme theme);
-// The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is not
-// shown.
+// The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is
+// not shown.
 Overlay account_overlay(const Findings& findings, const Layout& layout, Theme theme);
 // The colour of a rule, as 0xRRGGBB.
 std::uint32_t colour_of(EdgeRule rule, Theme theme);

@@ -76,11 +76,11 @@ Outcome PanelContext::keep(Outcome outcome) {
   state.last.sentence = outcome.sentence;
   if (outcome.done() && !outcome.performed.empty())
     state.last.sentence = {outcome.performed + ": " + ryosen::text(UiText::done, Language::english),
-                          outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
+                           outcome.performed + "：" + ryosen::text(UiText::done, Language::japanese)};
   state.last.shorter.clear();
   if (outcome.done() && !outcome.performed.empty() && !outcome.sentence.en.empty()) {
     state.last.sentence = {outcome.performed + ": " + outcome.sentence.en,
-                          outcome.performed + "：" + outcome.sentence.ja};
+                           outcome.performed + "：" + outcome.sentence.ja};
     const Text name = name_of_line(outcome.performed) + Text{": ", "："};
     state.last.shorter = {name + outcome.sentence};
     add_shorter_report(state.last.shorter, session.findings(), name, outcome.sentence);
@@ -93,8 +93,8 @@ Outcome PanelContext::keep(Outcome outcome) {
 
 namespace {
 
-// How many frames a line waits for behind the one that sends it; none where it is carried out at once, as are lines that
-// are wrong: they fail where they were written.
+// How many frames a line waits for behind the one that sends it; none where it is carried out at once, as are lines
+// that are wrong: they fail where they were written.
 std::optional<int> frames_to_wait(const std::string& line) {
   const auto call = call_of(line);
   if (!call || !(call->is_long || call->row->sees_window) || fault_of_command(line)) return std::nullopt;
@@ -115,8 +115,8 @@ bool lacks_file(const Document& document, const std::string& line) {
   return call && call->effect == Effect::writes && file_of(*call).empty() && document.path().empty();
 }
 
-// Several lines, the first of which begins anew: the program makes what it shows. At once, so that all that there is behind
-// them counts as made; none of them takes long.
+// Several lines, the first of which begins anew: the program makes what it shows. At once, so that all that there is
+// behind them counts as made; none of them takes long.
 void show_made(PanelContext& context, const std::string& lines) {
   for (const ScriptLine& line : split_script(lines))
     if (!context.keep(context.session.run(line.text)).done()) return;

@@ -115,8 +115,8 @@ struct PanelContext {
   }
   const UiColours& colours() const { return ui_colours(theme); }
 
-  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and what
-  // looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
+  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and
+  // what looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
   // to save to is known, it asks first. A panel that names itself is closed, and opens again where the line fails.
   Outcome run(const std::string& line, const std::string& panel_id = {});
   // Without that question.
@@ -158,8 +158,8 @@ std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float
 // One of each, in the order of panel_list() as it stands in panels.def.
 std::vector<std::unique_ptr<Panel>> make_panels();
 
-// The forms of the mesh as it is, built in the background, where there are many faces when a button is pressed. Null while
-// they are not there: it has drawn why not.
+// The forms of the mesh as it is, built in the background, where there are many faces when a button is pressed. Null
+// while they are not there: it has drawn why not.
 const RecordBook* records_of_mesh(PanelContext& context);
 
 // The parts around the columns.

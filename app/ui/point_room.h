@@ -7,8 +7,8 @@
 
 namespace ryosen {
 
-// As if so many were even over a surface as large as the two longer sides of their bounds, in whole octaves, so that an edit
-// seldom changes it; none where they are few (see Point).
+// As if so many were even over a surface as large as the two longer sides of their bounds, in whole octaves, so that an
+// edit seldom changes it; none where they are few (see Point).
 double room_of_points(const Box& bounds, std::size_t count);
 
 }  // namespace ryosen

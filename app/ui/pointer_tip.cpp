@@ -53,8 +53,8 @@ ImVec2 size_of_tip(const std::vector<TipPart>& parts, float width) {
 
 }  // namespace
 
-// Its size is known before it is drawn: what sizes itself to its content does so a frame later, and the next frame may come
-// only once the view has rested.
+// Its size is known before it is drawn: what sizes itself to its content does so a frame later, and the next frame may
+// come only once the view has rested.
 void draw_pointer_tip(PanelContext& context) {
   if (!context.selecting.hover() || !context.selecting.hover()->op) return;
   const Preview& preview = context.selecting.hover()->preview;

@@ -14,8 +14,8 @@ class Shown;
 // What stands in the fields of the repairs, and which of them are unfolded.
 class RepairRows {
  public:
-  // All repairs of a kind. True when one was pressed. None can be where nothing is left to mend, or what is shown is not
-  // the mesh that is open. A row takes as much room whatever it says.
+  // All repairs of a kind. True when one was pressed. None can be where nothing is left to mend, or what is shown is
+  // not the mesh that is open. A row takes as much room whatever it says.
   bool draw(PanelContext& context, ProblemKind kind, bool is_mended);
   // The button of all that keep the geometry, and what it would do. True when it was pressed.
   bool draw_all(PanelContext& context, bool is_mended);

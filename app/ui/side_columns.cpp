@@ -70,8 +70,8 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 
 const char* column_window(PanelPlace side) { return names[side == PanelPlace::left ? 0 : 1].column; }
 
-// Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen. What is seen
-// below it begins with the header of its own panel, where that has been scrolled away.
+// Over the upper end of a column that is scrolled; drawn after all else that lies in it, so that it is seen. What is
+// seen below it begins with the header of its own panel, where that has been scrolled away.
 void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, float& height_px,
                             const PanelRow* below) {
   const float x = ImGui::GetCursorPosX(), end = ImGui::GetCursorPosY();
@@ -97,8 +97,8 @@ void SideColumns::draw_over(PanelContext& context, OwnPanel& own, float begin, f
   if (std::exchange(height_px, height) != height) context.state.unsettle();
 }
 
-// Scrolls the column so that a panel which was drawn from here on is seen whole, or from its header on where it is higher
-// than the column; until it lies in a frame where it lay in the one before.
+// Scrolls the column so that a panel which was drawn from here on is seen whole, or from its header on where it is
+// higher than the column; until it lies in a frame where it lay in the one before.
 void SideColumns::show_wanted(PanelContext& context, float begin, float height, float kept_px) {
   const float end = ImGui::GetCursorPosY(), scroll = ImGui::GetScrollY();
   ImGui::SetScrollY(std::min(begin - kept_px, std::max(scroll, end - height)));
@@ -108,8 +108,8 @@ void SideColumns::show_wanted(PanelContext& context, float begin, float height, 
   wanted_begin_ = wanted_end_ = -1;
 }
 
-// The first one stays in view where the column is scrolled, if it is one that is held and leaves room enough. Returns how
-// much it covers.
+// The first one stays in view where the column is scrolled, if it is one that is held and leaves room enough. Returns
+// how much it covers.
 float SideColumns::draw_panels(PanelContext& context, PanelPlace side, float height, std::vector<OwnPanel>& panels) {
   float& held_px = held_px_[side == PanelPlace::left ? 0 : 1];
   const float first = ImGui::GetCursorPosY();

@@ -11,8 +11,8 @@
 
 namespace ryosen {
 
-// The arrow keys go from one entry to the next, Enter takes it, as a click does. Where not all of it has room its parts stand
-// behind tabs.
+// The arrow keys go from one entry to the next, Enter takes it, as a click does. Where not all of it has room its parts
+// stand behind tabs.
 class StartPage {
  public:
   // While the session is at its start and no panel lies over the view.

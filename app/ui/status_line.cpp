@@ -121,8 +121,8 @@ void draw_hints(PanelContext& context, const std::vector<Hint>& hints, float roo
   }
 }
 
-// At the right, with short numbers; where it does not fit in fewer words, or with an ellipsis. What is not shown as it was
-// said is whole in a tooltip.
+// At the right, with short numbers; where it does not fit in fewer words, or with an ellipsis. What is not shown as it
+// was said is whole in a tooltip.
 void draw_said(PanelContext& context, const std::string& said, float end, float room) {
   const ImVec4 colour = context.state.last.kind == Outcome::Kind::done      ? context.colours().legal
                         : context.state.last.kind == Outcome::Kind::refused ? context.colours().refused

@@ -15,7 +15,8 @@ struct SwatchParts {
 };
 SwatchParts parts_of(const HighlightRow& row);
 
-// The next item of the current ImGui window: as high as a line of text, with the patterns, widths and shapes of the view.
+// The next item of the current ImGui window: as high as a line of text, with the patterns, widths and shapes of the
+// view.
 void swatch(const HighlightRow& row, Theme theme, float width_px, float scale);
 
 }  // namespace ryosen

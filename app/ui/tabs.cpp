@@ -30,8 +30,8 @@ void turned_text(ImVec2 middle, const std::string& text, ImU32 colour, bool upwa
   }
 }
 
-// How many tabs of these heights have room one below the other, with gaps between them; where that is not all, beside one
-// more of that height.
+// How many tabs of these heights have room one below the other, with gaps between them; where that is not all, beside
+// one more of that height.
 std::size_t tabs_with_room(const std::vector<float>& heights, float room, float gap, float last) {
   float used = gap;
   std::size_t fitting = 0, beside_last = 0;

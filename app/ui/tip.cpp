@@ -10,8 +10,8 @@ namespace ryosen {
 
 namespace {
 
-// Where what is told of an item goes where there is no room beside its panel: a row above it, so that what follows may be
-// clicked next, else a row below it. So that both its neighbours are seen.
+// Where what is told of an item goes where there is no room beside its panel: a row above it, so that what follows may
+// be clicked next, else a row below it. So that both its neighbours are seen.
 ImVec2 place_over_panel(ImVec2 first, ImVec2 last, ImVec2 size) {
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   const float row = ImGui::GetFrameHeightWithSpacing(), above = first.y - row - size.y, below = last.y + row;

@@ -35,10 +35,11 @@ class Viewport {
   // Needs a current context, which must outlive it.
   static Result<std::unique_ptr<Viewport>> make();
 
-  // Applies what changed in the session since the last call: size, settings, camera, mesh, overlays. Cheap if nothing did.
+  // Applies what changed in the session since the last call: size, settings, camera, mesh, overlays. Cheap if nothing
+  // did.
   void follow(Session& session);
-  // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of the
-  // rest a slice if it has come to rest. A while after the last change it refines the picture.
+  // For windows, between follow() and draw(): the next draw() shows a part of the surface if the camera moves, and of
+  // the rest a slice if it has come to rest. A while after the last change it refines the picture.
   void keep_pace(const ViewState& view, FramePace::Clock::time_point now);
   // What that draw() took.
   void took(FramePace::Clock::duration time);
@@ -106,7 +107,8 @@ class Viewport {
   std::size_t rebuilds_ = 0;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;
   std::set<std::string> shown_;
-  // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has changed.
+  // Highlights are drawn in blocks of so many slots of a mark, and a block is drawn anew when a member of it has
+  // changed.
   static constexpr std::uint32_t block_slots = 512;
   struct DrawnMark {
     IndexSet blocks;  // non-empty ones
@@ -115,9 +117,9 @@ class Viewport {
   };
   std::map<std::uint32_t, DrawnMark> drawn_marks_;  // by their places in the order of drawing
   ChangeFeed::Cursor seen_;
-  std::uint64_t seen_slots_ = 0;                    // of the picker
-  std::vector<ChangeFeed::Marked> marked_;          // to be rebuilt
-  bool highlights_stale_ = true;                    // all of them
+  std::uint64_t seen_slots_ = 0;            // of the picker
+  std::vector<ChangeFeed::Marked> marked_;  // to be rebuilt
+  bool highlights_stale_ = true;            // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;
   std::uint64_t selection_ = 0;                        // by its stamp

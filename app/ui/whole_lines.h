@@ -1,5 +1,5 @@
-// Lines of text are drawn whole or not at all: one that the end of its list, panel or column would cut in two is left out,
-// as if the list ended with a whole row. So are buttons, headers and marks that the end of a column would cut.
+// Lines of text are drawn whole or not at all: one that the end of its list, panel or column would cut in two is left
+// out, as if the list ended with a whole row. So are buttons, headers and marks that the end of a column would cut.
 #pragma once
 
 #include <cstdint>

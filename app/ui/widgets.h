@@ -32,8 +32,8 @@ bool link(PanelContext& context, const char* text);
 std::string link_name(const Mesh& mesh, const Element& element);
 // Links to elements, wrapped at the panel's edge; a click selects one. True when one was clicked.
 bool element_links(PanelContext& context, const std::vector<Element>& elements);
-// A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it, and goes on
-// below for what else belongs to it; true when clicked.
+// A full-width row with a text on the left and a dim one on the right, that leaves some pixels free behind it, and goes
+// on below for what else belongs to it; true when clicked.
 bool row(PanelContext& context, const char* label, const char* right, bool is_active, float free_px = 0,
          float below_px = 0);
 // How wide one is that shows both texts whole.
@@ -62,8 +62,8 @@ std::string fitted_lines(std::string_view text, float width_px, std::size_t most
 // A line of text that fits the panel, up to a word, the whole beside it when it is hovered.
 void fitted_text(const std::string& text, float width_px);
 
-// Begins a panel over everything else, while Layout::open_panel names it: in the middle, or at the right where it leaves
-// the view to be seen. False when there is nothing to fill; else end_over() must follow.
+// Begins a panel over everything else, while Layout::open_panel names it: in the middle, or at the right where it
+// leaves the view to be seen. False when there is nothing to fill; else end_over() must follow.
 bool begin_over(PanelContext& context, const PanelRow& row, ImVec2 size, bool leaves_view = false);
 void end_over();
 // Gives the keyboard to what is drawn next, marked, without pressing it.

@@ -1,6 +1,6 @@
 // Mouse and keyboard in a window with panels. A press goes to what is under the pointer, the view or the panels; its
-// release goes to both, so whichever has the button releases it, wherever the pointer is by then. Keys go to a field that
-// has the keyboard, else they send commands.
+// release goes to both, so whichever has the button releases it, wherever the pointer is by then. Keys go to a field
+// that has the keyboard, else they send commands.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace ryosen {
 
-// The gui and the session must outlive it. Over a panel the last element stays hovered, so that its information there can
-// be read and clicked.
+// The gui and the session must outlive it. Over a panel the last element stays hovered, so that its information there
+// can be read and clicked.
 class WindowInput : public ViewInput {
  public:
-  // `lay_out` is for those who send events faster than frames come: panels see events in frames, one before and one behind.
-  // A window, whose frames come by themselves, gives `catch_up`: it lays out frames until the panels have seen all
-  // keys, for a key behind one that may open or close a panel, and for presses on panels.
+  // `lay_out` is for those who send events faster than frames come: panels see events in frames, one before and one
+  // behind. A window, whose frames come by themselves, gives `catch_up`: it lays out frames until the panels have seen
+  // all keys, for a key behind one that may open or close a panel, and for presses on panels.
   WindowInput(Gui& gui, Session& session, std::function<void()> lay_out = {}, std::function<void()> catch_up = {})
       : ViewInput(session), gui_(gui), lay_out_(std::move(lay_out)), catch_up_(std::move(catch_up)) {}
 

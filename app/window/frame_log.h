@@ -1,4 +1,5 @@
-// What the window tells those who test or time it, where RYOSEN_FRAME_LOG names a file: a line for each presented frame.
+// What the window tells those who test or time it, where RYOSEN_FRAME_LOG names a file: a line for each presented
+// frame.
 #pragma once
 
 #include <cstdint>

@@ -137,9 +137,8 @@ void GlfwWindow::set_callbacks() {
   glfw().set_window_user_pointer(w, this);
   glfw().set_framebuffer_size_callback(w, [](GLFWwindow* x, int, int) { of(x).note({.kind = Kind::resized}); });
   glfw().set_window_content_scale_callback(w, [](GLFWwindow* x, float, float) { of(x).note({.kind = Kind::resized}); });
-  glfw().set_window_focus_callback(w, [](GLFWwindow* x, int focused) {
-    of(x).note({.kind = focused ? Kind::focused : Kind::unfocused});
-  });
+  glfw().set_window_focus_callback(
+      w, [](GLFWwindow* x, int focused) { of(x).note({.kind = focused ? Kind::focused : Kind::unfocused}); });
   glfw().set_window_refresh_callback(w, [](GLFWwindow* x) { of(x).is_exposed_ = true; });
   glfw().set_window_close_callback(w, [](GLFWwindow* x) {
     glfw().set_window_should_close(x, GLFW_FALSE);

@@ -17,7 +17,8 @@ namespace ryosen {
 const Glfw& glfw();
 
 // The context is current on the thread that made the window. What happens to the window waits until it is taken: GLFW's
-// callbacks only note it, since what an event asks for may be long and wants to show its progress, which no callback may.
+// callbacks only note it, since what an event asks for may be long and wants to show its progress, which no callback
+// may.
 class GlfwWindow {
  public:
   // Fails with ExitCode::no_backend.
@@ -38,7 +39,9 @@ class GlfwWindow {
 
  private:
   GlfwWindow() = default;
-  static GlfwWindow& of(GLFWwindow* window) { return *static_cast<GlfwWindow*>(glfw().get_window_user_pointer(window)); }
+  static GlfwWindow& of(GLFWwindow* window) {
+    return *static_cast<GlfwWindow*>(glfw().get_window_user_pointer(window));
+  }
   void set_callbacks();
   void note(WindowEvent event);
   void note_key(int key, int place, int action, int modifiers);

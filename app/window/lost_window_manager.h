@@ -4,9 +4,9 @@
 
 namespace ryosen {
 
-// Deletes the property _NET_SUPPORTING_WM_CHECK of the display's root where the window that it names is gone or does not
-// have that property itself: no window manager runs there that could be asked. That of a running one stays. Does nothing
-// without a display. Call it before glfwInit().
+// Deletes the property _NET_SUPPORTING_WM_CHECK of the display's root where the window that it names is gone or does
+// not have that property itself: no window manager runs there that could be asked. That of a running one stays. Does
+// nothing without a display. Call it before glfwInit().
 void forget_lost_window_manager();
 
 }  // namespace ryosen

@@ -180,8 +180,8 @@ class Editor {
     }
   }
 
-  // The mesh is in an intermediate state: only the window of the progress has input. Keys that are let go are seen behind
-  // the work; how large the window is and which buttons are up, too.
+  // The mesh is in an intermediate state: only the window of the progress has input. Keys that are let go are seen
+  // behind the work; how large the window is and which buttons are up, too.
   void handle_at_work(const WindowEvent& event) {
     const bool is_down = event.way == WindowEvent::Way::down;
     switch (event.kind) {
@@ -303,8 +303,8 @@ class Editor {
     log_.frame(session_, gui_.said(), pixels, took_ms);
   }
 
-  // The pixels that were drawn. While the picture is refined several parts are shown at once, unless something comes in:
-  // to show one takes as long as to show them all.
+  // The pixels that were drawn. While the picture is refined several parts are shown at once, unless something comes
+  // in: to show one takes as long as to show them all.
   std::int64_t draw(Clock::time_point start) {
     constexpr auto at_once = std::chrono::milliseconds(50);
     std::int64_t pixels = 0, drawn = 0;

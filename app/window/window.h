@@ -16,8 +16,8 @@ struct WindowOptions {
 };
 
 // Runs the editor until the user quits. Fails with ExitCode::no_backend if no window can be opened, and like
-// Document::open if the file cannot be read; then no window appears, or where that takes long one that says what is read,
-// and closes.
+// Document::open if the file cannot be read; then no window appears, or where that takes long one that says what is
+// read, and closes.
 //
 // Preferences, the layout of the panels and the recent files are kept in the user's folder (editor/user_files.h).
 //
@@ -25,8 +25,8 @@ struct WindowOptions {
 // sessions are offered.
 //
 // With RYOSEN_FRAME_LOG=FILE in the environment a line of FILE says that a file is being read, and each presented frame
-// appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document. Both name the panel
-// that lies over the view.
+// appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document. Both name the
+// panel that lies over the view.
 Status run_window(const WindowOptions& options);
 
 }  // namespace ryosen

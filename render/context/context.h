@@ -30,8 +30,8 @@ class Context {
 };
 
 // Makes a context and leaves it current. The libraries are loaded at run time and stay loaded.
-// Fails with ExitCode::no_backend and the cause of each backend tried, or with ExitCode::out_of_memory: a driver that finds
-// no memory ends the program, so the limits are asked before one is loaded.
+// Fails with ExitCode::no_backend and the cause of each backend tried, or with ExitCode::out_of_memory: a driver that
+// finds no memory ends the program, so the limits are asked before one is loaded.
 Result<std::unique_ptr<Context>> make_headless_context(Backend backend);
 
 // What a context takes besides what is drawn, measured with Mesa 22.3 (OSMesa and EGL, llvmpipe without threads of its

@@ -64,7 +64,9 @@ void DrawTarget::bind(const PixelRect& rect) const {
   glViewport(-lower_left().x, -lower_left().y, picture_.width, picture_.height);
 }
 
-void DrawTarget::read_depth(const PixelRect& rect, float* depths) const { buffer_->read_depth(in_buffer(rect), depths); }
+void DrawTarget::read_depth(const PixelRect& rect, float* depths) const {
+  buffer_->read_depth(in_buffer(rect), depths);
+}
 
 void Framebuffer::read(std::size_t index, const PixelRect& rect, void* pixels) const {
   const FormatRow r = row(formats_[index]);

@@ -43,8 +43,8 @@ class Framebuffer {
   GlObject<RenderbufferKind> depth_;
 };
 
-// A picture that is drawn into a framebuffer, or the part of it that the framebuffer has room for. Rectangles are those of
-// the picture.
+// A picture that is drawn into a framebuffer, or the part of it that the framebuffer has room for. Rectangles are those
+// of the picture.
 class DrawTarget {
  public:
   explicit DrawTarget(const Framebuffer& buffer) : DrawTarget(buffer, buffer.size(), {0, 0}) {}
@@ -55,9 +55,7 @@ class DrawTarget {
   void bind(const PixelRect& rect) const;
   void read_depth(const PixelRect& rect, float* depths) const;
   // What is to be added to the pixels of OpenGL, to have those of the picture from its lower left.
-  glm::ivec2 lower_left() const {
-    return {upper_left_.x, picture_.height - upper_left_.y - buffer_->size().height};
-  }
+  glm::ivec2 lower_left() const { return {upper_left_.x, picture_.height - upper_left_.y - buffer_->size().height}; }
 
  private:
   PixelRect in_buffer(const PixelRect& rect) const {

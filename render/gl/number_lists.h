@@ -1,5 +1,5 @@
-// Lists of numbers that shaders read, a new one for each draw: which of many things are drawn, all of them at once. So many
-// draws of a few each would cost more than what they draw.
+// Lists of numbers that shaders read, a new one for each draw: which of many things are drawn, all of them at once. So
+// many draws of a few each would cost more than what they draw.
 #pragma once
 
 #include <array>

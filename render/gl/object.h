@@ -38,7 +38,8 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-// What makes and deletes a kind of object. A name becomes an object when it is first bound; only then can it be labelled.
+// What makes and deletes a kind of object. A name becomes an object when it is first bound; only then can it be
+// labelled.
 template <GLenum kind, auto& generate, auto& remove, auto& bind, GLenum... target>
 struct GlKind {
   static constexpr GLenum identifier = kind;

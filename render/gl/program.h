@@ -22,8 +22,8 @@ struct ProgramKind {
 // A linked program. Uniforms are set by name after use(); unused names are ignored.
 class Program {
  public:
-  // Compiles `vertex` and `fragment`, file names in shaders/, with `defines` behind the line of their version. Fails with
-  // ExitCode::no_backend and the driver's log.
+  // Compiles `vertex` and `fragment`, file names in shaders/, with `defines` behind the line of their version. Fails
+  // with ExitCode::no_backend and the driver's log.
   static Result<Program> make(const char* vertex, const char* fragment, std::string_view defines = {});
 
   void use() const { glUseProgram(object_.id()); }

@@ -15,7 +15,8 @@ Result<IdsPass> IdsPass::make() {
   return IdsPass(std::move(*program));
 }
 
-IdsPass::IdsPass(Program program) : program_(std::move(program)), no_attributes_("ids"), target_("ids", id_formats, true) {
+IdsPass::IdsPass(Program program)
+    : program_(std::move(program)), no_attributes_("ids"), target_("ids", id_formats, true) {
   MeshBuffers::set_units(program_);
 }
 

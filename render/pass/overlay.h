@@ -19,8 +19,8 @@
 namespace ryosen {
 
 // A ghost triangle, line or point in the layout of overlay.vert: three positions in buffer space, with the size in
-// pixels, the opacity where occluded, and kind + 4 * style in w; then the colour, 0 to 1. The second position of a point is
-// as far from the first as it has room.
+// pixels, the opacity where occluded, and kind + 4 * style in w; then the colour, 0 to 1. The second position of a
+// point is as far from the first as it has room.
 struct OverlayElement {
   glm::vec4 texels[4];
   friend bool operator==(const OverlayElement&, const OverlayElement&) = default;
@@ -74,8 +74,8 @@ class OverlayBuffer {
   bool has_elements() const;
   void reserve(std::size_t elements);
 
-  // About how many elements are drawn in a rectangle of the picture, as if those of a group were even over it, and how many
-  // pixels they cover there together. Costs the groups.
+  // About how many elements are drawn in a rectangle of the picture, as if those of a group were even over it, and how
+  // many pixels they cover there together. Costs the groups.
   struct Share {
     double elements = 0, pixels = 0;
   };
@@ -112,8 +112,8 @@ class OverlayPass {
  public:
   static Result<OverlayPass> make();
 
-  // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs to
-  // the mesh is cut as that is. Where the surface is thinned, so are lines that thin out.
+  // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs
+  // to the mesh is cut as that is. Where the surface is thinned, so are lines that thin out.
   enum class Of { mesh, view };
   void draw(const Frame& frame, const OverlayBuffer& overlay, Of of = Of::mesh);
 

@@ -1,5 +1,5 @@
-// Draws the triangles of a mesh: both sides, flat or smooth, with the wireframe and the tints of faces. Lighting is done
-// per triangle or per corner, because a software renderer has to pay for every pixel.
+// Draws the triangles of a mesh: both sides, flat or smooth, with the wireframe and the tints of faces. Lighting is
+// done per triangle or per corner, because a software renderer has to pay for every pixel.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ class SurfacePass {
   VertexArray no_attributes_;
 };
 
-// Issues the triangles of clusters, or every so many-th, in one draw, and tells the shader in use (mesh.glsl); a vertex array
-// must be bound. `thinning` divides the size of a cluster. Of what the frame's plane cuts, what is kept.
+// Issues the triangles of clusters, or every so many-th, in one draw, and tells the shader in use (mesh.glsl); a vertex
+// array must be bound. `thinning` divides the size of a cluster. Of what the frame's plane cuts, what is kept.
 void draw_clusters(const Program& program, const Frame& frame, const MeshBuffers& mesh,
                    std::span<const std::uint32_t> clusters, std::uint32_t thinning);
 

@@ -1,6 +1,6 @@
-// Draws the triangles of a mesh as films that one sees through, with the wireframe and the tints of faces. Each adds its
-// light to a dark ground, or takes it from a light one, in whole steps of a channel: the picture is the same in whatever
-// order they are drawn. Nothing is written to the depths, so that no overlay is hidden.
+// Draws the triangles of a mesh as films that one sees through, with the wireframe and the tints of faces. Each adds
+// its light to a dark ground, or takes it from a light one, in whole steps of a channel: the picture is the same in
+// whatever order they are drawn. Nothing is written to the depths, so that no overlay is hidden.
 #pragma once
 
 #include <cstdint>

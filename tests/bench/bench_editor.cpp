@@ -1,5 +1,5 @@
-// The editor's reactions at 1280x720 through OSMesa: hover, edit, frames, tiles. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
-// All times are those of the processor, of all threads together, so that they say the same on a busy machine.
+// The editor's reactions at 1280x720 through OSMesa: hover, edit, frames, tiles. RYOSEN_DRAGON=FILE.ply.gz adds the
+// dragon. All times are those of the processor, of all threads together, so that they say the same on a busy machine.
 #include <benchmark/benchmark.h>
 
 #include <time.h>
@@ -234,7 +234,8 @@ void smooth_frame(benchmark::State& state, Source source) {
   state.counters["smooth/flat"] = median(times[1]) / median(times[0]);
 }
 
-// The tiles in which a picture is refined, one to a frame and as large as the window has them; with these lines run before.
+// The tiles in which a picture is refined, one to a frame and as large as the window has them; with these lines run
+// before.
 void refined_tile(benchmark::State& state, Source source, std::vector<std::string> lines) {
   if (source().positions.empty()) return state.SkipWithError("RYOSEN_DRAGON is not set");
   const Screen screen = open_screen();

@@ -1,4 +1,5 @@
-// Pairing methods and queries of the forms of the source texts, over their tables. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+// Pairing methods and queries of the forms of the source texts, over their tables. RYOSEN_DRAGON=FILE.ply.gz adds the
+// dragon.
 #include <benchmark/benchmark.h>
 
 #include <random>

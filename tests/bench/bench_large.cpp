@@ -1,5 +1,6 @@
-// How the editor reacts to a mesh of 10 million triangles beside the dragon, at 1280x720 through OSMesa. Frames that follow
-// a moving camera have a bar of their own; hover, verdict and edit are to cost what they cost on the dragon, within twice.
+// How the editor reacts to a mesh of 10 million triangles beside the dragon, at 1280x720 through OSMesa. Frames that
+// follow a moving camera have a bar of their own; hover, verdict and edit are to cost what they cost on the dragon,
+// within twice.
 //   bench_large [MILLIONS]   with RYOSEN_DRAGON=FILE.ply.gz
 #include <cmath>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // Simplification against meshoptimizer in one run: times in turn, their ratio and the bar, then how far each result is
 // from the input.
 //   RYOSEN_DRAGON=FILE.ply.gz bench_simplify [RATIO...]     the dragon, else the bunny; to 0.1 and 0.01 unless told
-// Distances are sampled on both surfaces; a face is turned where its normal is 90 degrees or more from that of the input
-// nearest to its middle. That counts faces where two sheets of the input lie nearer to each other than the error, too, so
-// the same is told of peers.
+// Distances are sampled on both surfaces; a face is turned where its normal is 90 degrees or more from that of the
+// input nearest to its middle. That counts faces where two sheets of the input lie nearer to each other than the error,
+// too, so the same is told of peers.
 #include <meshoptimizer.h>
 
 #include <algorithm>

@@ -15,7 +15,8 @@ struct GrowthCommand {
 };
 
 // All that read one mesh: check, why for every operator on an edge, edit with every operator that acts on an element
-// and with every one on all elements of a kind, repair, every algorithm, convert to every format, forms and shot. Outputs go to `folder`.
+// and with every one on all elements of a kind, repair, every algorithm, convert to every format, forms and shot.
+// Outputs go to `folder`.
 std::vector<GrowthCommand> growth_commands(const Mesh& mesh, const std::filesystem::path& file,
                                            const std::filesystem::path& folder);
 

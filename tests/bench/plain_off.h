@@ -17,8 +17,8 @@ struct Triangles {
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-// Leaves out faces of another number of corners, and what stands behind the places of vertices. Ends the program where the
-// file is no OFF.
+// Leaves out faces of another number of corners, and what stands behind the places of vertices. Ends the program where
+// the file is no OFF.
 inline Triangles read_off(const char* path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

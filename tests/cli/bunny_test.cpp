@@ -1,4 +1,5 @@
-// Edits of the bunny: the counts that each operator states, inside and on the boundary, and refusals that leave nothing.
+// Edits of the bunny: the counts that each operator states, inside and on the boundary, and refusals that leave
+// nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>

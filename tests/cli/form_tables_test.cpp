@@ -1,5 +1,5 @@
-// The records of every element in every form, held to tables that were written from the faces of the mesh: tests/data/forms,
-// laid out as the source texts do it.
+// The records of every element in every form, held to tables that were written from the faces of the mesh:
+// tests/data/forms, laid out as the source texts do it.
 //
 //   mesh FILE                      in assets
 //   form ID

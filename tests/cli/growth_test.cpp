@@ -113,8 +113,8 @@ TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
   EXPECT_GE(run_within(seconds, tilted_pile(16000), "repair", "--kinds orient"), 0);
 }
 
-// Faces on each other, with points of their own: in turned directions, with four corners, moved a little, each larger than
-// the one before, turned in their plane.
+// Faces on each other, with points of their own: in turned directions, with four corners, moved a little, each larger
+// than the one before, turned in their plane.
 TEST_F(Growth, refusals_on_soups_of_alike_faces) {
   using Place = glm::dvec3 (*)(double face, double corner);
   constexpr std::uint32_t faces = 16000;

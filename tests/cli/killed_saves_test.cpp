@@ -1,5 +1,5 @@
-// The program killed at a random moment of a conversion leaves the whole old or the whole new file. Its own part of that
-// time, the save, is aimed at more closely in tests/unit/core/io/killed_save_test.cpp.
+// The program killed at a random moment of a conversion leaves the whole old or the whole new file. Its own part of
+// that time, the save, is aimed at more closely in tests/unit/core/io/killed_save_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Every command under the limits that a shell can set: it ends with a code of the contract and a true sentence, and by no
-// signal. Of memory there are 100 MB and more; the long run goes through all limits.
+// Every command under the limits that a shell can set: it ends with a code of the contract and a true sentence, and by
+// no signal. Of memory there are 100 MB and more; the long run goes through all limits.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>

@@ -1,4 +1,5 @@
-// `repair` on random soups in every format: its report is that of the file that is written, and a second run does nothing.
+// `repair` on random soups in every format: its report is that of the file that is written, and a second run does
+// nothing.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -10,8 +11,8 @@
 namespace ryosen::test {
 namespace {
 
-// OBJ text of faces on few points of a small grid, often on a tetrahedron. Points may lie at one place or be in no face,
-// and faces may visit a point twice.
+// OBJ text of faces on few points of a small grid, often on a tetrahedron. Points may lie at one place or be in no
+// face, and faces may visit a point twice.
 std::string random_soup(std::uint64_t seed) {
   Dice dice(seed);
   std::string text;

@@ -1,5 +1,5 @@
-// Signals at random moments of every long command: it ends soon with code 8 and a sentence, or with its own code where its
-// output was written already; no file is torn or left over, and what is printed stays JSON.
+// Signals at random moments of every long command: it ends soon with code 8 and a sentence, or with its own code where
+// its output was written already; no file is torn or left over, and what is printed stays JSON.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/ioctl.h>

@@ -1,5 +1,5 @@
-// Extrude of every set of faces of small meshes: the list that its header defines, built anew, must have the same faces,
-// fans, edges and figures.
+// Extrude of every set of faces of small meshes: the list that its header defines, built anew, must have the same
+// faces, fans, edges and figures.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// One word for one thing in all Japanese sentences of the program: those of its tables and those made where they are said.
+// One word for one thing in all Japanese sentences of the program: those of its tables and those made where they are
+// said.
 #include <gtest/gtest.h>
 
 #include <filesystem>

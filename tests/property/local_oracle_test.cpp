@@ -1,5 +1,5 @@
-// The local operators that build up, done on plain lists of copies and judged by the rules of a verdict: the kernel must
-// allow what leaves no violation and nothing else, and come to the same list.
+// The local operators that build up, done on plain lists of copies and judged by the rules of a verdict: the kernel
+// must allow what leaves no violation and nothing else, and come to the same list.
 #include <gtest/gtest.h>
 
 #include <algorithm>

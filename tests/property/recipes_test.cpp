@@ -55,7 +55,8 @@ void expect_rules_on_files(const fs::path& folder, std::uintmax_t most_bytes, st
   for (const fs::path& path : mesh_files_in(folder, most_bytes)) {
     const Result<MeshFile> file = read_mesh_file(path);
     if (!file) continue;
-    // Large ones take the formats in turn, so that the long run ends within a quarter of an hour or so; a sample always.
+    // Large ones take the formats in turn, so that the long run ends within a quarter of an hour or so; a sample
+    // always.
     const bool in_turn = is_sample() || file->mesh.face_count() > 5000;
     for (std::size_t i = 0; i < all.size(); ++i)
       expect_rules(*file, all[i], path.string(), in_turn ? std::vector{all_formats[i % 3]} : all_formats);
@@ -157,7 +158,8 @@ TEST(recipes, cancelled_in_any_step_give_nothing) {
   }
 }
 
-// Squares of a strip that share no point; every other one may be turned round. `twist`: the last joins the first turned.
+// Squares of a strip that share no point; every other one may be turned round. `twist`: the last joins the first
+// turned.
 MeshFile loose_band(std::uint32_t squares, bool turns_some, bool twist) {
   MeshFile file;
   const auto place = [&](std::uint32_t i, bool up) {

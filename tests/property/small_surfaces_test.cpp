@@ -1,5 +1,5 @@
-// Collapse, swap and split on every edge of all small surfaces, of the polygon meshes that dissolving makes of them, and
-// of their parts, against the oracle.
+// Collapse, swap and split on every edge of all small surfaces, of the polygon meshes that dissolving makes of them,
+// and of their parts, against the oracle.
 #include "tests/support/core/small_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Columns that scroll end with whole rows: no header, button or mark is cut by their ends, nor by what stays at the top.
+// Columns that scroll end with whole rows: no header, button or mark is cut by their ends, nor by what stays at the
+// top.
 #include <gtest/gtest.h>
 #include <imgui_internal.h>  // what was drawn, and how far a column scrolls
 

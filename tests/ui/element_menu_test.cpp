@@ -22,7 +22,8 @@ class ElementMenu : public testing::Test, protected test::Laid {
     for (std::uint32_t i = 0; i < session.mesh().edge_slots(); ++i) {
       const Element edge{Edge(i)};
       const auto seen = project(session.view.camera, session.view.size, middle_of(session.mesh(), edge));
-      const auto picked = seen ? session.pointing.pick(session.view.origin + seen->pixel, PickMode::edge) : std::nullopt;
+      const auto picked =
+          seen ? session.pointing.pick(session.view.origin + seen->pixel, PickMode::edge) : std::nullopt;
       if (picked && picked->element == edge) return session.view.origin + seen->pixel;
     }
     ADD_FAILURE() << "no edge is seen";
@@ -37,7 +38,8 @@ class ElementMenu : public testing::Test, protected test::Laid {
   WindowInput input_{gui, session, {}, [this] { frames(4); }};
 };
 
-// What is done every day stands in it; single steps of construction and what else may be selected in menus of their own.
+// What is done every day stands in it; single steps of construction and what else may be selected in menus of their
+// own.
 TEST_F(ElementMenu, is_short) {
   open_menu(place_of_edge());
   ASSERT_EQ(GImGui->OpenPopupStack.Size, 1);

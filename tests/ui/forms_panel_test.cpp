@@ -1,4 +1,5 @@
-// The panel of forms: it measures when its button is pressed, never by itself, and says when the mesh has changed since.
+// The panel of forms: it measures when its button is pressed, never by itself, and says when the mesh has changed
+// since.
 #include <gtest/gtest.h>
 #include <imgui.h>
 

@@ -77,7 +77,8 @@ TEST(hidden_note, shows_all_again_when_it_is_pressed) {
   laid.frames(3);
   const Session& session = laid.session;
   const double y = session.view.origin.y + session.view.size.height - 28;
-  for (double x = session.view.origin.x + 20; x < session.view.origin.x + 420 && !session.findings().hidden().empty(); x += 20)
+  for (double x = session.view.origin.x + 20; x < session.view.origin.x + 420 && !session.findings().hidden().empty();
+       x += 20)
     laid.click({x, y});
   EXPECT_TRUE(session.findings().hidden().empty());
 }

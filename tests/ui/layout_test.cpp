@@ -1,8 +1,8 @@
 // Where the panels lie: hidden, folded, on the other side, in columns of another width, or behind tabs.
 #include <gtest/gtest.h>
-#include <glm/geometric.hpp>
 #include <imgui.h>
 #include <imgui_internal.h>  // how far a column scrolls
+#include <glm/geometric.hpp>
 
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/session.h"

@@ -1,5 +1,5 @@
-// Nothing is clipped or covered: texts fit their places in both languages, lists end with whole rows, tooltips lie beside
-// the panels, and thumbs can be seen and grabbed.
+// Nothing is clipped or covered: texts fit their places in both languages, lists end with whole rows, tooltips lie
+// beside the panels, and thumbs can be seen and grabbed.
 #include <gtest/gtest.h>
 #include <imgui_internal.h>  // where a list is scrolled to
 
@@ -168,8 +168,9 @@ TEST(legible, no_text_of_a_panel_is_shortened_in_either_language) {
   const test::TemporaryFolder folder;  // a short path: a panel shortens the name of a folder
   for (const char* const mesh : {"fin.obj", "torus.off"}) {
     Laid laid("cube.obj", {1280, 800});
-    for (const std::string& line : {"open " + file_argument(folder.copy(test::asset(mesh), mesh)),
-                                    std::string("select f0"), std::string("poke f0"), std::string("colours edge_length")})
+    for (const std::string& line :
+         {"open " + file_argument(folder.copy(test::asset(mesh), mesh)), std::string("select f0"),
+          std::string("poke f0"), std::string("colours edge_length")})
       ASSERT_TRUE(laid.session.run(line).done()) << line;
     for (const std::string language : {"en", "ja"}) {
       ASSERT_TRUE(laid.session.run("language " + language).done());
@@ -307,7 +308,8 @@ TEST(legible, what_is_said_beside_the_pointer_is_whole_in_the_first_frame_that_s
       const DrawnText first(laid.gui);
       laid.frames(3);
       const DrawnText later(laid.gui);
-      for (const Reason& reason : session.selecting.hover() ? session.selecting.hover()->preview.verdict.reasons : std::vector<Reason>()) {
+      for (const Reason& reason :
+           session.selecting.hover() ? session.selecting.hover()->preview.verdict.reasons : std::vector<Reason>()) {
         const std::string end = Text(describe(session.mesh(), reason)).en;
         EXPECT_EQ(first.last_place(end.substr(end.rfind(' '))), later.last_place(end.substr(end.rfind(' ')))) << end;
         ++told;

@@ -1,4 +1,5 @@
-// Links as arrows: they lie inside their faces, twins side by side; each is labelled, selected by a click, and walked along.
+// Links as arrows: they lie inside their faces, twins side by side; each is labelled, selected by a click, and walked
+// along.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,7 +99,8 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
     ASSERT_EQ(all.size(), 2 * session_.mesh().live().edges);
     for (const LinkArrow& arrow : all) {
       ASSERT_TRUE(session_.pointing.click(pixel_of(arrow), "").done());
-      EXPECT_EQ(session_.selecting.selection, (std::vector<Element>{arrow.halfedge})) << name << " h" << arrow.halfedge.index;
+      EXPECT_EQ(session_.selecting.selection, (std::vector<Element>{arrow.halfedge}))
+          << name << " h" << arrow.halfedge.index;
     }
   }
   // Those of a solid that face away are hidden, and so not clicked; all others are.
@@ -108,11 +110,12 @@ TEST_F(LinksTest, are_each_selected_by_a_click) {
   for (const LinkArrow& arrow : all) {
     const glm::dvec3 middle = 0.5 * (arrow.from + arrow.to);
     const ScreenPoint at = *project(session_.view.camera, session_.view.size, middle);
-    const bool is_seen =
-        session_.findings().picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size, at, middle, arrow.on);
+    const bool is_seen = session_.findings().picker().is_seen(session_.mesh(), session_.view.camera, session_.view.size,
+                                                              at, middle, arrow.on);
     session_.selecting.selection.clear();
     session_.pointing.click(pixel_of(arrow), "");
-    EXPECT_EQ(session_.selecting.selection == std::vector<Element>{arrow.halfedge}, is_seen) << "h" << arrow.halfedge.index;
+    EXPECT_EQ(session_.selecting.selection == std::vector<Element>{arrow.halfedge}, is_seen)
+        << "h" << arrow.halfedge.index;
     seen += is_seen ? 1 : 0;
   }
   EXPECT_GE(seen, 12u + 4u);

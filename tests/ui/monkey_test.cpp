@@ -1,5 +1,5 @@
-// Random events of mouse and keyboard through the panels of a whole editor: nothing breaks, all can be undone, and memory
-// does not grow.
+// Random events of mouse and keyboard through the panels of a whole editor: nothing breaks, all can be undone, and
+// memory does not grow.
 #include <gtest/gtest.h>
 #include <malloc.h>
 

@@ -1,4 +1,5 @@
-// The list of panels: what is in it can be shown and hidden, and a panel of another program joins it with a state of its own.
+// The list of panels: what is in it can be shown and hidden, and a panel of another program joins it with a state of
+// its own.
 #include "app/ui/panels.h"
 
 #include <gtest/gtest.h>

@@ -143,8 +143,8 @@ TEST(pointing, picks_the_nearest_edge_that_is_seen) {
   EXPECT_GT(misses, 1000);
 }
 
-// With Alt too, whatever the mode: what is pointed at is what is selected, in the middle of a face the nearest side, but
-// none beside the surface or far away.
+// With Alt too, whatever the mode: what is pointed at is what is selected, in the middle of a face the nearest side,
+// but none beside the surface or far away.
 TEST(pointing, a_click_that_selects_reaches_as_far_for_an_edge_as_one_for_its_loop) {
   std::mt19937 random(11);
   int hits = 0, far_hits = 0, misses = 0;

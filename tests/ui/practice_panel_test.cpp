@@ -1,5 +1,5 @@
-// The panel of practice: questions are answered by a click on a row, on a number or in the view, and judged at once. And what
-// the textbooks build is in the menu Help.
+// The panel of practice: questions are answered by a click on a row, on a number or in the view, and judged at once.
+// And what the textbooks build is in the menu Help.
 #include <gtest/gtest.h>
 
 #include <set>

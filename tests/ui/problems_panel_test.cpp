@@ -137,7 +137,8 @@ TEST_F(ProblemsPanel, the_numbers_of_a_repair_change_what_it_would_do) {
   EXPECT_TRUE(is_drawn("0holeswerefilled.Left:Boundaryloop:thisrepairleavesit")) << "their loops have four edges";
   click(place("Fillholes"));
   EXPECT_EQ(session.document().position(), 0u);
-  EXPECT_TRUE(gui.said().en.starts_with("repair fill_holes most_edges=3 shape=auto crossing=refuse: ")) << gui.said().en;
+  EXPECT_TRUE(gui.said().en.starts_with("repair fill_holes most_edges=3 shape=auto crossing=refuse: "))
+      << gui.said().en;
 }
 
 // Where every row of the panel stands.

@@ -82,7 +82,8 @@ TEST_F(RecordsPanel, selects_what_a_link_leads_to) {
   EXPECT_EQ(text.count(name_of(mesh, Halfedge(2)) + "(h2)"), 1u) << "the title";
   const std::string wanted = slot_name(mesh.next(Halfedge(2)));
   // The link stands behind the two words.
-  for (double x = place.x; session.selecting.selection[0] == Element(Halfedge(2)) && x < 1280; x += 8) click({x, place.y});
+  for (double x = place.x; session.selecting.selection[0] == Element(Halfedge(2)) && x < 1280; x += 8)
+    click({x, place.y});
   EXPECT_EQ(session.selecting.selection, (std::vector<Element>{mesh.next(Halfedge(2))})) << wanted;
 }
 

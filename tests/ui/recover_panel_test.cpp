@@ -1,4 +1,5 @@
-// What a crash left of a file that another program has changed since: the panel says so and has a button for each choice.
+// What a crash left of a file that another program has changed since: the panel says so and has a button for each
+// choice.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

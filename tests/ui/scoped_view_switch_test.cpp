@@ -1,5 +1,5 @@
-// A switch of the view is one row: one that this program adds is said, pressed, chosen, given as a flag and explained as
-// all others are.
+// A switch of the view is one row: one that this program adds is said, pressed, chosen, given as a flag and explained
+// as all others are.
 #include <gtest/gtest.h>
 #include <imgui.h>
 

@@ -1,6 +1,6 @@
-// A record of what is on the screen: for each owner of the shown mesh (the document, a step, a level of detail, a preview
-// of values, a gesture) and each command: what is shown, edited and said after it, then after undo, and after Esc.
-// The record is tests/data/shown/OWNER.txt; RYOSEN_UPDATE_GOLDEN=1 writes it anew.
+// A record of what is on the screen: for each owner of the shown mesh (the document, a step, a level of detail, a
+// preview of values, a gesture) and each command: what is shown, edited and said after it, then after undo, and after
+// Esc. The record is tests/data/shown/OWNER.txt; RYOSEN_UPDATE_GOLDEN=1 writes it anew.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -187,7 +187,8 @@ class Stage {
     text += " | " + std::to_string(d.position()) + "/" + std::to_string(d.history().size());
     if (!d.history().empty()) text += " " + d.history().back().command;
     text += std::string(" ") + (d.is_modified() ? "*" : "") + d.path().filename().string();
-    text += " | " + std::to_string(s.selecting.selection.size()) + " selected, " + std::to_string(s.findings().hidden().elements().size()) + " hidden, " +
+    text += " | " + std::to_string(s.selecting.selection.size()) + " selected, " +
+            std::to_string(s.findings().hidden().elements().size()) + " hidden, " +
             std::to_string(s.selecting.measures.size()) + " measured";
     if (!s.layout.open_panel.empty()) text += ", panel " + s.layout.open_panel;
     if (!s.selecting.tool.empty()) text += ", tool " + s.selecting.tool;
@@ -256,8 +257,7 @@ std::string record_of(const Owner& owner) {
 // The same of a frontend without a view, `ryosen edit`: what it says of the line and of the mesh at the end.
 std::string record_without_view(const Owner& owner) {
   std::string text;
-  const std::string of_the_line =
-      "{\"line\":" + std::to_string(std::size(first_lines) + owner.lines.size() + 1) + ",";
+  const std::string of_the_line = "{\"line\":" + std::to_string(std::size(first_lines) + owner.lines.size() + 1) + ",";
   for (const auto& [id, lines] : lines_of_commands()) {
     for (const char* const line : lines) {
       std::string script;

@@ -215,7 +215,8 @@ TEST_F(StepsPanelTest, it_plays_by_itself_and_stops_at_the_end) {
   EXPECT_EQ(session.shown.player()->position(), 0u) << "not yet: frames are a fiftieth of a second";
   for (int i = 0; i < 30; ++i) {
     frames(1);
-    const std::string at = std::to_string(session.shown.player()->position()) + "/" + std::to_string(session.shown.player()->size());
+    const std::string at =
+        std::to_string(session.shown.player()->position()) + "/" + std::to_string(session.shown.player()->size());
     ASSERT_TRUE(has(at)) << "the panel shows the step that the view shows: " << at;
   }
   EXPECT_GE(session.shown.player()->position(), 1u);

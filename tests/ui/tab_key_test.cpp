@@ -1,5 +1,5 @@
-// Tab and Shift+Tab in what lies over the view: through all that can be pressed or written into, and what has the keyboard
-// is marked; Enter presses that and nothing else.
+// Tab and Shift+Tab in what lies over the view: through all that can be pressed or written into, and what has the
+// keyboard is marked; Enter presses that and nothing else.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>  // who has the keyboard

@@ -1,4 +1,5 @@
-// Whatever can be pressed in the columns says in a sentence what it is: totals, highlights, modes, tools, buttons, lists.
+// Whatever can be pressed in the columns says in a sentence what it is: totals, highlights, modes, tools, buttons,
+// lists.
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>  // what is hovered, and which windows are tooltips

@@ -1,4 +1,5 @@
-// The camera in the real window: what the wheel, drags and double clicks hold on to, by the eye that a picture tells of.
+// The camera in the real window: what the wheel, drags and double clicks hold on to, by the eye that a picture tells
+// of.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

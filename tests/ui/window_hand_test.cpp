@@ -1,5 +1,5 @@
-// Each gesture of the hand in the real window: where on an edge, the table of input, moving; by mouse and keys, and what
-// came of it in the picture's account and in the file that is saved.
+// Each gesture of the hand in the real window: where on an edge, the table of input, moving; by mouse and keys, and
+// what came of it in the picture's account and in the file that is saved.
 #include <glm/geometric.hpp>
 
 #include "app/editor/session/session.h"

@@ -137,7 +137,8 @@ TEST_F(WindowInputTest, a_double_click_sets_the_centre_through_a_handle_that_its
   for (int y = 100; y < window.height - 100 && !at; y += 5)
     for (int x = 300; x < window.width - 300 && !at; x += 5) {
       const glm::dvec2 pixel(x, y);
-      if (session_.pointing.pick(pixel, PickMode::edge) || !session_.pointing.pick_to_select(pixel, PickMode::edge)) continue;
+      if (session_.pointing.pick(pixel, PickMode::edge) || !session_.pointing.pick_to_select(pixel, PickMode::edge))
+        continue;
       session_.pointing.click(pixel, "");
       if (session_.pointing.handle_at(pixel, {})) at = pixel;
       session_.selecting.selection.clear();

@@ -9,8 +9,8 @@ namespace {
 
 using Window = unsigned long;
 
-// A connection to the display that writes the property by which window managers are known. What it has made lives on after
-// it, as what a window manager left does.
+// A connection to the display that writes the property by which window managers are known. What it has made lives on
+// after it, as what a window manager left does.
 class LeftBehind {
  public:
   explicit LeftBehind(const std::string& display) : library_(dlopen("libX11.so.6", RTLD_NOW)) {

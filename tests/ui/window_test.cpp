@@ -239,8 +239,8 @@ TEST_F(WindowTest, frames_the_mesh_anew_when_it_is_resized_before_anything_else)
 TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
   open(test::asset("torus.off"));
   xdotool("mousemove 640 400");
-  // It settles and is refined, part after part, for seconds of processor time, which a busy machine may give it in minutes;
-  // then it rests.
+  // It settles and is refined, part after part, for seconds of processor time, which a busy machine may give it in
+  // minutes; then it rests.
   long before = -1;
   ASSERT_TRUE(wait_for(
       [&] {
@@ -250,8 +250,8 @@ TEST_F(WindowTest, draws_nothing_when_nothing_changes) {
       },
       300s));
   EXPECT_EQ(last().number, before) << "it never rests";
-  // Showing a part takes as long as showing them all: where each was shown, or that counted as what refining it costs, there
-  // were hundreds or thousands of frames for this window.
+  // Showing a part takes as long as showing them all: where each was shown, or that counted as what refining it costs,
+  // there were hundreds or thousands of frames for this window.
   EXPECT_LT(before, 200) << "it is refined in parts that are shown one by one";
   // A drag turns the view: several pictures of all of it.
   xdotool("mousemove 640 400 mousedown 1 mousemove 660 410 mousemove 690 420 mouseup 1");

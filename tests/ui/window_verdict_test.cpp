@@ -1,5 +1,5 @@
-// Verdicts in the real window: one that is held is there until the pointer has reached its remedy; and where on an edge a
-// click with a tool is taken to be.
+// Verdicts in the real window: one that is held is there until the pointer has reached its remedy; and where on an edge
+// a click with a tool is taken to be.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -35,8 +35,8 @@ TEST(wire, goes_with_its_key_and_comes_back) {
   EXPECT_TRUE(picture("wire off") == without);
 }
 
-// A sheet of squares, n x n, of side 1, in two triangles each; in the middle one that is three times as large where asked
-// for, raised at x = 0 and x = n by so much where bent.
+// A sheet of squares, n x n, of side 1, in two triangles each; in the middle one that is three times as large where
+// asked for, raised at x = 0 and x = n by so much where bent.
 std::string sheet(int n, bool has_large) {
   std::string text;
   for (int y = 0; y <= n; ++y)

@@ -1,10 +1,11 @@
-// The table of commands: what a script line, a key, a menu entry or a click may say. Operators and algorithms are commands
-// too, read from their own tables. A command that changes the mesh itself sends an operator or an algorithm to the
-// document (Document::apply, Document::run), each one entry of the history; what it needs beyond those is written as one.
+// The table of commands: what a script line, a key, a menu entry or a click may say. Operators and algorithms are
+// commands too, read from their own tables. A command that changes the mesh itself sends an operator or an algorithm to
+// the document (Document::apply, Document::run), each one entry of the history; what it needs beyond those is written
+// as one.
 //
-// Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether it
-// takes long or looks at the window itself, the guards of files which one it reads or writes, the check of a script what is
-// wrong with its arguments.
+// Who has to know what a command does asks its row: the log, autosave and recovery for its effect, the window whether
+// it takes long or looks at the window itself, the guards of files which one it reads or writes, the check of a script
+// what is wrong with its arguments.
 #pragma once
 
 #include <functional>
@@ -53,9 +54,9 @@ struct CommandRow {
   std::string_view aliases = "";                     // further ids, separated by blanks
   bool is_long = false;                              // may take long: the window first shows that it is at work
   bool (*may_take_long)(Words arguments) = nullptr;  // the same with these arguments
-  bool prepares_edits = false;  // in the log it says what the next line works on
-  bool reads_again = false;     // replaces the mesh by what is in its file now
-  bool sees_window = false;     // looks at the window as it is drawn: first without the panel or menu that sent it
+  bool prepares_edits = false;                       // in the log it says what the next line works on
+  bool reads_again = false;                          // replaces the mesh by what is in its file now
+  bool sees_window = false;  // looks at the window as it is drawn: first without the panel or menu that sent it
   FileAccess file = FileAccess::none;
   // What is wrong with arguments that no mesh and no file can make right. Without it the line is tried on an empty
   // session, so a command has one that touches anything outside of its session, or that needs a mesh or its elements.
@@ -95,15 +96,15 @@ struct CommandCall {
 };
 // None where the line says no command.
 std::optional<CommandCall> call_of(std::string_view line);
-// The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then, a
-// picture to one that is not there yet.
+// The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then,
+// a picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
 // What a line of `repair` without a fault would do; null while that is being tried.
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);
 
-// A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not while
-// anything else reads the table.
+// A further row for its life: for tests, and for programs that embed the editor. The last one made ends first. Not
+// while anything else reads the table.
 class ScopedCommand {
  public:
   explicit ScopedCommand(CommandRow row);

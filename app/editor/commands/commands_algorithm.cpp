@@ -129,10 +129,11 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
     if (row.selects_added && result->changed > 0) session.selecting.selection = before.added_to(session.mesh());
     if (result->account && !result->account->rules.empty())
       session.findings().keep_account({session.document().serial(), session.document().revision(),
-                            std::move(result->account->rules), std::move(result->account->remaining)});
+                                       std::move(result->account->rules), std::move(result->account->remaining)});
     if (!row.is_repair()) return;
     const BesideRepairs beside = session.document().beside_repairs();
-    session.findings().keep_report(report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+    session.findings().keep_report(
+        report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
   });
   outcome.sentence = std::move(result->text);
   unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session.selecting, names_before); });

@@ -5,8 +5,8 @@
 #include "app/editor/camera/cutting.h"
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
-#include "ryosen/mesh/mesh.h"
 #include "ryosen/base/number_text.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 

@@ -64,8 +64,8 @@ SelectRequest read_selecting(Words arguments) {
   return asked;
 }
 
-// The kinds of problems and the selectors that a word may stand for: those that it is a part of, else the one that it is
-// a slip of.
+// The kinds of problems and the selectors that a word may stand for: those that it is a part of, else the one that it
+// is a slip of.
 Text meant_by(std::string_view word) {
   std::vector<std::string> known;
   for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);

@@ -124,8 +124,9 @@ Outcome leave_question(std::optional<AskedQuestion>& asked_question) {
   return outcome;
 }
 
-// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a question
-// of the program, the tool, the selection, and last what is played, a level of detail, or a question of the practice.
+// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a
+// question of the program, the tool, the selection, and last what is played, a level of detail, or a question of the
+// practice.
 Outcome run_cancel(Session& session, Words arguments, std::string_view) {
   if (!arguments.empty()) return wrong_arguments("cancel");
   if (session.view.band || session.view.armed_drag) {

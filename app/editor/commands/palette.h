@@ -25,8 +25,8 @@ struct PaletteEntry {
 std::vector<PaletteEntry> palette_entries();
 
 // The entries in which each word of what was typed is found, in either language, without regard to case; best first:
-// whose name begins with it, one of whose words begins with it, others; of equals those first that the tables have first.
-// Where a command with arguments is typed: its own, and those that go on as it was typed.
+// whose name begins with it, one of whose words begins with it, others; of equals those first that the tables have
+// first. Where a command with arguments is typed: its own, and those that go on as it was typed.
 std::vector<PaletteEntry> find_in_palette(std::string_view typed);
 
 // What a help says beyond its beginning, which is the name.

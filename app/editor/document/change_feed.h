@@ -29,8 +29,8 @@ class ChangeFeed {
     bool hiding = false;    // something was hidden or shown: it is in the lists
     Cursor now;             // for the next call
   };
-  // Since the cursor was given out; everything where that is another document's, or where more has changed than is kept.
-  // O(answer).
+  // Since the cursor was given out; everything where that is another document's, or where more has changed than is
+  // kept. O(answer).
   Changes since(const Cursor& cursor) const;
 
   // For the session, which notes edits, undo, trials, steps of gestures, hiding and findings.

@@ -66,8 +66,8 @@ class Findings {
   const KindOfMesh& kind(bool anew = false);
   bool is_kind_stale() const { return kind_revision_ != document_.revision(); }
 
-  // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the next
-  // edit. `pairs`: which of them belong together, as far as that is known.
+  // The findings of a kind that is searched for on request (ProblemRow::is_on_request): marked and listed until the
+  // next edit. `pairs`: which of them belong together, as far as that is known.
   void put(ProblemKind kind, std::span<const std::uint32_t> found, std::vector<FacePair> pairs = {});
   void forget(ProblemKind kind);
   // Whether it was searched for since the last edit.
@@ -92,8 +92,8 @@ class Findings {
   void drop_hidden(Elements& elements) const;
 
   // For windows, before each frame: begins to find in the background what a large mesh needs to be picked and for its
-  // lists of problems, or takes it over when it is found. Until then nothing is picked and no highlights are drawn; what
-  // else asks for findings waits for them. An edit ends it, and waits for that.
+  // lists of problems, or takes it over when it is found. Until then nothing is picked and no highlights are drawn;
+  // what else asks for findings waits for them. An edit ends it, and waits for that.
   void prepare();
   // The share that is done while that goes on; none when everything is there.
   std::optional<double> preparing() const { return preparation_ ? std::optional(preparation_->share()) : std::nullopt; }

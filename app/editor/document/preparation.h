@@ -21,7 +21,8 @@ namespace ryosen {
 // lives. The destructor cancels and waits.
 class Preparation {
  public:
-  // What the mesh belongs to: the vertices that lines use and the number of lines of the file, and the highlights shown.
+  // What the mesh belongs to: the vertices that lines use and the number of lines of the file, and the highlights
+  // shown.
   struct Beside {
     std::vector<Vertex> on_lines;
     std::uint64_t lines = 0;

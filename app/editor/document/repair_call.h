@@ -17,7 +17,8 @@ static_assert(repair_all_line.ends_with(default_repairs));
 
 struct ReadRepairs {
   RepairCall call;
-  // Why there are none, a clause; and what it is about: a word that is no repair, or a repair with values that are not its.
+  // Why there are none, a clause; and what it is about: a word that is no repair, or a repair with values that are not
+  // its.
   std::optional<Text> fault;
   std::string unknown;
   const AlgorithmRow* misused = nullptr;

@@ -50,7 +50,8 @@ Failure taken_by_results(const std::filesystem::path& path) {
                        name + " には --json の結果を書き出します。別の出力先にするか、--json を外してください。"});
 }
 
-// The extension by which a name claims another format than PNG; empty for none. Digits alone are a number, as in shot.001.
+// The extension by which a name claims another format than PNG; empty for none. Digits alone are a number, as in
+// shot.001.
 std::string claimed_format(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   const auto is = [](int (*kind)(int)) { return [kind](unsigned char c) { return kind(c) != 0; }; };

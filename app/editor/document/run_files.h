@@ -1,4 +1,5 @@
-// The files of one run: what it reads and what it has written, so that no output takes the place of one of them unasked.
+// The files of one run: what it reads and what it has written, so that no output takes the place of one of them
+// unasked.
 #pragma once
 
 #include <optional>

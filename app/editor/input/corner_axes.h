@@ -1,5 +1,5 @@
-// The axes X, Y, Z in the corner of a view, as they are turned there. A click on an end of one looks at the mesh from that
-// side. What draws them and what asks which is under the pointer read the same places.
+// The axes X, Y, Z in the corner of a view, as they are turned there. A click on an end of one looks at the mesh from
+// that side. What draws them and what asks which is under the pointer read the same places.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The handles at the middle of the selection, by a drag of which it is moved, turned or scaled: where they are in the view.
-// What draws them and what asks which of them is under the pointer read the same strokes, so that the two never differ.
+// The handles at the middle of the selection, by a drag of which it is moved, turned or scaled: where they are in the
+// view. What draws them and what asks which of them is under the pointer read the same strokes, so that the two never
+// differ.
 #pragma once
 
 #include <array>
@@ -17,8 +18,8 @@ namespace ryosen {
 // What the handles do, in the order of the values of the switch `gizmo`.
 enum class GizmoKind { none, move, turn, scale };
 
-// x, y, z: along or about that axis; yz, zx, xy: in that plane; free: across the view, about its line of sight, or all ways
-// alike.
+// x, y, z: along or about that axis; yz, zx, xy: in that plane; free: across the view, about its line of sight, or all
+// ways alike.
 enum class HandleWay { x, y, z, yz, zx, xy, free };
 
 struct HandleRow {
@@ -46,8 +47,8 @@ struct Gizmo {
   std::vector<GizmoHandle> handles;
 };
 
-// The handles of a kind at a place, as large in every view, by the scale of the display; without axes that point at the eye and plates that are seen
-// from the side. No handles where the place is not in front of the eye.
+// The handles of a kind at a place, as large in every view, by the scale of the display; without axes that point at the
+// eye and plates that are seen from the side. No handles where the place is not in front of the eye.
 Gizmo gizmo_at(GizmoKind kind, const Camera& camera, Size view, const glm::dvec3& middle, double scale = 1);
 // The nearest handle at a pixel of the view, within some pixels; null if there is none.
 const GizmoHandle* handle_at(const Gizmo& gizmo, const Camera& camera, Size view, glm::dvec2 pixel, double scale = 1);

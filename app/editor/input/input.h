@@ -1,5 +1,5 @@
-// Events of mouse and keyboard, and what takes them: a window with panels, or the view alone. Windows, scripts and tests
-// send the same ones.
+// Events of mouse and keyboard, and what takes them: a window with panels, or the view alone. Windows, scripts and
+// tests send the same ones.
 #pragma once
 
 #include <glm/vec2.hpp>

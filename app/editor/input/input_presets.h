@@ -1,5 +1,5 @@
-// What the mouse and the keys do, in the manner of several programs: a table of presets, each with its drags and with the
-// keys that it has otherwise than the first.
+// What the mouse and the keys do, in the manner of several programs: a table of presets, each with its drags and with
+// the keys that it has otherwise than the first.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,5 +1,5 @@
-// The sorts of elements that the pointer can pick: what the command `mode` calls them, and what is said where there is none
-// under the pointer.
+// The sorts of elements that the pointer can pick: what the command `mode` calls them, and what is said where there is
+// none under the pointer.
 #pragma once
 
 #include <string_view>

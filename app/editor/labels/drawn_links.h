@@ -1,5 +1,5 @@
-// The links of the selected element, or all halfedges in view, as arrows inside their faces, shifted from the edge so that
-// twins lie side by side. What is drawn, labelled and clicked is the same list.
+// The links of the selected element, or all halfedges in view, as arrows inside their faces, shifted from the edge so
+// that twins lie side by side. What is drawn, labelled and clicked is the same list.
 #pragma once
 
 #include <cstdint>
@@ -48,14 +48,16 @@ std::vector<LinkArrow> arrows_of(const Mesh& mesh, const ViewState& view, std::s
 // Kept by the session.
 class DrawnLinks {
  public:
-  // At most so many halfedges are drawn by `all` and `faces`: the longest on the screen, each at least so many pixels long.
+  // At most so many halfedges are drawn by `all` and `faces`: the longest on the screen, each at least so many pixels
+  // long.
   static constexpr std::size_t most = 2000;
   static constexpr double least_px = 26;
 
   LinksShown shown = LinksShown::in_mode;
 
   bool is_on(const Findings& findings, const Selecting& selecting, const Gesturing& gesturing) const;
-  // As the session is now; kept until it changes. Cost: with `all` and `faces` the edges, else those around the selection.
+  // As the session is now; kept until it changes. Cost: with `all` and `faces` the edges, else those around the
+  // selection.
   const std::vector<LinkArrow>& of(const Session& session);
   // The arrow of a halfedge that is drawn within a few pixels of a pixel of the view: neither cut off nor hidden by the
   // surface there. Null where there is none; valid until of() is asked again.

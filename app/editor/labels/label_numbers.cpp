@@ -50,7 +50,8 @@ class NumberLabels {
     }
   }
 
-  // As text 003 numbers the sides of triangles, and any corners in their order; those at a boundary in a colour of their own.
+  // As text 003 numbers the sides of triangles, and any corners in their order; those at a boundary in a colour of
+  // their own.
   void add_corners() {
     constexpr std::uint32_t inner_colour = 0x1F5FA8, boundary_colour = 0x00785A;
     std::uint32_t number = 0;

@@ -1,7 +1,7 @@
 // The labels of a session: short texts at places of the mesh, which every picture shows, with or without panels.
 //
-// To have further ones drawn, write a function that adds them and its row in labels.cpp. The picture leaves out what lies
-// behind the surface or would lie over a label that goes first.
+// To have further ones drawn, write a function that adds them and its row in labels.cpp. The picture leaves out what
+// lies behind the surface or would lie over a label that goes first.
 #pragma once
 
 #include <functional>
@@ -83,15 +83,16 @@ std::vector<PlacedLabel> placed_labels(Session& session, const TextSize& size_of
 bool has_labels(const SeenMesh& compared);
 std::vector<PlacedLabel> placed_labels(const SeenMesh& compared, const TextSize& size_of, double scale);
 
-// Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are very
-// many in view, every so many-th. O(slots of that sort).
+// Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are
+// very many in view, every so many-th. O(slots of that sort).
 void add_numbers(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels);
 // Adds what the arrows of the selected element's links are, beside them, away from their edges.
 void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
 void add_measures(const Mesh& mesh, const Selecting& selecting, const Preferences& preferences,
                   std::vector<Label>& labels);
-// Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their roles.
+// Adds the caption of the step that is played, in the upper left corner, and beside its elements the labels of their
+// roles.
 void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
               std::vector<Label>& labels);
 // How high at the top of the view a usual caption reaches, in pixels.

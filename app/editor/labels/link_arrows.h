@@ -67,8 +67,8 @@ class ArrowMaker {
   };
 
   const glm::dvec3& place(Vertex v) const { return places_[v.index]; }
-  // How far behind a corner an arrow begins, so that it lies on the bisector of a corner that is not reflex. `along` leads
-  // away from the corner, as does the way to `other`.
+  // How far behind a corner an arrow begins, so that it lies on the bisector of a corner that is not reflex. `along`
+  // leads away from the corner, as does the way to `other`.
   double trim(Vertex corner, Vertex other, const glm::dvec3& along, double shift, double length) const {
     const double least = 0.1 * length;
     const glm::dvec3 side = place(other) - place(corner);

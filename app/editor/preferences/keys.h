@@ -28,8 +28,8 @@ struct KeyRow {
   std::string_view menu_en = "", menu_ja = "";
 };
 
-// The keys of operators, selectors, views and switches come from their own rows; other presets than the first change some,
-// and the user's own bindings stand above all.
+// The keys of operators, selectors, views and switches come from their own rows; other presets than the first change
+// some, and the user's own bindings stand above all.
 std::vector<KeyRow> key_table(const InputPreset& preset = input_presets()[0], std::span<const KeyBinding> own = {});
 // By chord; none if unbound.
 std::optional<KeyRow> find_key(std::string_view chord, const InputPreset& preset = input_presets()[0],

@@ -56,7 +56,8 @@ std::vector<std::string> Layout::commands() const {
   for (const PanelRow& row : panel_list()) {
     if (row.place == PanelPlace::over) continue;
     const std::string panel = "panel " + std::string(row.id);
-    if (is_shown(row) != row.shown_at_first() && row.is_shown_again()) lines.push_back(panel + (is_shown(row) ? " on" : " off"));
+    if (is_shown(row) != row.shown_at_first() && row.is_shown_again())
+      lines.push_back(panel + (is_shown(row) ? " on" : " off"));
     if (is_folded(row)) lines.push_back(panel + " fold");
     if (side_of(row) != row.place) lines.push_back(panel + (side_of(row) == PanelPlace::left ? " left" : " right"));
   }

@@ -1,4 +1,5 @@
-// What the editor knows of the window's panels: their ids and titles, and where they lie. What is in them is the window's.
+// What the editor knows of the window's panels: their ids and titles, and where they lie. What is in them is the
+// window's.
 #pragma once
 
 #include <span>
@@ -29,8 +30,8 @@ enum class PanelOpener {
 // Before anybody has said anything. Held: shown, and the first of its column stays in view where that is scrolled.
 enum class PanelAtFirst { shown, hidden, held };
 
-// What is in it while the findings of a large mesh are being searched for (Session::prepare): itself if it reads the mesh
-// alone, else how far the search is.
+// What is in it while the findings of a large mesh are being searched for (Session::prepare): itself if it reads the
+// mesh alone, else how far the search is.
 enum class PanelReads { mesh, findings };
 
 struct PanelRow {

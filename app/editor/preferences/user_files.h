@@ -1,6 +1,6 @@
-// What the window keeps for the user from one time to the next, in the folder of configuration: preferences and keys, the
-// layout of the panels, and the files that were open. Plain text, a line each, which a person can read and change. Only
-// the window reads them by itself, so that scripts and pictures come out the same for everybody.
+// What the window keeps for the user from one time to the next, in the folder of configuration: preferences and keys,
+// the layout of the panels, and the files that were open. Plain text, a line each, which a person can read and change.
+// Only the window reads them by itself, so that scripts and pictures come out the same for everybody.
 #pragma once
 
 #include <filesystem>

@@ -127,8 +127,8 @@ void Autosave::write_original(const Document& document) {
   if (again && Document(std::move(again).value()).mesh().hash() == start_.hash) start_.original = copy;
 }
 
-// Copies the file that the session began with, so that its edits come back whatever becomes of that file. Without a copy
-// they begin with the file itself.
+// Copies the file that the session began with, so that its edits come back whatever becomes of that file. Without a
+// copy they begin with the file itself.
 void Autosave::keep_start(const Document& document) {
   const auto is_as_read = [&] { return start_.state.since(start_.file) == FileState::Change::none; };
   if (!start_.state.is_known()) return;

@@ -35,8 +35,8 @@ class Autosave {
 
   // After a line was executed and appended to the log. Returns a message if recording has just failed.
   std::optional<Text> note(const Session& session, const std::string& line);
-  // Before a file is written. If the session started from that file, there is a copy of it first, because the edits refer
-  // to its elements.
+  // Before a file is written. If the session started from that file, there is a copy of it first, because the edits
+  // refer to its elements.
   std::optional<Text> before_save(const Document& document, const std::vector<std::string>& log,
                                   const std::filesystem::path& target);
 

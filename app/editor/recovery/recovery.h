@@ -11,7 +11,8 @@
 //   split 3-7                    an edit, as the log of the session has it
 //   # saving /home/me/out.obj    from here on that file may be another, until it is said to be saved
 //   # saved /home/me/out.obj     nothing is unsaved at this point, and this is the document's file
-//   # unsaved 1 2                what the file does not hold: 1 edit, and 2 of its edits are undone; said where it is not
+//   # unsaved 1 2                what the file does not hold: 1 edit, and 2 of its edits are undone; said where it is
+//   not
 //                                one edit more than before
 #pragma once
 
@@ -65,7 +66,8 @@ enum class RecoverOnto {
            // unasked
   as_is,   // the file as it is now
 };
-// Whether the edits can be done on the mesh that they were made on: there is a copy of it, or nothing else to begin with.
+// Whether the edits can be done on the mesh that they were made on: there is a copy of it, or nothing else to begin
+// with.
 bool can_be_as_was(const LostSession& lost);
 // Whether they can be done on the file as it is now: none was saved, and the file is there.
 bool can_be_as_is(const LostSession& lost);
@@ -85,11 +87,11 @@ Text nothing_to_recover();
 // "in.obj, 3 edits, 2026-11-21 20:15"
 Text describe(const LostSession& lost);
 
-// Replaces the session's document by the start mesh with the edits replayed. The document is then unsaved. If its file or
-// the start mesh has changed, that is refused before anything is replayed, unless `onto` says on what. Replay stops at the first edit that fails: the outcome names its script line,
-// the earlier edits are applied, and the script stays. A session with autosave continues this script; otherwise the
-// script stays too. Fails, leaving the session unchanged, if the mesh cannot be read or another process has locked the
-// script.
+// Replaces the session's document by the start mesh with the edits replayed. The document is then unsaved. If its file
+// or the start mesh has changed, that is refused before anything is replayed, unless `onto` says on what. Replay stops
+// at the first edit that fails: the outcome names its script line, the earlier edits are applied, and the script stays.
+// A session with autosave continues this script; otherwise the script stays too. Fails, leaving the session unchanged,
+// if the mesh cannot be read or another process has locked the script.
 Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto = RecoverOnto::unchanged);
 // "Another program has changed a.off since these edits were made." Empty where none has.
 Text told_change(const LostSession& lost, FileState::Change change);

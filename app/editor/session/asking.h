@@ -1,5 +1,5 @@
-// A line of an operator, or of another command about elements, that are still to be pointed at: each click adds one, and
-// the last one carries it out.
+// A line of an operator, or of another command about elements, that are still to be pointed at: each click adds one,
+// and the last one carries it out.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -21,8 +21,8 @@ std::optional<PickMode> asked_for(std::string_view line);
 bool can_be_asked(std::string_view line);
 // Whether nothing can follow that would have to be pointed at.
 bool is_answered(std::string_view line);
-// Adds what is under the pixel to the session's asked line. Where nothing is missing then, it is carried out, and what was
-// asked begins anew after a refusal.
+// Adds what is under the pixel to the session's asked line. Where nothing is missing then, it is carried out, and what
+// was asked begins anew after a refusal.
 Outcome answer(Session& session, glm::dvec2 pixel);
 Outcome carry_out_asked(Session& session);
 // "make_edge v3: point at a vertex"

@@ -16,8 +16,8 @@ class Input;
 struct Frontend {
   // Renders a picture of the session. Commands that need it fail if unset.
   std::function<Status(const std::filesystem::path&)> take_picture;
-  // Gets the events that scripts send, where scripts run with panels. Where it is none, as in a window, which has events
-  // of its own, the view gets them.
+  // Gets the events that scripts send, where scripts run with panels. Where it is none, as in a window, which has
+  // events of its own, the view gets them.
   std::weak_ptr<Input> input;
   // Reads files of meshes; a frontend that shows meanwhile what is read sets another way. One that was given up fails
   // as cancelled.

@@ -14,9 +14,9 @@ namespace ryosen {
 class Findings;
 class Selecting;
 
-// The elements that an operator works on where it is told `selected`: the selection; where it takes none of that and all
-// that is seen of some kind is selected, all that is seen of the kind that it takes, faces before edges before vertices.
-// O(selection), and O(mesh) only in the second case.
+// The elements that an operator works on where it is told `selected`: the selection; where it takes none of that and
+// all that is seen of some kind is selected, all that is seen of the kind that it takes, faces before edges before
+// vertices. O(selection), and O(mesh) only in the second case.
 Elements worked_on(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                    std::span<const std::string_view> arguments);
 
@@ -29,8 +29,8 @@ std::vector<std::string> names_taken(const Selecting& selecting, const OpInfo& o
 bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                     std::span<const std::string_view> arguments = {});
 
-// Whether an operator may be done on a selection that fits it, or any of its calls; else why the first may not. Of a large
-// selection, and of what is united one by one, it is not known before: it may be.
+// Whether an operator may be done on a selection that fits it, or any of its calls; else why the first may not. Of a
+// large selection, and of what is united one by one, it is not known before: it may be.
 struct Offer {
   bool may_be = true;
   std::vector<Text> why_not = {};

@@ -42,8 +42,8 @@ class OnOwners<Result(AnySession&, Arguments...)> {
  public:
   OnOwners() = default;
   template <class Function>
-    requires(!std::is_same_v<std::remove_cvref_t<Function>, OnOwners>)
-  OnOwners(Function function) : call_(with_owners(function, std::function(function))) {}  // NOLINT: rows name functions
+  requires(!std::is_same_v<std::remove_cvref_t<Function>, OnOwners>) OnOwners(Function function)
+      : call_(with_owners(function, std::function(function))) {}  // NOLINT: rows name functions
 
   explicit operator bool() const { return static_cast<bool>(call_); }
   Result operator()(AnySession& session, Arguments... arguments) const {
@@ -62,15 +62,18 @@ class OnOwners<Result(AnySession&, Arguments...)> {
   template <class Function, std::size_t... at, class Parameters>
   static Stored with(const Function& function, std::index_sequence<at...>, std::type_identity<Parameters>) {
     return [function](AnySession& session, Arguments... arguments) -> Result {
-      return function(owner_for<std::tuple_element_t<at, Parameters>>(session)..., std::forward<Arguments>(arguments)...);
+      return function(owner_for<std::tuple_element_t<at, Parameters>>(session)...,
+                      std::forward<Arguments>(arguments)...);
     };
   }
 
   template <class Parameter>
   static Parameter owner_for(AnySession& session) {
     using Owner = std::remove_cvref_t<Parameter>;
-    if constexpr (std::is_const_v<std::remove_reference_t<Parameter>>) return owner_of<Owner>(std::as_const(session));
-    else return owner_of<Owner>(session);
+    if constexpr (std::is_const_v<std::remove_reference_t<Parameter>>)
+      return owner_of<Owner>(std::as_const(session));
+    else
+      return owner_of<Owner>(session);
   }
 
   Stored call_;

@@ -113,9 +113,9 @@ const AxisEnd* Pointing::axis_end_at(glm::dvec2 pixel) const {
 const HandleRow* Pointing::handle_at(glm::dvec2 pixel, Modifiers modifiers) const {
   if (modifiers.shift || modifiers.alt || !is_in_space(pixel)) return nullptr;
   const auto handles = gizmo();
-  const GizmoHandle* const found =
-      handles ? ryosen::handle_at(*handles, view_.camera, view_.size, pixel - view_.origin, session_.preferences.size_scale())
-              : nullptr;
+  const GizmoHandle* const found = handles ? ryosen::handle_at(*handles, view_.camera, view_.size, pixel - view_.origin,
+                                                               session_.preferences.size_scale())
+                                           : nullptr;
   return found ? found->row : nullptr;
 }
 
@@ -217,7 +217,9 @@ void Pointing::select_for_menu(glm::dvec2 pixel) {
   session_.gesturing.cancel();
   auto picked = pick_to_select(pixel, selecting_.mode);
   if (!picked) picked = pick(pixel, PickMode::face);
-  if (!picked || std::find(selecting_.selection.begin(), selecting_.selection.end(), picked->element) != selecting_.selection.end()) return;
+  if (!picked || std::find(selecting_.selection.begin(), selecting_.selection.end(), picked->element) !=
+                     selecting_.selection.end())
+    return;
   session_.run("select " + name_to_select(mesh(), picked->element));
 }
 

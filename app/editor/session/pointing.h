@@ -34,8 +34,8 @@ class Pointing {
   void point_away();
   // The element that is pointed at in any view, of whatever document; null for none.
   const Pointed* pointed() const;
-  // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where the
-  // pointer is.
+  // A click: applies the tool to what is under the pixel, or selects it. With Shift a tool puts things exactly where
+  // the pointer is.
   Outcome click(glm::dvec2 pixel, const std::string& with_tool, Modifiers modifiers = {});
   // What a menu at a pixel is about is selected, if it is not so already.
   void select_for_menu(glm::dvec2 pixel);
@@ -55,8 +55,8 @@ class Pointing {
   // The one at a pixel; none where Shift or Alt ask for something else. And the one that the pointer is on.
   const HandleRow* handle_at(glm::dvec2 pixel, Modifiers modifiers) const;
   const HandleRow* pointed_handle() const { return pointed_handle_; }
-  // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel, and the
-  // one that the pointer is on. A click on one looks from there.
+  // The axes in the corner of the view, where a switch shows them and there is room; the end that is at a pixel, and
+  // the one that the pointer is on. A click on one looks from there.
   std::optional<CornerAxes> axes_in_corner() const;
   const AxisEnd* axis_end_at(glm::dvec2 pixel) const;
   const AxisEnd* pointed_axis_end() const { return pointed_axis_end_; }

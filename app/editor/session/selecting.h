@@ -67,8 +67,8 @@ class Selecting {
   // The remedy for the operator under the pointer; empty if none was found. Computed on demand, because candidates are
   // tried out, and cached while operator and mesh are unchanged.
   const std::vector<std::string>& hover_remedy();
-  // Of the tool in hand on all elements that it acts on; null where they are not to be shown. Kept up with edits. Complete,
-  // but for a window, which asks a slice of them before each frame.
+  // Of the tool in hand on all elements that it acts on; null where they are not to be shown. Kept up with edits.
+  // Complete, but for a window, which asks a slice of them before each frame.
   ToolVerdicts* tool_verdicts();
   void ask_slice_of_verdicts();
   // The share that is asked while that goes on.

@@ -11,7 +11,8 @@
 
 namespace ryosen {
 
-// Elements in the order in which they were selected. It is read as a vector of them; equal are two of the same elements.
+// Elements in the order in which they were selected. It is read as a vector of them; equal are two of the same
+// elements.
 class Selection {
  public:
   using value_type = Element;

@@ -13,8 +13,8 @@
 
 namespace ryosen {
 
-// Takes out what is deleted; is_renumbered: all columns have been replaced, so that only points and faces have kept their
-// numbers.
+// Takes out what is deleted; is_renumbered: all columns have been replaced, so that only points and faces have kept
+// their numbers.
 void drop_lost(Elements& elements, const Mesh& mesh, bool is_renumbered);
 
 // Pass the mesh as it is behind the change. A selection that stays the same from entry to entry is held once.
@@ -30,8 +30,8 @@ class SelectionMemory {
   };
 
   // An entry was made, on a mesh of these lengths; entries behind it are gone, and with them what they had made and was
-  // kept. What it deleted is no longer selected; of what it has put in the place of other elements, that is selected and
-  // kept in their place. A name under which nothing is left goes. No passage: elements keep their numbers.
+  // kept. What it deleted is no longer selected; of what it has put in the place of other elements, that is selected
+  // and kept in their place. A name under which nothing is left goes. No passage: elements keep their numbers.
   void made(std::size_t entry, Elements& selection, const Mesh& mesh, const std::optional<Passage>& passage,
             const ColumnLengths& before);
   // What was selected when the entry was made is selected again; what is selected now, when it is redone.

@@ -122,9 +122,9 @@ class Session {
   OpenDocument open_;
   FileState::Change change_on_disk_ = FileState::Change::none;
   std::vector<std::string> log_;
-  std::string running_;              // the first word of the line that is carried out
-  std::size_t lines_logged_ = 0;     // in logs of earlier documents too
-  std::unique_ptr<Input> view_input_;         // made when it is asked for
+  std::string running_;                // the first word of the line that is carried out
+  std::size_t lines_logged_ = 0;       // in logs of earlier documents too
+  std::unique_ptr<Input> view_input_;  // made when it is asked for
 };
 
 }  // namespace ryosen

@@ -68,9 +68,8 @@ void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const Par
     const PreviewClock::time_point until = PreviewClock::now() + patience;
     // A picture is the same however long it takes.
     const bool is_patient = !session.trials.in_background;
-    const auto result = session.shown.try_out(ShownBy::preview, row, *found.values, [&](double) {
-      return is_patient || PreviewClock::now() < until;
-    });
+    const auto result = session.shown.try_out(ShownBy::preview, row, *found.values,
+                                              [&](double) { return is_patient || PreviewClock::now() < until; });
     if (!result)
       told_ = {"It takes too long to be shown beforehand.", "時間がかかるため、事前には表示しません。"};
     else

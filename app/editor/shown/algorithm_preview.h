@@ -20,8 +20,8 @@ struct ViewState;
 class Shown;
 
 // The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
-// longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought into
-// view where it is not in it, until it goes or somebody moves the camera.
+// longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought
+// into view where it is not in it, until it goes or somebody moves the camera.
 class AlgorithmPreview {
  public:
   bool is_offered(const Findings& findings, const Shown& shown) const;

@@ -164,8 +164,8 @@ void Gesturing::show() {
   note();
 }
 
-// Neither listed is what an operator made and nothing has moved yet, which has no extent, nor that it lies on what it was
-// made of, which only the mesh on trial does.
+// Neither listed is what an operator made and nothing has moved yet, which has no extent, nor that it lies on what it
+// was made of, which only the mesh on trial does.
 void Gesturing::judge_as_drawn() {
   HighlightSets* const sets = session_.findings().found_highlights();
   if (!ongoing_ || !sets) return;

@@ -25,7 +25,8 @@ class Gesturing {
   Outcome begin(PointTransform::Kind kind);
   // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
   Outcome begin_extrusion();
-  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is selected.
+  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is
+  // selected.
   Outcome begin_split();
   // Duplicates the selection and moves the copy, in the same way.
   Outcome begin_copy();

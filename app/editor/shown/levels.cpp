@@ -24,9 +24,7 @@ std::span<const ParameterRow> level_parameters() {
 }
 
 ShownLevels::ShownLevels(std::unique_ptr<DetailLevels> levels, ParameterValues values, const Document& document)
-    : levels_(std::move(levels)),
-      values_(std::move(values)),
-      quarantined_(document.tables().quarantine.size()) {}
+    : levels_(std::move(levels)), values_(std::move(values)), quarantined_(document.tables().quarantine.size()) {}
 
 std::size_t ShownLevels::level_of(std::size_t faces) const {
   return levels_->level_of(faces - std::min(faces, quarantined_));

@@ -48,8 +48,8 @@ class ShownLevels {
 // The way back, told.
 Outcome leave_level(Shown& shown);
 
-// The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the last
-// one of the history. Empty where there is none.
+// The line that has made what is shown, where it accounts for the edges that it left: of the level of detail, else the
+// last one of the history. Empty where there is none.
 std::string line_to_account_for(const Document& document, const Shown& shown);
 
 // Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.

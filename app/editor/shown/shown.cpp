@@ -31,7 +31,7 @@ Response response(ShownBy owner, Effect effect, bool has_view) {
   // One row per owner, in their order; one column per effect, in theirs.
   static constexpr std::array<std::array<Response, effect_count>, 5> answers{{
       // view  reads    begins  edits   steps    replaces  writes
-      {{keep, keep, keep, keep, keep, keep, keep}},           // document
+      {{keep, keep, keep, keep, keep, keep, keep}},              // document
       {{keep, beneath, refuse, refuse, anew, again, again}},     // step
       {{keep, beneath, refuse, refuse, instead, again, again}},  // level
       {{keep, end, end, end, end, keep, keep}},                  // preview
@@ -59,8 +59,9 @@ Outcome Shown::refusal() const {
     return refused("the view shows a preview of values, not the mesh that is open; run them or close their panel",
                    "ビューは値のプレビューを表示中です。実行するか、パネルを閉じると開いているメッシュに戻ります");
   const Text name = player_ ? player_->name() : Text();
-  return refused("the view shows a step of '" + name.en + "', not the mesh that is open; Esc or steps close ends that",
-                 "ビューは「" + name.ja + "」の手順を表示中です。Esc または steps close で開いているメッシュに戻ります");
+  return refused(
+      "the view shows a step of '" + name.en + "', not the mesh that is open; Esc or steps close ends that",
+      "ビューは「" + name.ja + "」の手順を表示中です。Esc または steps close で開いているメッシュに戻ります");
 }
 
 bool Shown::fits() const {
@@ -148,8 +149,8 @@ void Shown::set_aside() {
   aside.hidden = findings.hidden().elements();
   const std::optional<Findings::Searched>& searched = findings.searched();
   HighlightSets* const sets = findings.found_highlights();
-  const bool is_of_now = sets && searched && searched->document == document().serial() &&
-                         searched->revision + 1 == document().revision();
+  const bool is_of_now =
+      sets && searched && searched->document == document().serial() && searched->revision + 1 == document().revision();
   if (!is_of_now) return;
   aside.searched = searched->kind;
   aside.findings = sets->of(searched->kind).to_vector();
@@ -213,8 +214,8 @@ void Shown::Passage::bring_back_steps(Outcome& outcome) {
   outcome.say(end_of(*player_));
 }
 
-// Until the next step, and from where it was looked at before, unless the command looks from elsewhere. So what was taken
-// back or done again is seen.
+// Until the next step, and from where it was looked at before, unless the command looks from elsewhere. So what was
+// taken back or done again is seen.
 void Shown::Passage::show_beneath(Outcome& outcome) {
   if (shown_.session_.view.camera == camera_) look_as_before(shown_.session_.view, shown_.session_.framing, *player_);
   const Text name = player_->name();

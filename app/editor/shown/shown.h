@@ -1,5 +1,5 @@
-// Which mesh the view shows: that of the document or, on trial in its place, another one. Only this class begins and ends
-// trials of an open document.
+// Which mesh the view shows: that of the document or, on trial in its place, another one. Only this class begins and
+// ends trials of an open document.
 #pragma once
 
 #include <cstdint>
@@ -76,7 +76,8 @@ class Shown {
   std::shared_ptr<Player> end_steps();
   void end_levels();
 
-  // Shows the result of an operator or an algorithm for an owner, in place of what is on trial. None where it is cancelled.
+  // Shows the result of an operator or an algorithm for an owner, in place of what is on trial. None where it is
+  // cancelled.
   Outcome try_out(ShownBy owner, const AnyOp& op);
   std::optional<AlgorithmResult> try_out(ShownBy owner, const AlgorithmRow& row, const ParameterValues& values,
                                          Progress::Report progress = {});
@@ -92,8 +93,8 @@ class Shown {
     Passage(Shown& shown, Effect effect, std::string_view line);
     // The outcome where the line is not run; none where it is.
     std::optional<Outcome> answered;
-    // Brings back what was played, or the levels, once the line has run, and says so. Without this call they end: memory
-    // has run out.
+    // Brings back what was played, or the levels, once the line has run, and says so. Without this call they end:
+    // memory has run out.
     void finish(Outcome& outcome);
 
    private:
@@ -111,8 +112,8 @@ class Shown {
     bool was_shown_ = false;
   };
 
-  // Called by the session for each change of its document: keeps what names elements of the document while another mesh is
-  // on trial, and gives it back.
+  // Called by the session for each change of its document: keeps what names elements of the document while another mesh
+  // is on trial, and gives it back.
   void set_aside();
   void bring_back();
   void forget_aside();
@@ -146,8 +147,9 @@ class Shown {
   std::optional<Aside> aside_;
 };
 
-// The title of the view: the file, with a star where there are edits that are not saved, or what is played or a level of
-// detail in its place, and beneath that the file: "Playing: A cube (beneath: * cube.obj)". Empty where there is nothing.
+// The title of the view: the file, with a star where there are edits that are not saved, or what is played or a level
+// of detail in its place, and beneath that the file: "Playing: A cube (beneath: * cube.obj)". Empty where there is
+// nothing.
 std::string shown_name(const Session& session, bool with_beneath = true);
 
 }  // namespace ryosen

@@ -12,8 +12,8 @@ class Findings;
 struct Preferences;
 struct ViewState;
 
-// Pixels are those of the view. Of the points that are moved the nearest to the pointer on the screen, if it is near and
-// seen, and one that is moved alone wherever it is; else none.
+// Pixels are those of the view. Of the points that are moved the nearest to the pointer on the screen, if it is near
+// and seen, and one that is moved alone wherever it is; else none.
 Vertex held_point(Findings& findings, const ViewState& view, const Preferences& preferences,
                   const std::vector<MovedPoint>& moved, glm::dvec2 pixel);
 

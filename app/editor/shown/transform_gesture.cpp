@@ -40,8 +40,8 @@ glm::dvec3 way_from(const glm::dvec3& from, const glm::dvec3& to) {
   return {way_from(from.x, to.x), way_from(from.y, to.y), way_from(from.z, to.z)};
 }
 
-// The steps of the ground, or tenths of them where they would be longer than the hand goes, or tenfold where they would be
-// too short to be felt; with a tenth asked for, that.
+// The steps of the ground, or tenths of them where they would be longer than the hand goes, or tenfold where they would
+// be too short to be felt; with a tenth asked for, that.
 RoundStep felt_step(const TransformGesture::Where& where, double units_per_pixel) {
   constexpr double longest_px = 120, shortest_px = 6;
   RoundStep step = where.step;

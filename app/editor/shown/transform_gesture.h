@@ -1,5 +1,5 @@
-// Moving, turning and scaling the selection by hand: what the pointer and the keys say becomes a transform, which only the
-// view shows until it is carried out as one command.
+// Moving, turning and scaling the selection by hand: what the pointer and the keys say becomes a transform, which only
+// the view shows until it is carried out as one command.
 #pragma once
 
 #include <memory>
@@ -33,9 +33,9 @@ class TransformGesture {
   // Begins with the points of the elements, of which there must be one, where the pointer is.
   TransformGesture(PointTransform::Kind kind, const Mesh& mesh, Elements elements, glm::dvec2 pixel);
 
-  // Follows the pointer. With Ctrl it snaps: what is held lands on what lies under the pointer, or moves in steps of the
-  // ground, as far as they can be told apart and are not too long to be of use; a turn goes in steps of 5 degrees, a
-  // scaling in tenths. With Shift too the steps are a tenth of that. Pixels are those of the view.
+  // Follows the pointer. With Ctrl it snaps: what is held lands on what lies under the pointer, or moves in steps of
+  // the ground, as far as they can be told apart and are not too long to be of use; a turn goes in steps of 5 degrees,
+  // a scaling in tenths. With Shift too the steps are a tenth of that. Pixels are those of the view.
   struct Where {
     const Camera& camera;
     Size view;
@@ -46,8 +46,8 @@ class TransformGesture {
     double size_scale = 1;                 // of pixels
   };
   void follow(const Mesh& mesh, const Where& where);
-  // X, Y, Z and N (the normal) choose an axis or let it go; with Shift a movement stays in the plane across it; digits, sign and dot type the number; Backspace; O switches the
-  // falloff. False: no key of a gesture.
+  // X, Y, Z and N (the normal) choose an axis or let it go; with Shift a movement stays in the plane across it; digits,
+  // sign and dot type the number; Backspace; O switches the falloff. False: no key of a gesture.
   bool key(const Mesh& mesh, std::string_view chord);
   // The point that lands on what a movement snaps to, one of those that are moved; else their middle does.
   void hold(const Mesh& mesh, Vertex point);

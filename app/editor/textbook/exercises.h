@@ -1,5 +1,5 @@
-// The exercises of the source texts: solids that are built from nothing by the scripts in assets/exercises, which are part
-// of the program.
+// The exercises of the source texts: solids that are built from nothing by the scripts in assets/exercises, which are
+// part of the program.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ struct ExerciseScript {
   std::string_view id, script;
 };
 
-// By id. The first two lines of each are remarks that name what comes out, with a colon behind the name: in English, then
-// in Japanese.
+// By id. The first two lines of each are remarks that name what comes out, with a colon behind the name: in English,
+// then in Japanese.
 std::span<const ExerciseScript> exercise_scripts();
 const ExerciseScript* find_exercise(std::string_view id);
 // Of the figures of text 002: an operator and its inverse each. The same otherwise.

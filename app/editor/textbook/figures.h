@@ -1,5 +1,5 @@
-// The meshes of the source texts' figures: the files in assets/figures, which are part of the program, each with where it
-// stands in the texts and how it was found again where its picture is lost.
+// The meshes of the source texts' figures: the files in assets/figures, which are part of the program, each with where
+// it stands in the texts and how it was found again where its picture is lost.
 #pragma once
 
 #include <span>

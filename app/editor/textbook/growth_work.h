@@ -19,8 +19,8 @@ class GrowthWork {
   GrowthWork(const GrowthWork&) = delete;
   GrowthWork& operator=(const GrowthWork&) = delete;
 
-  // Begins to measure on parts of a mesh, of which it takes a copy, or on tori where there is none. What was begun before
-  // is cancelled.
+  // Begins to measure on parts of a mesh, of which it takes a copy, or on tori where there is none. What was begun
+  // before is cancelled.
   void begin(const Mesh* mesh, const forms::GrowthEffort& effort = {});
   // Ends it; what was found before stays.
   void cancel();

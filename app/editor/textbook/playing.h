@@ -29,8 +29,8 @@ inline constexpr std::string_view history_word = "history";
 // Whether that is a file.
 bool is_script_file(std::string_view name);
 
-// The steps that the words call on a mesh. A script is an exercise by its id, which begins with an empty mesh, or a file,
-// which goes on from this one.
+// The steps that the words call on a mesh. A script is an exercise by its id, which begins with an empty mesh, or a
+// file, which goes on from this one.
 Result<std::unique_ptr<steps::Sequence>> make_played(const Mesh& mesh, std::span<const std::string> words);
 // The same on that of a document; `script history` plays its history.
 Result<std::unique_ptr<steps::Sequence>> make_played(const Document& document, std::span<const std::string> words);

@@ -42,8 +42,9 @@ struct Solution {
   std::vector<Element> witnesses;
 };
 
-// The same seed asks the same of the same mesh. The mesh must have an edge, and for a record a face. Where the records of
-// all forms of the mesh are not given, a question about one builds forms. Else the cost is that of what is at one element.
+// The same seed asks the same of the same mesh. The mesh must have an edge, and for a record a face. Where the records
+// of all forms of the mesh are not given, a question about one builds forms. Else the cost is that of what is at one
+// element.
 using AllRecords = std::span<const forms::Records>;
 Question make_question(const Mesh& mesh, QuestionKind kind, std::uint64_t seed, AllRecords records = {});
 Solution solve(const Mesh& mesh, const Question& question, AllRecords records = {});

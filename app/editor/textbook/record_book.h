@@ -16,8 +16,8 @@
 
 namespace ryosen {
 
-// All forms of a revision of a document are built beside the frames, from a copy of its mesh: once, and only for the last
-// revision that was asked for. Nothing here waits but wait_for() and the end, where a thread is to be had.
+// All forms of a revision of a document are built beside the frames, from a copy of its mesh: once, and only for the
+// last revision that was asked for. Nothing here waits but wait_for() and the end, where a thread is to be had.
 class RecordBook {
  public:
   // Begins work on a thread of its own; throws std::system_error where there is none to be had.
@@ -41,8 +41,8 @@ class RecordBook {
   void wait_for(const Document& document);
   // In the order of all_forms(); they must be ready. Throws what was thrown when they were built.
   std::span<const forms::Records> records() const;
-  // Nobody wants them any more: ends what goes on and gives back the memory, beside the frames. Call it again in the next
-  // frame while it is false.
+  // Nobody wants them any more: ends what goes on and gives back the memory, beside the frames. Call it again in the
+  // next frame while it is false.
   bool rest();
 
  private:
@@ -56,7 +56,8 @@ class RecordBook {
     bool is_whole() const { return is_done && !is_cancelled; }
   };
   static void build(Build& build, const Mesh& mesh);
-  // On a thread that first waits for the one before it: that may still be destroying what was built, which takes time too.
+  // On a thread that first waits for the one before it: that may still be destroying what was built, which takes time
+  // too.
   template <class Work>
   void go_on_with(Work work);
   void begin(const Document& document);

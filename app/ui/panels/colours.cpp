@@ -221,7 +221,8 @@ void ColoursPanel::draw_measures(PanelContext& context) {
   if (ImGui::Button(context.text("Clear measures", "計測を消す"))) context.run("measure clear");
 }
 
-// In as much room as it has taken so far: what is below, as the slider that changes the values, does not jump with them.
+// In as much room as it has taken so far: what is below, as the slider that changes the values, does not jump with
+// them.
 void ColoursPanel::draw_figures(PanelContext& context) {
   const ColourMap* const map = context.view.colouring->map;
   const std::pair<const ColourMap*, float> place(map, ImGui::GetContentRegionAvail().x);

@@ -126,7 +126,8 @@ struct WrittenEntry {
   std::vector<std::string> below;
 };
 
-// Below its name its help to the end, and how the line is written where only one was found or the row has no room for it.
+// Below its name its help to the end, and how the line is written where only one was found or the row has no room for
+// it.
 WrittenEntry write_entry(const PanelContext& context, const PaletteEntry& entry, bool is_whole, float width) {
   const std::string& name = entry.name.in(context.language());
   const std::string& help = entry.help.in(context.language());
@@ -222,8 +223,8 @@ void CommandPanel::draw(PanelContext& context) {
   if (entered) enter(context);
 }
 
-// Of what was found, that which Enter takes: what is chosen, else the first, where the line as it stands says nothing or
-// lacks what the first asks for. None where the line is carried out.
+// Of what was found, that which Enter takes: what is chosen, else the first, where the line as it stands says nothing
+// or lacks what the first asks for. None where the line is carried out.
 std::optional<std::size_t> CommandPanel::meant() const {
   if (chosen_ >= 0) return static_cast<std::size_t>(chosen_);
   const std::string line(without_blanks(typed_));

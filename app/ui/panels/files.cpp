@@ -72,8 +72,8 @@ class FileBrowser : public Panel {
   // Why this file could not be opened or saved.
   fs::path failed_;
   Text why_failed_;
-  // When a click entered this folder, and when the button went down last, in seconds: the second press of a double click on
-  // a folder is none on what is listed after the first.
+  // When a click entered this folder, and when the button went down last, in seconds: the second press of a double
+  // click on a folder is none on what is listed after the first.
   double entered_s_ = never_s, pressed_s_ = 0;
   static constexpr double never_s = -1e9;
 };
@@ -107,7 +107,8 @@ void FileBrowser::go_to(const fs::path& folder) {
   enter(folder);
 }
 
-// A click takes the name or enters the folder, a double click takes the file itself. True when a file was double clicked.
+// A click takes the name or enters the folder, a double click takes the file itself. True when a file was double
+// clicked.
 bool FileBrowser::draw_entries(PanelContext& context) {
   bool is_chosen = false;
   fs::path next;

@@ -13,7 +13,8 @@ namespace ryosen {
 
 namespace {
 
-// Asks about the mesh that is open; takes a click on the answer or a word, and shows why with the elements that prove it.
+// Asks about the mesh that is open; takes a click on the answer or a word, and shows why with the elements that prove
+// it.
 class PracticePanel : public Panel {
  public:
   void draw(PanelContext& context) override;
@@ -47,7 +48,7 @@ class PracticePanel : public Panel {
   bool is_left_ = false;  // by Escape: nothing is asked until somebody goes on
   std::array<char, 64> word_{};
   bool takes_keys_ = false;  // its field is to have the keyboard
-  float top_ = 0;  // where the panel begins below its header
+  float top_ = 0;            // where the panel begins below its header
   WholeRows rows_;
   Text doubt_;  // about what was answered last
   struct Judged {
@@ -183,7 +184,7 @@ void PracticePanel::draw_judgement(PanelContext& context) {
   Text right = says(asked_->solution.answers.front());
   const Text no{"No, the right answer is: ", "違います。正解："};
   const Text& why = asked_->solution.why;
-  const bool tells = why.en.starts_with(right.en);  // as a rule does, with its elements
+  const bool tells = why.en.starts_with(right.en);       // as a rule does, with its elements
   if (const auto& element = asked_->solution.element) {  // as a click in the view is told, too
     const std::string name = name_of(context.mesh(), *element);
     if (name != right.en) right = right + Text{" (" + name + ")", "（" + name + "）"};

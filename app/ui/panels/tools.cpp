@@ -13,8 +13,8 @@ namespace ryosen {
 
 namespace {
 
-// What a press on an operator's row does: toggles the tool, applies the operator, to the selection where it takes one, or
-// opens the command line for its arguments.
+// What a press on an operator's row does: toggles the tool, applies the operator, to the selection where it takes one,
+// or opens the command line for its arguments.
 enum class Press { takes_tool, acts, asks };
 
 Press press_of(const Selecting& selecting, const OpInfo& op) {

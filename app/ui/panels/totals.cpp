@@ -57,8 +57,8 @@ class Flow {
   bool has_begun_ = false;
 };
 
-// The law, then what the mesh has of it on its left and what its parts, handles and loops lead to expect, with a tick where
-// that is the same; where there is no G, the reason instead.
+// The law, then what the mesh has of it on its left and what its parts, handles and loops lead to expect, with a tick
+// where that is the same; where there is no G, the reason instead.
 void draw_sum(PanelContext& context, const EulerPoincare& terms) {
   const auto in = [&](const char* en, const char* ja) { return std::string(context.text(en, ja)); };
   const std::string minus = "\u2212 ";

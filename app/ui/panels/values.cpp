@@ -89,8 +89,8 @@ ImVec2 ValuesPanel::size() const {
   return {410, height};
 }
 
-// What is selected is what it is first asked for, where its row works on elements; what else fields begin with may depend
-// on the mesh.
+// What is selected is what it is first asked for, where its row works on elements; what else fields begin with may
+// depend on the mesh.
 void ValuesPanel::begin(PanelContext& context, const AlgorithmRow& row) {
   has_run_ = false;
   if (algorithm_ != row.id) height_ = 0;

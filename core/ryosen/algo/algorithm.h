@@ -55,8 +55,8 @@ struct Account {
   Stop stopped = Stop::goal;
   bool is_reached = true;                // the goal; an error that is the only goal is one
   std::optional<double> error_max = {};  // a distance in units of the mesh
-  // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked for,
-  // and where every edge is free.
+  // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked
+  // for, and where every edge is free.
   std::vector<std::size_t> remaining = {};
   // The same by edge slot of the result, or no_rule; of an algorithm that knows it (see remaining_edges.h).
   std::vector<std::uint8_t> rules = {};

@@ -12,7 +12,17 @@
 namespace ryosen {
 
 // In the order in which they are asked: an edge stands under the first that holds it.
-enum class EdgeRule : std::uint8_t { structure, seam, boundary, normal, angle, error, selection, self_intersection, free };
+enum class EdgeRule : std::uint8_t {
+  structure,
+  seam,
+  boundary,
+  normal,
+  angle,
+  error,
+  selection,
+  self_intersection,
+  free
+};
 
 // In the place of a rule: there is no such edge.
 inline constexpr std::uint8_t no_rule = 255;

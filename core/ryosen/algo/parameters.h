@@ -2,10 +2,10 @@
 // the command line, words of a script, fields of the window) reads the rows and gives texts; what is wrong with a text
 // is said here, in the same words for all.
 //
-// A length is in units of the mesh, or with `%` in hundredths of the diagonal of the mesh's bounding box: `0.5`, `0.1%`.
-// It is turned into units of the mesh when the algorithm begins, so a script does the same to the same mesh. An angle is
-// in degrees; a place is X,Y,Z; elements are names separated by commas; a flag is `on` or `off`, and on the command line
-// its name alone means on.
+// A length is in units of the mesh, or with `%` in hundredths of the diagonal of the mesh's bounding box: `0.5`,
+// `0.1%`. It is turned into units of the mesh when the algorithm begins, so a script does the same to the same mesh. An
+// angle is in degrees; a place is X,Y,Z; elements are names separated by commas; a flag is `on` or `off`, and on the
+// command line its name alone means on.
 #pragma once
 
 #include <functional>
@@ -79,7 +79,8 @@ class ParameterValues {
   // With the initial values.
   explicit ParameterValues(std::span<const ParameterRow> rows = {});
 
-  // Takes a value as it is written. A sentence where it is none of this parameter; `called` is what the sentence calls it.
+  // Takes a value as it is written. A sentence where it is none of this parameter; `called` is what the sentence calls
+  // it.
   std::optional<Text> set(std::string_view id, std::string_view text, std::string_view called);
   // Of a parameter that takes elements, whatever names these are.
   void set_names(std::string_view id, std::vector<std::string> names);

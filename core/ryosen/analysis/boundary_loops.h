@@ -25,7 +25,8 @@ struct BoundaryLoops {
 };
 
 // `boundary` holds the edges with one face on points (the set of ProblemKind::boundary_loop). A chain that ends at a
-// non-manifold edge is not a loop: then the loops are no number of holes (no_loop_count). Cost: the boundary edges, plus the fans at points with copies.
+// non-manifold edge is not a loop: then the loops are no number of holes (no_loop_count). Cost: the boundary edges,
+// plus the fans at points with copies.
 BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundary);
 
 // Why a mesh with an open chain has no number of boundary loops.

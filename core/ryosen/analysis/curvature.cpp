@@ -57,8 +57,9 @@ glm::dvec3 normal_at(const Mesh& mesh, Vertex v, double size) {
 constexpr std::size_t most_terms = 9, height = most_terms;
 using Row = std::array<double, most_terms + 1>;
 
-// Solves for the factors of the terms from `first` up to `end` in the sense of least squares, by Householder's reflections.
-// None where a term is that share of itself or less beside those before it, so that its factor would be mostly noise.
+// Solves for the factors of the terms from `first` up to `end` in the sense of least squares, by Householder's
+// reflections. None where a term is that share of itself or less beside those before it, so that its factor would be
+// mostly noise.
 std::optional<Row> least_squares(std::vector<Row> rows, std::size_t first, std::size_t end, double least_share) {
   if (rows.size() < end - first) return std::nullopt;
   Row lengths{}, factors{};
@@ -96,8 +97,8 @@ std::optional<Row> least_squares(std::vector<Row> rows, std::size_t first, std::
   return factors;
 }
 
-// Of the height p x + q y + a x x + b x y + c y y + ... at 0: the shape operator's eigenvalues, turned so that heights which
-// fall away count as bending away from the normal.
+// Of the height p x + q y + a x x + b x y + c y y + ... at 0: the shape operator's eigenvalues, turned so that heights
+// which fall away count as bending away from the normal.
 Curvature curvature_of(const Row& factors, double size) {
   const double p = factors[0], q = factors[1], a = 2 * factors[2], b = factors[3], c = 2 * factors[4];
   const double stretch = 1 + p * p + q * q, root = std::sqrt(stretch);

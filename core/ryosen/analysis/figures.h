@@ -44,8 +44,8 @@ struct Figures {
   friend bool operator==(const Figures&, const Figures&) = default;
 };
 
-// O(corners), and a logarithm beside copies, on several threads where that pays (0) or on so many; sums are formed in the
-// order of the faces whatever the number. `sets` are those of the mesh as it is.
+// O(corners), and a logarithm beside copies, on several threads where that pays (0) or on so many; sums are formed in
+// the order of the faces whatever the number. `sets` are those of the mesh as it is.
 Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<const QuarantinedFace> quarantine,
                         unsigned threads = 0);
 // Searches for itself.

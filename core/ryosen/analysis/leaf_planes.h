@@ -14,8 +14,8 @@ class LeafPlanes {
  public:
   explicit LeafPlanes(const NumberedSurface& surface) : surface_(surface) { slots_.fill(no_index); }
 
-  // Whether b lies on one side of the plane of a, so that they cannot meet; often false where it does. Quick for the few
-  // a that were asked about last.
+  // Whether b lies on one side of the plane of a, so that they cannot meet; often false where it does. Quick for the
+  // few a that were asked about last.
   bool are_clear(std::uint32_t a, std::uint32_t b) {
     std::size_t i = 0;
     while (i < slots_.size() && slots_[i] != a) ++i;

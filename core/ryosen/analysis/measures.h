@@ -14,12 +14,12 @@ double edge_length(const Mesh& mesh, Edge e);
 // To how many other points edges go.
 std::uint32_t valence(const Mesh& mesh, Vertex v);
 
-// The angle between the two faces of an edge through the body, in degrees from 0 to 360: 180 where they are flat, less at a
-// ridge, more in a groove. NaN unless exactly two faces with area share it; the lowest sheet with a face answers.
+// The angle between the two faces of an edge through the body, in degrees from 0 to 360: 180 where they are flat, less
+// at a ridge, more in a groove. NaN unless exactly two faces with area share it; the lowest sheet with a face answers.
 double dihedral_angle_deg(Neighbourhood& around, Edge e);
 
-// The angles of a face's corners, in degrees: at a corner that points inwards more than 180. NaN where a side has no length
-// or a place is not finite. O(corners).
+// The angles of a face's corners, in degrees: at a corner that points inwards more than 180. NaN where a side has no
+// length or a place is not finite. O(corners).
 struct CornerAngles {
   double smallest_deg, largest_deg;
 };
@@ -30,7 +30,8 @@ double face_area(const Mesh& mesh, Face f);
 // How far a face is from a regular one of as many corners: longest side times half the perimeter over the area, 1 for
 // regular ones and the more the flatter. NaN without area and for faces with inner rings.
 double aspect_ratio(const Mesh& mesh, Face f);
-// The largest distance of a corner from the plane through their mean along the normal; 0 for triangles, NaN without normal.
+// The largest distance of a corner from the plane through their mean along the normal; 0 for triangles, NaN without
+// normal.
 double distance_from_plane(Neighbourhood& around, Face f);
 
 }  // namespace ryosen

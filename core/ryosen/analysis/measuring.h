@@ -19,8 +19,8 @@ struct MeasuredValue {
 };
 
 // One element: length of an edge, area and perimeter of a face. Two: the shortest distance, and of edges and faces the
-// angle. Three vertices: the angle at the second, and the sides next to it. Any other number: length of all edges, and area,
-// perimeter (sides with a face of them on one side alone) of all faces, and the volume where they close.
+// angle. Three vertices: the angle at the second, and the sides next to it. Any other number: length of all edges, and
+// area, perimeter (sides with a face of them on one side alone) of all faces, and the volume where they close.
 struct Measurement {
   std::vector<MeasuredValue> values;  // empty where nothing can be measured, or a place is not finite
   std::vector<glm::dvec3> path;       // to be drawn: none, or two places and more

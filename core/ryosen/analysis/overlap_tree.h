@@ -3,9 +3,9 @@
 //
 // Axis-aligned boxes separate long, thin triangles poorly: the boxes of a fan all overlap at its tip, and so do those
 // of parallel oblique slivers. So the triangles around a point of high valence form a star, a subtree whose boxes bound
-// directions from that point; and subtrees of slivers use boxes oriented along them. Neither do they tell large triangles
-// apart that lie over each other like the walls of stacked cups: those are parted by their normals first, and then have
-// boxes that lie flat along them.
+// directions from that point; and subtrees of slivers use boxes oriented along them. Neither do they tell large
+// triangles apart that lie over each other like the walls of stacked cups: those are parted by their normals first, and
+// then have boxes that lie flat along them.
 #pragma once
 
 #include <cstdint>

@@ -37,9 +37,7 @@ bool is_misoriented_edge(Neighbourhood& around, Edge e) {
 }
 
 // Where faces join the same points, the edge that has them speaks for all.
-bool is_wire_edge(Neighbourhood& around, Edge e) {
-  return around.mesh().is_wire(e) && around.is_first_wire(e);
-}
+bool is_wire_edge(Neighbourhood& around, Edge e) { return around.mesh().is_wire(e) && around.is_first_wire(e); }
 
 bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
   if (around.is_plain(v) || around.point(v) != v) return false;

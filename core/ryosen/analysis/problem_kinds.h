@@ -45,9 +45,9 @@ inline constexpr std::size_t most_problem_kinds = 20;
 enum class ProblemSeverity : std::uint8_t { info, problem };
 
 // Exactly one of the four predicates is set, or the kind is found whole or on request. Those of mesh elements are asked
-// about live elements and look no further than the faces at their points; an edge or vertex that is several in the kernel
-// answers yes for one only: the lowest sheet with a face, the lowest copy. A duplicate is any face but the lowest, a
-// hanging pair its higher face.
+// about live elements and look no further than the faces at their points; an edge or vertex that is several in the
+// kernel answers yes for one only: the lowest sheet with a face, the lowest copy. A duplicate is any face but the
+// lowest, a hanging pair its higher face.
 struct ProblemRow {
   ProblemKind kind;
   std::string_view id;  // as in reports
@@ -62,8 +62,8 @@ struct ProblemRow {
   bool (*edge)(Neighbourhood&, Edge) = nullptr;
   bool (*face)(Neighbourhood&, Face) = nullptr;
   bool (*quarantined)(const QuarantinedFace&, std::uint32_t file_vertices) = nullptr;
-  // What `face` would say if the vertices were at these places, while they are moved and nothing is done yet; null where
-  // places make no difference.
+  // What `face` would say if the vertices were at these places, while they are moved and nothing is done yet; null
+  // where places make no difference.
   bool (*face_at)(const Mesh&, Face, std::span<const glm::dvec3> places) = nullptr;
   // The command whose search finds it, which nobody makes unasked; empty where it is always known.
   std::string_view searched_by = {};
@@ -73,8 +73,8 @@ struct ProblemRow {
   bool is_of_the_vertex = false;
   // Does not speak of vertices that a line beside the mesh uses.
   bool spares_lines = false;
-  // All elements that one of them is about, itself the first: the loop, the fans, the pair; null where it is itself alone.
-  // `members` is the set of the kind.
+  // All elements that one of them is about, itself the first: the loop, the fans, the pair; null where it is itself
+  // alone. `members` is the set of the kind.
   std::vector<Element> (*about)(Neighbourhood&, const IndexSet& members, Element) = nullptr;
   // Finds all at once where that is quicker than asking one by one, or where none can be asked alone; ascending.
   std::vector<std::uint32_t> (*find_all)(Neighbourhood&) = nullptr;
@@ -108,9 +108,9 @@ const ProblemRow& row_of(ProblemKind kind);
 // By id; null when there is none.
 const ProblemRow* find_problem_row(std::string_view id);
 
-// Adds a row at the end of the table while it lives: for programs with kinds of their own, and for tests. What was asked
-// of a mesh is made after and gone before it; no other thread reads the table when it comes and goes. The one made last
-// goes first.
+// Adds a row at the end of the table while it lives: for programs with kinds of their own, and for tests. What was
+// asked of a mesh is made after and gone before it; no other thread reads the table when it comes and goes. The one
+// made last goes first.
 class ScopedProblem {
  public:
   explicit ScopedProblem(ProblemRow row);  // its kind is the next number

@@ -27,8 +27,8 @@ class ProblemSets {
   // replaces all columns is searched anew.
   void update(const Mesh& mesh, const Journal& journal, std::size_t i);
 
-  // The findings of a kind that is searched for on request (ProblemRow::is_on_request), in place of those before. The next
-  // update drops them, because nobody searches again.
+  // The findings of a kind that is searched for on request (ProblemRow::is_on_request), in place of those before. The
+  // next update drops them, because nobody searches again.
   void put_findings(ProblemKind kind, std::span<const std::uint32_t> found);
 
   // Puts an element in or takes it out, until an update asks about it: for one that is only shown elsewhere as yet

@@ -1,4 +1,5 @@
-// What problems are about, beside the element that has them: rows of the table of problems name these (ProblemRow::about).
+// What problems are about, beside the element that has them: rows of the table of problems name these
+// (ProblemRow::about).
 #pragma once
 
 #include <vector>
@@ -9,8 +10,8 @@
 
 namespace ryosen {
 
-// The boundary loop that a boundary edge is in, in traversal order from the edge, or the edge alone where its chain ends
-// at a non-manifold edge. O(boundary edges).
+// The boundary loop that a boundary edge is in, in traversal order from the edge, or the edge alone where its chain
+// ends at a non-manifold edge. O(boundary edges).
 std::vector<Element> loop_of_edge(Neighbourhood& around, const IndexSet& boundary, Element edge);
 // The edge and the faces at its points.
 std::vector<Element> edge_with_faces(Neighbourhood& around, const IndexSet&, Element edge);

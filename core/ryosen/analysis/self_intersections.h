@@ -32,9 +32,10 @@ struct SelfIntersections {
 };
 
 // All such pairs. Of more than `most` that many are kept and the others only counted: n copies of a triangle make
-// n^2 / 2. Exact on the stored doubles. O(n log n + pairs of overlapping boxes); fans, cones and oblique slivers produce
-// few overlaps (overlap_tree.h), many faces at one edge produce all pairs. Memory: O(n) and the pairs kept. threads: 0
-// chooses automatically. The result does not depend on it nor, if complete, on the order of faces and corners.
+// n^2 / 2. Exact on the stored doubles. O(n log n + pairs of overlapping boxes); fans, cones and oblique slivers
+// produce few overlaps (overlap_tree.h), many faces at one edge produce all pairs. Memory: O(n) and the pairs kept.
+// threads: 0 chooses automatically. The result does not depend on it nor, if complete, on the order of faces and
+// corners.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = std::numeric_limits<std::size_t>::max(),
                                           unsigned threads = 0);
 
@@ -42,8 +43,8 @@ SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most = s
 std::optional<SelfIntersections> find_self_intersections(const Mesh& mesh, std::size_t most, unsigned threads,
                                                          Progress& progress);
 
-// The same while there are not too many: with more than `most` pairs it stops soon, and only says so, by none of them and a
-// count above `most`. O(n log n + boxes that overlap until then), a few 100,000 and `most` of those that meet.
+// The same while there are not too many: with more than `most` pairs it stops soon, and only says so, by none of them
+// and a count above `most`. O(n log n + boxes that overlap until then), a few 100,000 and `most` of those that meet.
 std::optional<SelfIntersections> find_few_self_intersections(const Mesh& mesh, std::size_t most, Progress& progress);
 
 // The faces that occur in the pairs, ascending, each once.

@@ -29,11 +29,11 @@ struct Shells {
 // with the same innermost shell around them) and between a shell and the innermost one around it.
 Shells find_shells(Neighbourhood& around);
 
-// The same of these components alone, each of them closed and finite: at every edge on points as many of its faces run one
-// way as the other. Faces of no component (no_index) count for nothing. The depths are known where shells meet, too: those
-// that meet, one by one or through others, are one body, and the depth of its shells is the number of bodies around it. A
-// shell without volume is not turned, and encloses nothing. `all` is by component. Where shells meet the cost has pairs of
-// triangles of any two shells with overlapping boxes.
+// The same of these components alone, each of them closed and finite: at every edge on points as many of its faces run
+// one way as the other. Faces of no component (no_index) count for nothing. The depths are known where shells meet,
+// too: those that meet, one by one or through others, are one body, and the depth of its shells is the number of bodies
+// around it. A shell without volume is not turned, and encloses nothing. `all` is by component. Where shells meet the
+// cost has pairs of triangles of any two shells with overlapping boxes.
 Shells nest_shells(const Mesh& mesh, FaceComponents components);
 
 }  // namespace ryosen

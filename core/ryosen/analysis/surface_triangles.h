@@ -23,8 +23,8 @@ struct SurfaceTriangle {
 
 // Every live face with n finite corners has n - 2 triangles of vertex numbers, plus two for each ring.
 //
-// Where all faces of the mesh are finite triangles, the slot of each is its number: its home, which is read from the mesh
-// and costs no memory. Any other triangle is stored in a slot behind the homes.
+// Where all faces of the mesh are finite triangles, the slot of each is its number: its home, which is read from the
+// mesh and costs no memory. Any other triangle is stored in a slot behind the homes.
 class SurfaceTriangles {
  public:
   explicit SurfaceTriangles(const Mesh& mesh);

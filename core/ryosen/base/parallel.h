@@ -41,8 +41,8 @@ inline std::uint32_t part_begin(std::uint32_t count, unsigned t, unsigned parts)
 // thrown by the work no further task is begun; the first one is rethrown when those under way are done.
 void run_tasks(unsigned tasks, unsigned threads, void (*call)(const void* work, unsigned i), const void* work);
 
-// Calls here() on the calling thread, and beside() at the same time on another one, or behind it where none is free. Both
-// may use threads of their own. What either throws first is thrown again when both are done.
+// Calls here() on the calling thread, and beside() at the same time on another one, or behind it where none is free.
+// Both may use threads of their own. What either throws first is thrown again when both are done.
 void run_beside(void (*here)(const void* work), const void* here_work, void (*beside)(const void* work),
                 const void* beside_work);
 

@@ -7,8 +7,8 @@
 
 namespace ryosen {
 
-// A cursor is the number of cells that a reader has seen; 0 at first. Who is behind the oldest cell that is kept, or behind
-// a call of forget(), has missed something and reads everything anew. Not for two threads at a time.
+// A cursor is the number of cells that a reader has seen; 0 at first. Who is behind the oldest cell that is kept, or
+// behind a call of forget(), has missed something and reads everything anew. Not for two threads at a time.
 template <class Cell>
 class RecentCells {
  public:

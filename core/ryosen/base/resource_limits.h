@@ -22,8 +22,8 @@ inline MemoryNeed operator+(const MemoryNeed& a, const MemoryNeed& b) {
 // Whether ulimit -v or -d limits the memory of this process, which counts what is reserved too.
 bool is_reserving_limited();
 
-// Where they do, lets the allocator reserve no more than it uses (each thread may reserve 64 MiB otherwise), and the stack
-// take what it needs. Before the first thread.
+// Where they do, lets the allocator reserve no more than it uses (each thread may reserve 64 MiB otherwise), and the
+// stack take what it needs. Before the first thread.
 void reserve_little_where_limited();
 
 // Where the system tells of control groups; another place for tests.
@@ -32,8 +32,8 @@ struct ControlGroups {
   std::string root = "/sys/fs/cgroup";
 };
 
-// The failure out_of_memory, which names `what` ("Drawing"), its need and the limit, where a limit leaves less than that;
-// none where no limit does, which is no promise. O(1); allocates little.
+// The failure out_of_memory, which names `what` ("Drawing"), its need and the limit, where a limit leaves less than
+// that; none where no limit does, which is no promise. O(1); allocates little.
 std::optional<Failure> lack_of_memory(const Text& what, const MemoryNeed& need, const ControlGroups& groups = {});
 
 // Whether the machine has so much memory and no limit leaves less: no promise either.

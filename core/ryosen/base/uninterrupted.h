@@ -5,8 +5,8 @@
 
 namespace ryosen {
 
-// While one lives, end_where_allowed() only leaves a note, and the last one to go ends the program then. Sections may nest
-// and may be on several threads. Costs two atomic additions; allocates nothing.
+// While one lives, end_where_allowed() only leaves a note, and the last one to go ends the program then. Sections may
+// nest and may be on several threads. Costs two atomic additions; allocates nothing.
 class Uninterrupted {
  public:
   // print: may be held up by a slow reader, so that a signal need not wait for it for ever.
@@ -21,9 +21,9 @@ class Uninterrupted {
   Section section_;
 };
 
-// What ends the program. It is called on any thread, also within a signal handler, while no section is under way, but one
-// that prints where `is_printing`, and none can begin; where it returns, the program goes on. Without one no signal ends
-// anything.
+// What ends the program. It is called on any thread, also within a signal handler, while no section is under way, but
+// one that prints where `is_printing`, and none can begin; where it returns, the program goes on. Without one no signal
+// ends anything.
 using End = void (*)(bool is_printing);
 void set_end(End end) noexcept;
 

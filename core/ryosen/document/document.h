@@ -62,12 +62,12 @@ class Document {
   std::optional<EachResult> apply_to_each(const OpInfo& op, std::span<const Element> elements,
                                           std::span<const std::string_view> arguments, std::string command, bool strict,
                                           Progress::Report progress = {});
-  // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes nothing.
-  // None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
+  // Runs an algorithm as one entry of the history, which this command line does again, or none where it changes
+  // nothing. None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
                                      Progress::Report progress = {}, AlgorithmWants wants = {});
-  // What that would say of its account where it began with the mesh that the last entry of the history began with, or of
-  // the document's where another is on trial. Nothing changes. None where it is cancelled or the values do not fit.
+  // What that would say of its account where it began with the mesh that the last entry of the history began with, or
+  // of the document's where another is on trial. Nothing changes. None where it is cancelled or the values do not fit.
   std::optional<AlgorithmResult> account_of(const AlgorithmRow& row, const ParameterValues& values,
                                             Progress::Report progress = {});
   // The same for a recipe, whatever its rounds: one entry of the history or none. The result comes without
@@ -85,8 +85,8 @@ class Document {
   // Script lines after which the refused operator of `line` is legal; empty if none were found.
   std::vector<std::string> remedy(const std::string& line) { return RemedySearch(touchable()).find(line); }
 
-  // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as if
-  // it had been applied. Undo, redo and what is saved stay as they are.
+  // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as
+  // if it had been applied. Undo, redo and what is saved stay as they are.
   Outcome try_out(const AnyOp& op);
   // The same with an algorithm; nothing is on trial where it changes nothing. None where it is cancelled.
   std::optional<AlgorithmResult> try_out(const AlgorithmRow& row, const ParameterValues& values,
@@ -130,8 +130,8 @@ class Document {
   void mark_unsaved();
   // The file holds what the mesh is now, though it may have been changed since (see mark_unsaved).
   void count_as_saved() { held_ = {position(), position()}; }
-  // The program itself has made all that there is so far, and can make it again: as long as there is no file nobody would
-  // miss it, also where some of it is undone.
+  // The program itself has made all that there is so far, and can make it again: as long as there is no file nobody
+  // would miss it, also where some of it is undone.
   void count_as_made() { count_as_saved(); }
   // What the mesh and its file do not have in common, in entries of the history.
   struct Unsaved {
@@ -151,7 +151,8 @@ class Document {
   // its name says none; it does not become the document's file, which stays unsaved.
   Status save(const std::filesystem::path& path, WriteOptions options = {});
 
-  // Called after every commit, undo and redo, with the transaction concerned, of journal() or of a trial. Must not throw.
+  // Called after every commit, undo and redo, with the transaction concerned, of journal() or of a trial. Must not
+  // throw.
   enum class Change { made, undone, redone, tried, trial_ended };
   using Listener = std::function<void(const Journal& journal, std::size_t transaction, Change change)>;
   void add_listener(Listener listener) { listeners_.push_back(std::move(listener)); }
@@ -181,7 +182,8 @@ class Document {
 
   // So that committed() finds room for one entry more.
   void make_room_in_history();
-  // Records that the open edit has become the last transaction, with the new quarantine if it changed. Allocates nothing.
+  // Records that the open edit has become the last transaction, with the new quarantine if it changed. Allocates
+  // nothing.
   void committed(HistoryEntry entry, OtherQuarantine other = {});
   // Swaps the quarantine with the stored one, for transactions that change it.
   void exchange_quarantine(std::size_t transaction);

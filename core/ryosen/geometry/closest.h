@@ -11,8 +11,8 @@ struct ShortestWay {
   double length;
 };
 
-// Between two of these, each given by its one, two or three corners; 0 where they meet. One without length or area counts
-// as what its corners span. Coordinates are finite. Rounded.
+// Between two of these, each given by its one, two or three corners; 0 where they meet. One without length or area
+// counts as what its corners span. Coordinates are finite. Rounded.
 ShortestWay shortest_way(std::span<const glm::dvec3> a, std::span<const glm::dvec3> b);
 
 }  // namespace ryosen

@@ -26,8 +26,8 @@ inline glm::dvec3 way_from_sides(const glm::dvec3& a, const glm::dvec3& b, const
 }  // namespace detail
 
 // p minus its nearest point in the triangle a, b, c, by the regions of [Ericson04]; exactly 0 where p is a corner. A
-// triangle without area is what its corners span. Coordinates are at most about 1e75. Rounded, but never to a point that
-// is outside of the triangle by more than the rounding of its coordinates, however thin it is.
+// triangle without area is what its corners span. Coordinates are at most about 1e75. Rounded, but never to a point
+// that is outside of the triangle by more than the rounding of its coordinates, however thin it is.
 inline glm::dvec3 way_from_triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                                     const glm::dvec3& p) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
@@ -46,7 +46,8 @@ inline glm::dvec3 way_from_triangle(const glm::dvec3& a, const glm::dvec3& b, co
   const double of_b = glm::dot(glm::cross(ap, ac), normal), of_c = glm::dot(glm::cross(ab, ap), normal);
   const double of_a = sum - of_b - of_c;
   const bool is_inside = of_a > 0 && of_b > 0 && of_c > 0;
-  // Where the sine at a is less than 1e-4 these signs may be those of rounding, and the foot is looked for again from there.
+  // Where the sine at a is less than 1e-4 these signs may be those of rounding, and the foot is looked for again from
+  // there.
   if (!(sum > 1e-8 * glm::dot(ab, ab) * glm::dot(ac, ac))) {
     const glm::dvec3 side = detail::way_from_sides(a, b, c, p);
     if (!is_inside) return side;

@@ -79,8 +79,8 @@ bool is_safe_cubed(const Difference& u) { return is_safe_cubed(u.from) && is_saf
 bool is_finite_difference(const Difference& u) { return is_finite(u.from) && is_finite(u.to); }
 
 // The determinant of three rows where rounding cannot have changed its sign, else 0. The bound is that of [Shewchuk97],
-// (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest double times a difference, each) far below
-// the bound and exclude overflow (a NaN fails all comparisons).
+// (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest double times a difference, each) far
+// below the bound and exclude overflow (a NaN fails all comparisons).
 int sure_determinant_sign(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w) {
   const double vw_x = v.y * w.z, wv_x = v.z * w.y, vw_y = v.z * w.x, wv_y = v.x * w.z, vw_z = v.x * w.y,
                wv_z = v.y * w.x;

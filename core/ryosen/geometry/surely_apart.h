@@ -11,8 +11,8 @@ namespace ryosen {
 // where the slivers are far apart.
 bool are_surely_apart(const std::array<glm::dvec3, 3>& triangle, const Box& box);
 
-// A triangle of which it is asked about many: whether its normal, or a line across one of its sides in its plane, separates
-// it from another one for certain.
+// A triangle of which it is asked about many: whether its normal, or a line across one of its sides in its plane,
+// separates it from another one for certain.
 class TriangleSlabs {
  public:
   explicit TriangleSlabs(const std::array<glm::dvec3, 3>& triangle);

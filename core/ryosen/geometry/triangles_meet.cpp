@@ -74,9 +74,9 @@ bool meet_apart(const Corners& a, const Corners& b) {
   return has_side_that_meets(a, a_sides, b) || has_side_that_meets(b, b_sides, a);
 }
 
-// Whether a plane through a corner that triangles share has each of them on a side of its own. The bound is that of a sum
-// of three products of differences with room to spare, and larger than what underflows; of what overflows it is infinite.
-// False says nothing.
+// Whether a plane through a corner that triangles share has each of them on a side of its own. The bound is that of a
+// sum of three products of differences with room to spare, and larger than what underflows; of what overflows it is
+// infinite. False says nothing.
 bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3, 2>& a,
                           const std::array<glm::dvec3, 2>& b, const glm::dvec3& normal) {
   const auto is_surely_above = [&](const glm::dvec3& p, double sign) {
@@ -86,8 +86,8 @@ bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3,
   return is_surely_above(a[0], 1) && is_surely_above(a[1], 1) && is_surely_above(b[0], -1) && is_surely_above(b[1], -1);
 }
 
-// The plane across the difference of both ways from the corner, and of spokes that lie near each other and are not equally
-// long, across that of their directions.
+// The plane across the difference of both ways from the corner, and of spokes that lie near each other and are not
+// equally long, across that of their directions.
 bool are_surely_parted_at(const glm::dvec3& corner, const std::array<glm::dvec3, 2>& a,
                           const std::array<glm::dvec3, 2>& b) {
   const glm::dvec3 to_a = (a[0] - corner) + (a[1] - corner), to_b = (b[0] - corner) + (b[1] - corner);
@@ -120,8 +120,8 @@ bool meet_beside_corner(const Corners& a, std::size_t i, const Corners& b, std::
   return meets(of_a.p, of_a.of_p, of_a.q, of_a.of_q, b) || meets(of_b.p, of_b.of_p, of_b.q, of_b.of_q, a);
 }
 
-// With a common side: only if the triangles are coplanar and folded onto each other. Along no axis are they seen on both
-// sides of it then; of flat parts that tells quickly.
+// With a common side: only if the triangles are coplanar and folded onto each other. Along no axis are they seen on
+// both sides of it then; of flat parts that tells quickly.
 bool overlap_beside_side(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& a, const glm::dvec3& b) {
   for (int axis = 0; axis < 3; ++axis)
     if (cross_component_sign(p, q, a, axis) * cross_component_sign(p, q, b, axis) < 0) return false;

@@ -11,8 +11,8 @@
 namespace ryosen {
 
 // Add all polygons of the closed surface. A polygon stands for the cone over it from the mean of its corners, or of the
-// lowest and highest one by coordinates if it has more than eight. Both lie in the plane of a planar polygon. Reversing a
-// polygon negates its share exactly, so two sheets at the same places enclose no volume.
+// lowest and highest one by coordinates if it has more than eight. Both lie in the plane of a planar polygon. Reversing
+// a polygon negates its share exactly, so two sheets at the same places enclose no volume.
 
 // In doubles, with a bound of the rounding error.
 class RoundedVolume {

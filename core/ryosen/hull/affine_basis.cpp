@@ -24,8 +24,8 @@ class ScaledPlaces {
   double half_extent_;
 };
 
-// The point with the largest value if that passes, else the first one that does; their number where none does. Values only
-// choose, is_good decides.
+// The point with the largest value if that passes, else the first one that does; their number where none does. Values
+// only choose, is_good decides.
 template <class Value, class IsGood>
 std::uint32_t best_of(std::uint32_t count, const Value& value, const IsGood& is_good) {
   std::uint32_t best = 0;

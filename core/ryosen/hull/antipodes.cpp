@@ -64,8 +64,8 @@ const std::vector<std::uint32_t>& Antipodes::all_lowest(std::uint32_t facet) {
   return reached_;
 }
 
-// While a plane turns about the edge from one of its facets to the other, the parallel plane on the other side rolls from
-// point to point, each time over an edge.
+// While a plane turns about the edge from one of its facets to the other, the parallel plane on the other side rolls
+// from point to point, each time over an edge.
 const std::vector<std::uint32_t>& Antipodes::edges_opposite(std::uint32_t side) {
   edges_.clear();
   const std::uint32_t start = lowest_[links_.facet(side)];
@@ -89,8 +89,8 @@ const std::vector<std::uint32_t>& Antipodes::edges_opposite(std::uint32_t side) 
   return edges_;
 }
 
-// The normal of planes along both edges is their cross product, or its opposite: it must point out of the hull at the one
-// edge, so not towards the facets there, and into it at the other.
+// The normal of planes along both edges is their cross product, or its opposite: it must point out of the hull at the
+// one edge, so not towards the facets there, and into it at the other.
 bool Antipodes::is_opposite(std::uint32_t side, std::uint32_t other) const {
   const Difference e = edge(side), f = edge(other);
   const auto towards = [&](std::uint32_t at, std::uint32_t apex_of) {

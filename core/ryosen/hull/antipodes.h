@@ -15,7 +15,8 @@ namespace ryosen::hull {
 class Antipodes {
  public:
   // Of a hull of dimension 3. Points and hull must outlive it. By exact signs. Cost: O(facets) where corners have few
-  // facets; a corner with k sides that is looked at for many facets costs k each time. A cancelled one is not to be used.
+  // facets; a corner with k sides that is looked at for many facets costs k each time. A cancelled one is not to be
+  // used.
   Antipodes(std::span<const glm::dvec3> points, const ConvexHull& hull, Progress& progress);
 
   const HullLinks& links() const { return links_; }
@@ -23,8 +24,8 @@ class Antipodes {
   const std::vector<std::uint32_t>& lowest() const { return lowest_; }
   // All extreme points that lie as far below the facet as that one; valid until the next call.
   const std::vector<std::uint32_t>& all_lowest(std::uint32_t facet);
-  // Sides, one of each edge that is opposite to the edge of this side, where the lowest points of its two facets differ;
-  // else none. Valid until the next call.
+  // Sides, one of each edge that is opposite to the edge of this side, where the lowest points of its two facets
+  // differ; else none. Valid until the next call.
   const std::vector<std::uint32_t>& edges_opposite(std::uint32_t side);
 
  private:

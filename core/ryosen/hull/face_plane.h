@@ -15,7 +15,8 @@ namespace ryosen::hull {
 struct FacePlane {
   glm::dvec3 normal;
   glm::dvec3 base;
-  // A height beyond this has the right sign, for every point within the reach; infinite where magnitudes forbid to say so.
+  // A height beyond this has the right sign, for every point within the reach; infinite where magnitudes forbid to say
+  // so.
   double error;
 
   // A multiple of the height of a point above the plane, rounded.

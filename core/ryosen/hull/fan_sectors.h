@@ -9,10 +9,10 @@
 
 namespace ryosen::hull {
 
-// The half-planes from the axis, which runs from a point inside the hull to a new corner outside, through the corners of
-// the horizon cut space into sectors, each with one new face. A point outside the cone of these faces sees the one in its
-// own sector, through which the ray to it from the point inside leaves the hull: so which face that is depends on the
-// points taken in alone, not on their order. Finding it takes O(log k) exact signs for k faces.
+// The half-planes from the axis, which runs from a point inside the hull to a new corner outside, through the corners
+// of the horizon cut space into sectors, each with one new face. A point outside the cone of these faces sees the one
+// in its own sector, through which the ray to it from the point inside leaves the hull: so which face that is depends
+// on the points taken in alone, not on their order. Finding it takes O(log k) exact signs for k faces.
 class FanSectors {
  public:
   using Horizon = std::span<const std::uint32_t>;  // first corners of the edges, counter-clockwise seen from outside

@@ -142,8 +142,8 @@ void Measuring::measure_facets(hull::Antipodes& antipodes) {
   }
 }
 
-// Between the normals of its facets the width is at least that between the edge and a fixed point, which is least at the
-// ends.
+// Between the normals of its facets the width is at least that between the edge and a fixed point, which is least at
+// the ends.
 bool Measuring::may_be_thinner(const hull::Antipodes& antipodes, Index side) const {
   const hull::HullLinks& links = antipodes.links();
   const Index f = links.facet(side), g = links.facet(links.twin(side));

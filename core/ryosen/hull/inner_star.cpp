@@ -121,8 +121,8 @@ class InnerStar {
   }
 
  private:
-  // How far in this direction a place is that lies within the tetrahedron of the point inside and a triangle, so within the
-  // hull; 0 where none is found. The triangles of a convex body are climbed from the last one to the steepest.
+  // How far in this direction a place is that lies within the tetrahedron of the point inside and a triangle, so within
+  // the hull; 0 where none is found. The triangles of a convex body are climbed from the last one to the steepest.
   double depth_towards(const glm::dvec3& direction, Index& triangle) const {
     double best = glm::dot(steepness_[triangle], direction);
     for (bool climbs = true; climbs;) {

@@ -5,8 +5,8 @@
 
 namespace ryosen::hull {
 
-// Of places below 1 in magnitude. What falls below the smallest doubles is lost. Cost: a few nanoseconds, where the terms
-// nearly cancel a few microseconds.
+// Of places below 1 in magnitude. What falls below the smallest doubles is lost. Cost: a few nanoseconds, where the
+// terms nearly cancel a few microseconds.
 glm::dvec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  // (b - a) x (c - a)
 // (b - a) x (c - a) . (d - a)
 double six_volumes_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);

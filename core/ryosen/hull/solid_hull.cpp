@@ -97,7 +97,8 @@ class Builder {
     for (const Index f : new_faces_) wait_for(f);
   }
 
-  // What is left, in random order: so that a point is handed on O(log n) times, which the farthest first does not promise.
+  // What is left, in random order: so that a point is handed on O(log n) times, which the farthest first does not
+  // promise.
   bool insert_by_chance() {
     face_of_.assign(points_.size(), no_index);
     std::vector<Index> left;
@@ -142,8 +143,8 @@ class Builder {
     --outside_;
   }
 
-  // The faces that p sees from `start` on, which is one of them, and the edges around them, counter-clockwise: a walk into
-  // depth that goes around each face from the edge through which it came.
+  // The faces that p sees from `start` on, which is one of them, and the edges around them, counter-clockwise: a walk
+  // into depth that goes around each face from the edge through which it came.
   void find_horizon(Index p, Index start) {
     ++round_;
     seen_.clear();

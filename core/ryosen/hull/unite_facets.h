@@ -25,8 +25,8 @@ struct FacetList {
 // neighbours. Exact. Cost: O(triangles).
 FacetList unite_facets(std::span<const glm::dvec3> points, std::span<const HullTriangle> triangles);
 
-// With each corner replaced by its entry of `numbers`, each polygon from its lowest one, in lexicographic order. Polygons
-// of one hull: no two share their first two corners. Cost: O(corners + largest number).
+// With each corner replaced by its entry of `numbers`, each polygon from its lowest one, in lexicographic order.
+// Polygons of one hull: no two share their first two corners. Cost: O(corners + largest number).
 FacetList in_order(const FacetList& facets, std::span<const std::uint32_t> numbers);
 
 }  // namespace ryosen::hull

@@ -25,8 +25,8 @@ CornerPairing pair_corners(const IndexedMesh& source);
 
 // The same pairing for any list, always with the edges sorted by smaller, then larger point.
 CornerPairing pair_with_cuts(const IndexedMesh& source);
-// The same, and how often two sides of a bucket were compared. For a regular list pair_corners() compares the sides of a
-// bucket by fours instead of sorting them.
+// The same, and how often two sides of a bucket were compared. For a regular list pair_corners() compares the sides of
+// a bucket by fours instead of sorting them.
 CornerPairing pair_counting(const IndexedMesh& source, Counted& counter);
 
 }  // namespace ryosen

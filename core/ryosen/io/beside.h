@@ -33,7 +33,8 @@ class Beside {
   std::optional<UnfinishedFile> listed_;  // while it is there
 };
 
-// Deletes what saves of this target left when they were killed: files of that pattern which no living process has locked.
+// Deletes what saves of this target left when they were killed: files of that pattern which no living process has
+// locked.
 void clear_leftovers(const std::filesystem::path& target);
 
 }  // namespace ryosen

@@ -14,8 +14,8 @@ struct ElementTotals {
   std::uint64_t lines = 0, points = 0;
 };
 ElementTotals totals_of(const MeshFile& file);
-// The vertices of the file that these lines use, and lists such as the strips of PLY, ascending: they are not isolated; a
-// vertex that only a point names may be.
+// The vertices of the file that these lines use, and lists such as the strips of PLY, ascending: they are not isolated;
+// a vertex that only a point names may be.
 std::vector<Vertex> vertices_on_lines(const MeshFile& file, std::size_t file_vertices);
 
 // `vertex_number` and `face_number` give the new number for each old one, no_index if removed; faces keep their order.

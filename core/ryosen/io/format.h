@@ -26,8 +26,8 @@ struct Format {
   std::string_view id;                       // stable, for --format and JSON
   Text name;                                 // for menus and help
   std::vector<std::string_view> extensions;  // lower case with the dot; the first is the default
-  // Gets at most sniffed_bytes, and the size of the file. The first row that is sure gets the file, else the format of its
-  // name, else the first row that may be.
+  // Gets at most sniffed_bytes, and the size of the file. The first row that is sure gets the file, else the format of
+  // its name, else the first row that may be.
   Likeness (*sniff)(std::string_view head, std::uint64_t size);
   Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
   // Serialises the file; what a file in this encoding can represent. Both null if the format is read-only.

@@ -73,8 +73,8 @@ Failure refusal_of_losses();
 // Warnings about the losses, and one about vertices that are written although they were removed from the mesh.
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
-// Takes away what uses vertices beside the faces and cannot be held by the format: lines and points, elements such as the
-// edges of PLY. What counts on the file then counts as on the one to be written. Returns the warnings about them.
+// Takes away what uses vertices beside the faces and cannot be held by the format: lines and points, elements such as
+// the edges of PLY. What counts on the file then counts as on the one to be written. Returns the warnings about them.
 std::vector<Message> give_up_lost_elements(MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
 // Why a file of this name cannot be written in this format (null if the extension is unknown): unknown or read-only

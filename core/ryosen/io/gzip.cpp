@@ -14,8 +14,8 @@
 namespace ryosen {
 namespace {
 
-constexpr int gzip_window = 15 + 16;                        // the largest window, with gzip header and checksum
-constexpr std::size_t most_at_once = std::size_t{1} << 30;  // zlib counts in 32 bits
+constexpr int gzip_window = 15 + 16;                              // the largest window, with gzip header and checksum
+constexpr std::size_t most_at_once = std::size_t{1} << 30;        // zlib counts in 32 bits
 constexpr std::size_t most_between_stops = std::size_t{1} << 22;  // of what is unpacked
 
 // Sequential decompression over all members of a gzip file.

@@ -17,8 +17,8 @@ struct FileBytes {
   std::string_view view() const { return {data.get(), size}; }
 };
 
-// Reads regular files, and pipes, the null device and a terminal inherited by the program (/dev/stdin, /dev/fd/N); other
-// pipes, devices and sockets, which may block forever, are refused without waiting. Failures have the exit code
+// Reads regular files, and pipes, the null device and a terminal inherited by the program (/dev/stdin, /dev/fd/N);
+// other pipes, devices and sockets, which may block forever, are refused without waiting. Failures have the exit code
 // input_missing and one of the codes input_missing, input_is_folder, input_not_a_file, input_unreadable.
 Result<FileBytes> read_whole_file(const std::filesystem::path& path);
 

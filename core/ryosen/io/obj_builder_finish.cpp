@@ -18,8 +18,8 @@ void drop_if_all_none(std::vector<std::uint32_t>& indices) {
     indices = std::vector<std::uint32_t>();
 }
 
-// Colours are bytes where all their numbers are, and one is above 1: of those with alpha an alpha, since one of at most 1
-// is a share. An alpha of 1 beside colours without alpha is that of such a colour.
+// Colours are bytes where all their numbers are, and one is above 1: of those with alpha an alpha, since one of at most
+// 1 is a share. An alpha of 1 beside colours without alpha is that of such a colour.
 void scale_bytes(MeshFile& file, bool some_lack_alpha) {
   std::vector<glm::dvec4>& colours = file.mesh.vertex_colours;
   const int components = file.mesh.colour_components;

@@ -5,8 +5,8 @@
 
 namespace ryosen {
 
-// Lists a file for its life. To be made and destroyed within a section (Uninterrupted) of files; `path` is to stay valid.
-// Beyond eight at a time a file is not listed.
+// Lists a file for its life. To be made and destroyed within a section (Uninterrupted) of files; `path` is to stay
+// valid. Beyond eight at a time a file is not listed.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(const char* path) noexcept;

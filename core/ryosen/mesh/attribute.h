@@ -46,8 +46,9 @@ struct CornerAttribute {
 };
 // The corner attributes that the mesh carries (texture coordinates, normals).
 std::vector<CornerAttribute> corner_attributes(const Mesh& mesh);
-// Whether the corners of two faces carry other values at an end of the edge that the faces share. One half of it in each
-// face is given; `alike` tells that the two run in the same direction. Equal values in two places of a pool are equal.
+// Whether the corners of two faces carry other values at an end of the edge that the faces share. One half of it in
+// each face is given; `alike` tells that the two run in the same direction. Equal values in two places of a pool are
+// equal.
 bool corner_values_differ(const Mesh& mesh, Halfedge a, Halfedge b, bool alike);
 
 }  // namespace ryosen

@@ -46,13 +46,14 @@ bool any_of_copies(const Mesh& mesh, Vertex v, Is is) {
 // The valence of a point is that of all its copies. What is asked here of two points costs twice the smaller of the two
 // valences, so it is cheap where only one is high.
 
-// The halfedges from any copy of a to any copy of b, with or without a face: one per edge, in the order around the copies
-// of a. Where there are several: the valence of a.
+// The halfedges from any copy of a to any copy of b, with or without a face: one per edge, in the order around the
+// copies of a. Where there are several: the valence of a.
 std::vector<Halfedge> sheets_between(const Mesh& mesh, Vertex a, Vertex b);
 // One of them, whichever is met first, or none.
 Halfedge any_sheet_between(const Mesh& mesh, Vertex a, Vertex b);
 inline bool are_joined(const Mesh& mesh, Vertex a, Vertex b) { return bool(any_sheet_between(mesh, a, b)); }
-// Of these points, of which there are some, the one of lowest valence, the first of equals. Cost: their number times that valence.
+// Of these points, of which there are some, the one of lowest valence, the first of equals. Cost: their number times
+// that valence.
 Vertex loneliest_point(const Mesh& mesh, std::span<const std::uint32_t> points);
 // Whether there is another edge between the points of h.
 bool has_several_sheets(const Mesh& mesh, Halfedge h);
@@ -79,8 +80,8 @@ void move_point(Edit& edit, Vertex v, const glm::dvec3& position);
 
 // Makes these vertices the copies of one point, in this cyclic order. No other vertex may be a copy of one of them.
 void link_copies(Edit& edit, std::span<const Vertex> copies);
-// Makes the copies of b copies of a's point, those from the successor of b on after a. They must be two points. Cost: the
-// copies of the point with the larger number.
+// Makes the copies of b copies of a's point, those from the successor of b on after a. They must be two points. Cost:
+// the copies of the point with the larger number.
 void join_copies(Edit& edit, Vertex a, Vertex b);
 // Unlinks a copy from its point: it becomes a point of its own. O(copies).
 void leave_copies(Edit& edit, Vertex v);

@@ -34,8 +34,8 @@ class Journal {
   bool can_redo() const { return position_ < transactions_.size(); }
 
   // Swap the values of the last (next) transaction with those in the mesh; the columns are then byte-equal to what they
-  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on. Where there
-  // is no memory for it nothing changes; a way that was gone needs none to be gone back, until the next commit.
+  // were. Cost: the cells the edit changed. The mesh must be the one that the transactions were recorded on. Where
+  // there is no memory for it nothing changes; a way that was gone needs none to be gone back, until the next commit.
   void undo(Mesh& mesh);
   void redo(Mesh& mesh);
   // Undoes the last transaction and forgets it, with all that can be redone. Allocates nothing.

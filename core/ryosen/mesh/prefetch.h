@@ -8,8 +8,8 @@
 
 namespace ryosen {
 
-// The line of the cache at an address. The empty statement keeps the call: g++ takes a function that does nothing else for
-// one without any effect, and where it sees that from a caller in the same file, leaves out the calls.
+// The line of the cache at an address. The empty statement keeps the call: g++ takes a function that does nothing else
+// for one without any effect, and where it sees that from a caller in the same file, leaves out the calls.
 inline void prefetch_line(const void* address) {
   __builtin_prefetch(address);
   asm volatile("");

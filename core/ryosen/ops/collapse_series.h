@@ -1,8 +1,9 @@
-// Many edges collapsed one after another: the same mesh as by one call each, at the cost of the smaller end of each edge.
+// Many edges collapsed one after another: the same mesh as by one call each, at the cost of the smaller end of each
+// edge.
 //
-// By itself a call looks at both ends and renames the halfedges of the one that goes, which is quadratic where one vertex
-// meets all others. Here the smaller of two ends takes over the slot of the larger, and the number that the vertex goes by
-// is kept beside it until the end. n edges cost n log n looks at halfedges.
+// By itself a call looks at both ends and renames the halfedges of the one that goes, which is quadratic where one
+// vertex meets all others. Here the smaller of two ends takes over the slot of the larger, and the number that the
+// vertex goes by is kept beside it until the end. n edges cost n log n looks at halfedges.
 #pragma once
 
 #include <cstdint>

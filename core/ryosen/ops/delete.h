@@ -1,8 +1,8 @@
 // Delete: removes faces, with the edges and vertices that nothing else uses.
 //
 //        o-----o-----o               o-----o
-//        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or the wire;
-//        |     |     |      =>       |     |        delete vN: the vertex with all faces and wires there
+//        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or the
+//        wire; |     |     |      =>       |     |        delete vN: the vertex with all faces and wires there
 //        o-----o-----o               o-----o
 //
 // polygon list: the faces are removed, and a wire that is named or has a named end. Vertices that thereby lose their

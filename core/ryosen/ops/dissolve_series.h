@@ -1,10 +1,10 @@
 // Many edges dissolved one after another: the same faces with the same numbers as by one call each, at the cost of what
 // is near each edge.
 //
-// By itself a call reads both faces and renumbers the higher one, which is quadratic where one face takes in all others.
-// Here the smaller of two faces takes over the slot of the larger, and the number that the face goes by is kept beside it
-// until the end; what is known of a face is kept while it grows; and two faces that touch more than once are not asked
-// about again until one of them has changed. n edges cost n log n looks at corners.
+// By itself a call reads both faces and renumbers the higher one, which is quadratic where one face takes in all
+// others. Here the smaller of two faces takes over the slot of the larger, and the number that the face goes by is kept
+// beside it until the end; what is known of a face is kept while it grows; and two faces that touch more than once are
+// not asked about again until one of them has changed. n edges cost n log n looks at corners.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,8 @@ class DissolveSeries {
   std::optional<Rule> doubt(const Dissolve& op);
   // Of a legal one.
   void apply(const Dissolve& op);
-  // Gives the faces their numbers, and returns whether one had another. Afterwards the mesh may change in other ways too.
+  // Gives the faces their numbers, and returns whether one had another. Afterwards the mesh may change in other ways
+  // too.
   bool settle();
 
   // Corners that were looked at and renumbered: what the work is measured by.

@@ -23,8 +23,8 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-// A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one as
-// their own names go.
+// A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one
+// as their own names go.
 std::string quick_name(const Mesh& mesh, const OpSeries& series, Element e) {
   if (e.kind == Element::Kind::vertex && has_copies(mesh, e.vertex())) return name_of_copy(mesh, e.vertex());
   if (e.kind == Element::Kind::vertex) return "v" + std::to_string(e.index);
@@ -44,8 +44,8 @@ std::vector<Halfedge> asked_at(const Mesh& mesh, const Element& e) {
   return mesh.is_outside(h) ? std::vector{h} : std::vector{h, twin(h)};
 }
 
-// What became of the subjects (op.h) that were asked about and are shared by several halfedges, so that many of one cost
-// no more than one.
+// What became of the subjects (op.h) that were asked about and are shared by several halfedges, so that many of one
+// cost no more than one.
 class AskedSubjects {
  public:
   bool is_done(std::span<const Halfedge> at) const {
@@ -82,7 +82,8 @@ std::vector<Halfedge> with_same_subject(const Mesh& mesh, Subject subject, Halfe
   return same;
 }
 
-// Halfedges between two vertices, on points, one after another, at the cost of one where the first is one of many copies.
+// Halfedges between two vertices, on points, one after another, at the cost of one where the first is one of many
+// copies.
 class HalfedgesBetween {
  public:
   // None where no edge joins them. Between two points that both have copies nothing may collapse, by whichever sheet.
@@ -226,8 +227,8 @@ class Calls {
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     return parse_op(mesh(), op_.along_edge, words).op;
   }
-  // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many looks as
-  // there are.
+  // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many
+  // looks as there are.
   std::string name_of_one(const Element& e) const {
     return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), *series_, e);
   }
@@ -292,8 +293,8 @@ CalledWith called_with(const Mesh& mesh, const OpInfo& op, std::span<const Eleme
 
 namespace {
 
-// What may stand for the last one after it was called with another, the first that lives: itself, the other one, or what
-// is left of their points, where both were bare copies.
+// What may stand for the last one after it was called with another, the first that lives: itself, the other one, or
+// what is left of their points, where both were bare copies.
 std::vector<Element> heirs_of(const Mesh& mesh, const Element& last, const Element& other) {
   std::vector<Element> heirs{last, other};
   for (const Element& e : {last, other})
@@ -319,9 +320,9 @@ std::vector<Element> beside(const Mesh& mesh, const Element& e, const std::set<E
   return found;
 }
 
-// First those to which edges lead from the last one, and on from there, in ascending order as far as they are reached; again
-// those that were refused, as long as anything is done. What was done is taken out. So a patch comes together without being
-// pinched: joined out of turn, its vertices would keep each other apart.
+// First those to which edges lead from the last one, and on from there, in ascending order as far as they are reached;
+// again those that were refused, as long as anything is done. What was done is taken out. So a patch comes together
+// without being pinched: joined out of turn, its vertices would keep each other apart.
 void call_along_edges(Calls& calls, std::vector<Element>& taken, Element& last, Progress& progress) {
   const Mesh& mesh = calls.mesh();
   const auto is_vertex = [](const Element& e) { return e.kind == Element::Kind::vertex; };

@@ -14,8 +14,8 @@
 //               the new points, in the order of the faces and sides. A face that is named twice counts once.
 // needs: no face that is not named on the points of one that is.
 // changes: with b edges of the border, V + b, E + 2b, F + b where each point that is replaced is on two of them. Else,
-//          on points, V + p, E + b + q, F + b, with p points replaced, q of them on the border; where more than two edges
-//          of the border meet, the faces touch themselves, and the edge up from there has as many walls.
+//          on points, V + p, E + b + q, F + b, with p points replaced, q of them on the border; where more than two
+//          edges of the border meet, the faces touch themselves, and the edge up from there has as many walls.
 // inverse: delete the walls and move the faces back; the points that were replaced, welded, are as before.
 #pragma once
 

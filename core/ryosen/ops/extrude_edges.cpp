@@ -198,7 +198,8 @@ class ExtrudedEdges {
     return copy;
   }
 
-  // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old surface.
+  // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old
+  // surface.
   std::array<std::vector<std::uint32_t>, 2> values_at(Halfedge side) {
     std::array<std::vector<std::uint32_t>, 2> values;
     for (std::size_t k = 0; k < attributes_.size(); ++k) {

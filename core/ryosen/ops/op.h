@@ -4,8 +4,8 @@
 //   static const OpInfo info;                              its row, with the parameters of its line
 //   static Op at(const Mesh&, const OpTarget&);           what a click on the target does
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
-//   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is legal
-//   OpEffect apply(Edit&) const;                           the check must be legal
+//   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is
+//   legal OpEffect apply(Edit&) const;                           the check must be legal
 // at and check also accept elements that are none, deleted or out of range, as an undo may leave them, and so does the
 // printing of its line. One that acts on a single vertex, halfedge or face gets at and warnings from a base (below).
 //
@@ -39,8 +39,8 @@ enum class OpTargetKind { none, vertex, edge, face, selection, any };
 // What an operator is for (groups.h).
 enum class OpGroup { refine, join, fill, orient, euler };
 
-// Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing but
-// V, E, F and H.
+// Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing
+// but V, E, F and H.
 enum class Topology { may_change, kept };
 
 // What a question about an edge is really about: the edge itself, all sheets from one point to the other (a bridge for
@@ -52,7 +52,8 @@ enum class Subject { edge, points, cycle };
 // their order, or one for each but the last, with the last before it.
 enum class OnSelection { none, each, all, into_last };
 
-// What an operator works on where too little of a selection is what it takes: elements that belong to the selected ones.
+// What an operator works on where too little of a selection is what it takes: elements that belong to the selected
+// ones.
 struct InPlaceOf {
   std::vector<Element> (*elements)(const Mesh& mesh, std::span<const Element> selected);
   std::string_view en, ja;  // what may be selected for that: "faces side by side"
@@ -79,8 +80,8 @@ struct OpInfo {
   std::unique_ptr<OpSeries> (*in_series)(Edit&) = nullptr;
   // Of a selection of edges: their ends go too that it has left with two edges, where unite_edge may take them out.
   bool takes_ends_along = false;
-  // Where a selection is not told by how many of its elements it was done to: what each call has made, as count_text() has
-  // it.
+  // Where a selection is not told by how many of its elements it was done to: what each call has made, as count_text()
+  // has it.
   struct Made {
     std::string_view en_one = "", en_many = "", ja = "";
   } made = {};

@@ -8,8 +8,8 @@
 
 namespace ryosen {
 
-// Says and does the same as check(), warnings() and apply() of each call in its turn. In between nothing else changes the
-// mesh, and numbers of faces and vertices may be others until settle().
+// Says and does the same as check(), warnings() and apply() of each call in its turn. In between nothing else changes
+// the mesh, and numbers of faces and vertices may be others until settle().
 class OpSeries {
  public:
   virtual ~OpSeries() = default;

@@ -18,8 +18,8 @@ std::uint32_t UniteSeries::corner_count(Face f) {
   return count;
 }
 
-// A simple loop keeps being one. On the points that are left may lie another face at both neighbours: of one corner less,
-// or of more where it meets a point twice.
+// A simple loop keeps being one. On the points that are left may lie another face at both neighbours: of one corner
+// less, or of more where it meets a point twice.
 UniteSeries::Answer UniteSeries::answer_of_face(Face f, Face beyond, Vertex a, Vertex b) {
   if (!known_.is_one_simple_loop(mesh(), f)) return Answer::unsure;
   const std::uint32_t corners = corner_count(f);

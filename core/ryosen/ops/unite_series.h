@@ -16,8 +16,8 @@ class UniteSeries {
  public:
   explicit UniteSeries(Edit& edit) : edit_(&edit) {}
 
-  // The first rule that unite_edge breaks, as its check() has it. In between nothing else changes the mesh, but for what
-  // is to be forgotten.
+  // The first rule that unite_edge breaks, as its check() has it. In between nothing else changes the mesh, but for
+  // what is to be forgotten.
   std::optional<Rule> broken_rule(Vertex v);
   // Takes out the vertex that was asked about last, which may be.
   void apply(Vertex v);

@@ -298,8 +298,8 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   if (is_known && are_two_points) {
     std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
     sheets.settle_joined(std::move(joined), known);
-  } else if (
-      !is_known) {  // else two copies of a settled point make one vertex, by which nothing is to be cut or joined
+  } else if (!is_known) {  // else two copies of a settled point make one vertex, by which nothing is to be cut or
+                           // joined
     sheets.settle(touched);
     forget(known);
   }

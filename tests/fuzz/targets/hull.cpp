@@ -31,7 +31,8 @@ double raw_double(Bytes& bytes) {
   return std::bit_cast<double>(bits);
 }
 
-// Each coordinate of its own bits, or one of a few, so that points share planes; these are of any bits or whole numbers.
+// Each coordinate of its own bits, or one of a few, so that points share planes; these are of any bits or whole
+// numbers.
 std::vector<glm::dvec3> points_of(Bytes& bytes) {
   const std::size_t count = bytes.below(10), kind = bytes.below(3);
   std::vector<double> few;

@@ -1,5 +1,5 @@
-// The convex hull of a few points by trying every plane: an oracle that shares no code with the library, for any kind of
-// exact integer.
+// The convex hull of a few points by trying every plane: an oracle that shares no code with the library, for any kind
+// of exact integer.
 #pragma once
 
 #include <algorithm>

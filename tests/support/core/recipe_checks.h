@@ -23,12 +23,13 @@ std::vector<std::string> single_repairs();
 // Two to five different ones in the order of the table.
 std::string random_recipe(std::uint64_t seed);
 
-// Runs a recipe on the mesh of a file, again on its result, and again on its result written in each of these formats and
-// read. What is broken of the rules, one line each; empty: nothing.
+// Runs a recipe on the mesh of a file, again on its result, and again on its result written in each of these formats
+// and read. What is broken of the rules, one line each; empty: nothing.
 //  - sound columns, and those that reading gives
 //  - no more findings of a kind that must_not_grow, but for duplicates by the pockets that closed
 //  - no step is refused by its guard (guard.h): the repairs themselves judge what is sound
-//  - running it again changes nothing; not asked of a format that says that it loses lines or points, which use vertices
+//  - running it again changes nothing; not asked of a format that says that it loses lines or points, which use
+//  vertices
 std::vector<std::string> broken_rules(MeshFile file, const std::string& kinds,
                                       const std::vector<std::string>& formats = {"obj", "ply", "off"});
 

@@ -5,8 +5,8 @@
 
 namespace ryosen::test {
 
-// Puts `copies` free vertices at x = number, y = distance, z = half the ratio, half a turn about z where the angle is 180,
-// lifted by how many elements were named, all of it moved by the place; the flag and the choice negate x and y.
+// Puts `copies` free vertices at x = number, y = distance, z = half the ratio, half a turn about z where the angle is
+// 180, lifted by how many elements were named, all of it moved by the place; the flag and the choice negate x and y.
 inline AlgorithmResult run_scatter(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const ParameterValues& values = input.values;
   const double turn = values.angle_rad("angle") > 3 ? -1 : 1, lift = static_cast<double>(values.elements("at").size());

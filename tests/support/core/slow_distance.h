@@ -14,8 +14,8 @@ using SlowTriangle = std::array<glm::dvec3, 3>;
 long double slow_distance(const glm::dvec3& p, const SlowTriangle& t);
 long double slow_distance(const glm::dvec3& p, const std::vector<SlowTriangle>& triangles);
 
-// Of the points of one surface from another, over the middles of k * k parts of each triangle; `reach` is how far a point
-// of a part is at most from its middle.
+// Of the points of one surface from another, over the middles of k * k parts of each triangle; `reach` is how far a
+// point of a part is at most from its middle.
 struct SlowFigures {
   double mean = 0, rms = 0, largest = 0, reach = 0;
 };

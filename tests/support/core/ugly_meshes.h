@@ -42,8 +42,8 @@ IndexedMesh sliver_fan(std::uint32_t n);
 IndexedMesh flat_chain(std::uint32_t n);
 // About n triangles: those between an apex and a line of points, and flat ones on every second three of these.
 IndexedMesh spokes_on_a_line(std::uint32_t n);
-// n triangles that share no point, in pairs: a long side of one passes the origin, a side of the other lies along it and
-// ends there.
+// n triangles that share no point, in pairs: a long side of one passes the origin, a side of the other lies along it
+// and ends there.
 IndexedMesh seams_at_a_point(std::uint32_t n);
 // About n triangles of a regular grid.
 IndexedMesh clean_grid(std::uint32_t n);

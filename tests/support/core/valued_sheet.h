@@ -15,8 +15,8 @@ namespace ryosen::test {
 
 constexpr double no_seam = std::numeric_limits<double>::infinity(), across_seam = 100;
 
-// The unit square in side times side squares, cut in two unless they are to stay, turned by a matrix. Texture and colours
-// are the places; right of the seam the texture lies 100 further.
+// The unit square in side times side squares, cut in two unless they are to stay, turned by a matrix. Texture and
+// colours are the places; right of the seam the texture lies 100 further.
 inline Mesh valued_sheet(std::uint32_t side, double seam = no_seam, const glm::dmat3& turn = glm::dmat3(1),
                          bool of_triangles = true) {
   IndexedMesh source;

@@ -1,5 +1,5 @@
-// A library to be loaded before others (LD_PRELOAD) that lets system calls fail. It concerns itself with one folder: calls
-// that name something in it, or a descriptor that was opened there. In the environment:
+// A library to be loaded before others (LD_PRELOAD) that lets system calls fail. It concerns itself with one folder:
+// calls that name something in it, or a descriptor that was opened there. In the environment:
 //   RYOSEN_FAIL_FOLDER  the folder, an absolute path
 //   RYOSEN_FAIL_AT      which of the calls fails, counted from 1; 0 for none
 //   RYOSEN_FAIL_WITH    an error number, or `short`: a write that takes half of the bytes

@@ -240,8 +240,8 @@ TEST(view, partial_redraw_equals_full_redraw) {
   EXPECT_GT(partial, 30);
 }
 
-// The picture of so many triangles that those behind nearer ones are looked for, and of the same in small rectangles, where
-// they are not.
+// The picture of so many triangles that those behind nearer ones are looked for, and of the same in small rectangles,
+// where they are not.
 TEST(view, what_nearer_triangles_hide_is_left_out_unseen) {
   for (const bool is_perspective : {false, true}) {
     const auto view = front_view(sphere_scene(260), view_size, 2.4);

@@ -34,7 +34,8 @@ std::string file_name(std::string_view argument);
 // As it begins a line of its own: with a capital in place of a small Latin letter.
 std::string capitalized(std::string text);
 
-// The line as it is shown: numbers that are values by themselves, with a point or an exponent, to six digits, and 0 for -0.
+// The line as it is shown: numbers that are values by themselves, with a point or an exponent, to six digits, and 0 for
+// -0.
 std::string with_short_numbers(std::string_view line);
 
 // The sentence with a full stop, unless it ends as a question.

@@ -28,8 +28,8 @@ class Navigation {
     bool is_double;       // the second of two within 0.4 s at about the same place, without Shift, Ctrl and Alt
   };
 
-  // A drag continues if another button is pressed; the same button restarts it. `scale`: of the display, by which a click
-  // reaches farther.
+  // A drag continues if another button is pressed; the same button restarts it. `scale`: of the display, by which a
+  // click reaches farther.
   void press(MouseButton button, glm::dvec2 pixel, Modifiers modifiers, DragAction action, double scale = 1);
   // True if it is a drag: the camera moved, or the band of the session grew.
   bool move(Session& session, glm::dvec2 pixel);
@@ -59,8 +59,8 @@ class Navigation {
   double last_click_s_ = 0;
 };
 
-// Centres the view on the point of the mesh under a pixel, which becomes the target; the eye moves parallel to the view.
-// False if there is nothing.
+// Centres the view on the point of the mesh under a pixel, which becomes the target; the eye moves parallel to the
+// view. False if there is nothing.
 bool set_centre(Session& session, glm::dvec2 pixel);
 
 }  // namespace ryosen

@@ -113,7 +113,8 @@ Outcome ViewInput::end_click(const std::optional<Navigation::Click>& ended) {
   if (!ended || !is_over_view(ended->pixel)) return {};
   if (ended->button == MouseButton::right) return open_menu(*ended);
   // With a tool two quick clicks are two edits.
-  if (!ended->is_double || !session_.selecting.tool.empty() || session_.pointing.axis_end_at(ended->pixel)) return click(*ended);
+  if (!ended->is_double || !session_.selecting.tool.empty() || session_.pointing.axis_end_at(ended->pixel))
+    return click(*ended);
   set_centre(session_, ended->pixel);
   return {};
 }

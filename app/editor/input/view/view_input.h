@@ -40,10 +40,12 @@ class ViewInput : public Input {
   // Those of a frontend with panels take more than this.
   virtual bool is_over_view(glm::dvec2) const { return true; }
   virtual Outcome click(const Navigation::Click& click);
-  // The line that selects by the band that a drag has drawn; through the surface with Alt, down at its begin or its end.
+  // The line that selects by the band that a drag has drawn; through the surface with Alt, down at its begin or its
+  // end.
   std::string line_of_band(Modifiers at_end) const;
 
-  // The left button holds a handle of the gizmo. The gesture begins when the pointer has moved farther than for a click.
+  // The left button holds a handle of the gizmo. The gesture begins when the pointer has moved farther than for a
+  // click.
   struct HeldHandle {
     const HandleRow* row;
     glm::dvec2 start;

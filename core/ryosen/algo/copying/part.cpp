@@ -94,7 +94,8 @@ void keep(IndexedMesh& list, const std::vector<bool>& points, const std::vector<
   keep_rows(list.positions, points);
   keep_rows(list.vertex_colours, points);
   keep_rows(list.vertex_weights, points);
-  for (FaceNames* names : {&list.materials, &list.groups, &list.objects, &list.smoothing}) keep_rows(names->index, faces);
+  for (FaceNames* names : {&list.materials, &list.groups, &list.objects, &list.smoothing})
+    keep_rows(names->index, faces);
   keep_rows(list.face_colours.values, faces);
   keep_rows(list.face_colours.count, faces);
   list.quarantine.clear();

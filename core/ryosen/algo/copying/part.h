@@ -26,7 +26,7 @@ std::vector<Element> all_elements(const Mesh& mesh);
 
 // Of what was added, all are new.
 struct AddedPart {
-  Vertex first;                // of the points of the list, the others follow in its order
+  Vertex first;  // of the points of the list, the others follow in its order
   ElementCounts counts;
   std::size_t left_wires = 0;  // that their ends have no gap for
 };

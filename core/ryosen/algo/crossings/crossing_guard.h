@@ -1,5 +1,5 @@
-// Keeps a surface of triangles free of self-intersections while its edges collapse and swap and its vertices move: exactly,
-// in the sense of find_self_intersections.
+// Keeps a surface of triangles free of self-intersections while its edges collapse and swap and its vertices move:
+// exactly, in the sense of find_self_intersections.
 #pragma once
 
 #include <vector>
@@ -22,8 +22,8 @@ class CrossingGuard {
   // From here on a step may make as many pairs that meet as it takes away, wherever they are.
   void count() { counts_ = true; }
 
-  // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose its
-  // area counts too. Cost: n log n of the faces around both ends and those near them.
+  // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose
+  // its area counts too. Cost: n log n of the faces around both ends and those near them.
   bool would_meet(Halfedge h, const glm::dvec3& position) const;
   // The same if v moved there.
   bool would_meet(Vertex v, const glm::dvec3& position) const;

@@ -1,7 +1,9 @@
 // The faces at a vertex of many faces, or at two of them, found by the directions in which they lie from there.
 //
-//      \ | /       Around a hub all faces have their tip at one place, and at an edge between two hubs all lie along it, like
-//     -- X --      pages on a spine. Boxes part neither. Seen from a hub a face lies between the directions of its other
+//      \ | /       Around a hub all faces have their tip at one place, and at an edge between two hubs all lie along
+//      it, like
+//     -- X --      pages on a spine. Boxes part neither. Seen from a hub a face lies between the directions of its
+//     other
 //      / | \       corners, and seen along a spine a page lies in one direction.
 //        Y
 #pragma once
@@ -35,8 +37,8 @@ class FacesAtHubs {
   // A box around all that were ever there.
   const Box& reach() const { return reach_; }
 
-  // Calls visit(face) for each that meets the triangle elsewhere than at points of the same number, and others near it; the
-  // ends have these numbers. Now and then it puts its tree in order.
+  // Calls visit(face) for each that meets the triangle elsewhere than at points of the same number, and others near it;
+  // the ends have these numbers. Now and then it puts its tree in order.
   template <class Visit>
   void find(const NumberedTriangle& triangle, std::span<const std::uint32_t> numbers, Visit&& visit) {
     if (tree_.is_worn()) tree_.rebuild(seen_);
@@ -52,8 +54,8 @@ class FacesAtHubs {
   Frustum region_of(const NumberedTriangle& triangle, std::span<const std::uint32_t> numbers) const;
 
   std::vector<glm::dvec3> places_;
-  // By slot two ends of a segment: the directions of the other corners from the one place, or, of a box, what is beside the
-  // line through both.
+  // By slot two ends of a segment: the directions of the other corners from the one place, or, of a box, what is beside
+  // the line through both.
   std::vector<glm::dvec3> seen_;
   Bvh tree_;
   std::vector<Face> faces_;  // by slot

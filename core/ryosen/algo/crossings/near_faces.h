@@ -1,7 +1,7 @@
 // Finds the faces of a changing mesh of triangles that may meet a triangle.
 //
-// By their boxes, but around a hub and at an edge between two, where the boxes of all overlap, by the directions in which
-// they lie: those that lie in no direction in which the triangle lies do not meet it elsewhere than there.
+// By their boxes, but around a hub and at an edge between two, where the boxes of all overlap, by the directions in
+// which they lie: those that lie in no direction in which the triangle lies do not meet it elsewhere than there.
 #pragma once
 
 #include <array>
@@ -23,9 +23,9 @@ class NearFaces {
   // O(n log n). Faces with places that are not finite are found by none.
   explicit NearFaces(const Mesh& mesh);
 
-  // Adds each face that meets one of these elsewhere than at points of the same number, and others near them, once. Numbers
-  // are those of points of the mesh; others stand for new ones. Cost where they are few: O(log n) for each, and what is
-  // found; and now and then what puts the trees in order, O(n log n) after n changes.
+  // Adds each face that meets one of these elsewhere than at points of the same number, and others near them, once.
+  // Numbers are those of points of the mesh; others stand for new ones. Cost where they are few: O(log n) for each, and
+  // what is found; and now and then what puts the trees in order, O(n log n) after n changes.
   void find(std::span<const NumberedTriangle> triangles, std::vector<Face>& found);
 
   // A vertex has moved, or has other faces: those around it are up to date. Cost: O(log n) for each of its faces.

@@ -62,9 +62,9 @@ Frustum cone_of(const NumberedTriangle& triangle, std::uint32_t point, const glm
   return cone;
 }
 
-// Along a spine. Lengths are shares of the way to a place, angles in radians. Pages keep a distance from the line through the
-// spine where that has left it; so a corner on the line that is clearly beyond an end does not tell where a triangle lies:
-// what it has outside of the wedge of its other corners is nearer to the line than any page is there.
+// Along a spine. Lengths are shares of the way to a place, angles in radians. Pages keep a distance from the line
+// through the spine where that has left it; so a corner on the line that is clearly beyond an end does not tell where a
+// triangle lies: what it has outside of the wedge of its other corners is nearer to the line than any page is there.
 namespace {
 
 constexpr double rounding = 1e-14;         // of what is taken away along the line, generously

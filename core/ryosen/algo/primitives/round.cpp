@@ -7,7 +7,8 @@ namespace ryosen {
 
 namespace {
 
-// The places of a circle about the Y axis in the order of `around`, counter-clockwise seen from above; the first of them.
+// The places of a circle about the Y axis in the order of `around`, counter-clockwise seen from above; the first of
+// them.
 std::uint32_t add_circle(Shape& shape, const std::vector<glm::dvec2>& around, double radius, double height) {
   std::uint32_t first = no_index;
   for (const glm::dvec2& p : around) {

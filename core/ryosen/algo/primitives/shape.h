@@ -30,8 +30,8 @@ class Shape {
   IndexedMesh list_;
 };
 
-// So many points around a circle of radius 1, counter-clockwise from (1, 0). Points that mirror each other in an axis do
-// so exactly.
+// So many points around a circle of radius 1, counter-clockwise from (1, 0). Points that mirror each other in an axis
+// do so exactly.
 std::vector<glm::dvec2> points_on_circle(std::size_t count);
 
 }  // namespace ryosen

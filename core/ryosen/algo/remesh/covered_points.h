@@ -9,12 +9,12 @@
 
 namespace ryosen::remesh {
 
-// So no thin part can be eaten step by step, and no sheet taken for another: whatever becomes of the faces, each point stays
-// near one of them that faces its way. CoveredStep (covered_step.h) judges by it.
+// So no thin part can be eaten step by step, and no sheet taken for another: whatever becomes of the faces, each point
+// stays near one of them that faces its way. CoveredStep (covered_step.h) judges by it.
 class CoveredPoints {
  public:
-  // Of a mesh of triangles the vertices that may move, and points on edges that are no features, each at most `spacing` from
-  // the next. O(n).
+  // Of a mesh of triangles the vertices that may move, and points on edges that are no features, each at most `spacing`
+  // from the next. O(n).
   CoveredPoints(const Mesh& mesh, const Features& features, double spacing);
 
   // As many faces as there are: then steps that make none, and that have no face in common, may be judged and done by
@@ -35,8 +35,8 @@ class CoveredPoints {
   void add_edge(const Mesh& mesh, const FaceNormals& area_normals, Edge e, double spacing);
   void give(std::uint32_t point, Face f);
 
-  // Of the angle between the normals of a point and of its face: past a right angle, since on a narrow rim both sides are
-  // at one to the normal.
+  // Of the angle between the normals of a point and of its face: past a right angle, since on a narrow rim both sides
+  // are at one to the normal.
   static constexpr double least_facing = -0.3;
 
   std::vector<Point> points_;

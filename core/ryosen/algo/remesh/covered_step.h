@@ -21,10 +21,10 @@ class CoveredStep {
 
   explicit CoveredStep(CoveredPoints& covered) : covered_(covered) {}
 
-  // Whether each point of the faces that go or become lies within reach of one of the step, or no farther than it lay. No
-  // more than most_faces are judged: so a step costs what it costs, and a hub stays where it is. Of those within reach one
-  // that is near enough is as good as the nearest. Within an infinite reach is each face, whichever way it faces. Many
-  // points times faces.
+  // Whether each point of the faces that go or become lies within reach of one of the step, or no farther than it lay.
+  // No more than most_faces are judged: so a step costs what it costs, and a hub stays where it is. Of those within
+  // reach one that is near enough is as good as the nearest. Within an infinite reach is each face, whichever way it
+  // faces. Many points times faces.
   bool would_stay(std::span<const Change> changes, double reach, double near_enough);
   // The same of the faces around a vertex that moves so far, one after the other, by bounds alone: false says nothing.
   void begin_move(double moved);
@@ -53,7 +53,7 @@ class CoveredStep {
   std::vector<Face> old_;
   std::vector<glm::dvec3> normals_;  // per change, by area
   bool is_any_way_ = false;
-  bool is_move_ = false;             // each face keeps its points
+  bool is_move_ = false;  // each face keeps its points
   double moved_ = 0;
 };
 

@@ -20,10 +20,10 @@ struct United {
   bool is_cancelled = false;
 };
 
-// Regions grow from the largest face that is in none yet, over edges with two faces that agree in their values (material,
-// group; texture) across them. Each becomes one face, the first of its numbers, whose loops are those of its border: the
-// one with the largest projected area is the outer one, the others its rings. Points and edges inside are removed; those
-// on the border stay. A closed surface has no border, so its last face stays out. O(n log n).
+// Regions grow from the largest face that is in none yet, over edges with two faces that agree in their values
+// (material, group; texture) across them. Each becomes one face, the first of its numbers, whose loops are those of its
+// border: the one with the largest projected area is the outer one, the others its rings. Points and edges inside are
+// removed; those on the border stay. A closed surface has no border, so its last face stays out. O(n log n).
 //
 //     o---o---o           o---o---o
 //     | / | / |           |       |

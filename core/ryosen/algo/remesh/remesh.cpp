@@ -19,8 +19,8 @@ namespace ryosen::remesh {
 
 namespace {
 
-// About how many triangles come of a length of 1, and how many edges of the longest feature; of another length its square
-// and itself less.
+// About how many triangles come of a length of 1, and how many edges of the longest feature; of another length its
+// square and itself less.
 struct ExpectedSize {
   double triangles = 0, edges = 0;
 
@@ -80,8 +80,8 @@ std::optional<Text> fault_of_length(const Mesh& mesh, const Sizing& sizing, doub
       "この長さでは三角形が多くなりすぎてメモリに収まりません。ここで収まる最小の長さは約 " + least + " です"};
 }
 
-// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths differ
-// there are few, since no step has made any.
+// Edges that are left shorter than any that is wanted go, and what grows long beside them is split; where lengths
+// differ there are few, since no step has made any.
 bool close_up(Remesher& remesher, bool is_adaptive, Progress& progress) {
   constexpr int most_turns = 2, most_removals = 8;
   const auto even_out = [&] {
@@ -136,15 +136,15 @@ std::optional<std::vector<FacePair>> crossings_of(const Mesh& mesh, std::size_t 
   return std::move(found->pairs);
 }
 
-// Boxes of the part that two faces have in common. Of a line, along it: one box of all would hold what lies far from it.
+// Boxes of the part that two faces have in common. Of a line, along it: one box of all would hold what lies far from
+// it.
 std::vector<Box> pieces_of_common_part(const Mesh& mesh, const FacePair& pair, double length) {
   constexpr double most = 256;
   const TriangleCorners a = corners_of(mesh, mesh.halfedge(pair.first)),
                         b = corners_of(mesh, mesh.halfedge(pair.second));
   const Box all = common_box(a, b);
-  const glm::dvec3 way = all.highest - all.lowest,
-                   along = glm::cross(unit_normal(mesh, mesh.halfedge(pair.first)),
-                                      unit_normal(mesh, mesh.halfedge(pair.second)));
+  const glm::dvec3 way = all.highest - all.lowest, along = glm::cross(unit_normal(mesh, mesh.halfedge(pair.first)),
+                                                                      unit_normal(mesh, mesh.halfedge(pair.second)));
   const double pieces = std::clamp(std::ceil(glm::length(way) / length), 1.0, most);
   if (!(glm::dot(along, along) > 0) || !(pieces > 1)) return {all};
   const auto at = [&](double share) {
@@ -169,9 +169,8 @@ MetPlaces places_of(const Mesh& mesh, std::span<const FacePair> pairs, double re
   std::vector<MetPlaces::Place> places;
   for (const FacePair& pair : pairs)
     for (const Box& common : pieces_of_common_part(mesh, pair, reach))
-      places.push_back({{common.lowest - reach, common.highest + reach},
-                        parts[pair.first.index],
-                        parts[pair.second.index]});
+      places.push_back(
+          {{common.lowest - reach, common.highest + reach}, parts[pair.first.index], parts[pair.second.index]});
   return MetPlaces(std::move(parts), places);
 }
 

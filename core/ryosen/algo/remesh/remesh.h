@@ -30,9 +30,9 @@ struct Remeshed {
 };
 
 // Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. Of a surface without
-// self-intersections comes one without: where faces meet in the end, it begins again and watches these places, and at last
-// all of them. Of one in which faces meet comes one in which none meet elsewhere, unless more than 100,000 pairs do, or two
-// million then: those are let be. A length for which there is no room is a fault. O(rounds times n log n).
+// self-intersections comes one without: where faces meet in the end, it begins again and watches these places, and at
+// last all of them. Of one in which faces meet comes one in which none meet elsewhere, unless more than 100,000 pairs
+// do, or two million then: those are let be. A length for which there is no room is a fault. O(rounds times n log n).
 Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress);
 
 struct Swapped {
@@ -44,9 +44,9 @@ struct Swapped {
   std::optional<Text> fault = {};
 };
 
-// Swaps edges whose opposite angles are together above 180 degrees and whose faces bend by at most `most_turn_rad`, as long
-// as the cotangents of the angles of both triangles together become less, which comes to an end [Bobenko07]. Features
-// (features.h, with that angle) stay.
+// Swaps edges whose opposite angles are together above 180 degrees and whose faces bend by at most `most_turn_rad`, as
+// long as the cotangents of the angles of both triangles together become less, which comes to an end [Bobenko07].
+// Features (features.h, with that angle) stay.
 Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress);
 
 }  // namespace ryosen::remesh

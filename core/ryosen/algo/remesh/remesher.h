@@ -17,9 +17,9 @@
 namespace ryosen::remesh {
 
 // Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
-// target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of the
-// length of the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in a fixed
-// order, so the result does not depend on threads; false: cancelled.
+// target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of
+// the length of the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in
+// a fixed order, so the result does not depend on threads; false: cancelled.
 class Remesher {
  public:
   // The features, to which it adds its own, and the target are of the mesh as it is; they and the keeper outlive it.
@@ -27,27 +27,28 @@ class Remesher {
 
   // Splits edges longer than 4/3 of what is wanted, the longest first, until there is none.
   bool split_long(Progress& progress);
-  // Collapses edges shorter than 4/5 of it, the shortest first, where the kernel allows it, no longer edge than 4/3 comes
-  // of it and no face turns by 60 degrees: into the middle or else an end, or into the end that stays.
+  // Collapses edges shorter than 4/5 of it, the shortest first, where the kernel allows it, no longer edge than 4/3
+  // comes of it and no face turns by 60 degrees: into the middle or else an end, or into the end that stays.
   bool collapse_short(Progress& progress);
-  // After the rounds: from here on no step makes an edge of under 4/5 of the shortest length there is, and edges of up to
-  // twice that length may come of a collapse, so that few short ones are left. Before, an eighth of the longest length
-  // takes its place, so that rounds go on as [Botsch04] has them.
+  // After the rounds: from here on no step makes an edge of under 4/5 of the shortest length there is, and edges of up
+  // to twice that length may come of a collapse, so that few short ones are left. Before, an eighth of the longest
+  // length takes its place, so that rounds go on as [Botsch04] has them.
   void begin_closing();
-  // Removes edges that are left shorter than 4/5 of the shortest length there is, by collapses, swaps and moves, also of
-  // points that were put on features. Exempt are pieces of features of the input, and edges between two of its feature
-  // points, which may not move. Where nothing else helps, points of the surface as it was come to lie anywhere. Edges stay
-  // too where each remedy is refused by the kernel, makes faces meet or lose their area, or makes a still shorter edge.
+  // Removes edges that are left shorter than 4/5 of the shortest length there is, by collapses, swaps and moves, also
+  // of points that were put on features. Exempt are pieces of features of the input, and edges between two of its
+  // feature points, which may not move. Where nothing else helps, points of the surface as it was come to lie anywhere.
+  // Edges stay too where each remedy is refused by the kernel, makes faces meet or lose their area, or makes a still
+  // shorter edge.
   bool remove_shortest(Progress& progress);
   // Swaps edges where that brings valences nearer to 6, and 4 at boundaries, and no face turns by 60 degrees.
   bool swap_for_valence(Progress& progress);
   // Swaps edges between triangles of which one is a sliver, where neither of the two that come of it is as narrow.
   bool swap_slivers(Progress& progress);
-  // Moves points within the plane across their normal to the mean of the triangles around, by their areas, and back to the
-  // surface; not where a face would turn by 60 degrees or become a sliver.
+  // Moves points within the plane across their normal to the mean of the triangles around, by their areas, and back to
+  // the surface; not where a face would turn by 60 degrees or become a sliver.
   bool relax(Progress& progress);
-  // Gives each point that is no feature the values (colours, texture) of the surface as it was, there where it has come to
-  // lie; feature edges were only divided, so theirs are right. `before`: the mesh of the target.
+  // Gives each point that is no feature the values (colours, texture) of the surface as it was, there where it has come
+  // to lie; feature edges were only divided, so theirs are right. `before`: the mesh of the target.
   void take_values(const Mesh& before);
 
   // How many of these there are.
@@ -63,8 +64,8 @@ class Remesher {
   static constexpr double share_of_reach = 0.25;
   static constexpr std::size_t between_reports = 256;
   struct SwappedTriangles;
-  // How far a step may go: the cosine of the turn of a face, the length of edges that come of a collapse, and the sine of
-  // the smallest angle below which no wider triangle becomes narrower, by a collapse and by a move.
+  // How far a step may go: the cosine of the turn of a face, the length of edges that come of a collapse, and the sine
+  // of the smallest angle below which no wider triangle becomes narrower, by a collapse and by a move.
   struct Guard {
     double turn_cosine = cosine_of_turn, longest = 0, sine = needle_sine, move_sine = sliver_sine;
     double reach = 1;                                         // of the keeper
@@ -92,8 +93,8 @@ class Remesher {
   // Whether both are points of features of the input, which stay: how far apart they are is given.
   bool stay(Vertex a, Vertex b) const { return stays(a) && stays(b); }
   bool stays(Vertex v) const { return is_fixed(v) && v.index < first_made_; }
-  // No step makes an edge that short which nothing could remove at last: points with copies cannot leave an edge where many
-  // sheets meet.
+  // No step makes an edge that short which nothing could remove at last: points with copies cannot leave an edge where
+  // many sheets meet.
   double least_at_last() const;
   bool is_pinned(Vertex v) const;
   bool is_lasting(double made, Vertex a, Vertex b) const;
@@ -137,10 +138,10 @@ class Remesher {
   const Target& target_;
   SurfaceKeeper& keeper_;
   SurfaceKeeper::MoveJudge judge_;
-  double least_;      // no step makes a shorter edge of a longer one, but pieces of features
+  double least_;  // no step makes a shorter edge of a longer one, but pieces of features
   Guard guard_ = {};
   std::uint32_t first_made_;  // vertices before it are of the input
-  double most_ = 0;   // edges of this length may come of a collapse, and longer ones only where longer ones are wanted
+  double most_ = 0;  // edges of this length may come of a collapse, and longer ones only where longer ones are wanted
   std::vector<double> wanted_;         // per vertex
   std::vector<std::uint32_t> nearby_;  // per vertex, a triangle of the target; no_index where none is known
 };

@@ -1,5 +1,5 @@
-// Relaxation: first it is looked where each point would come to lie, then they move, those of one part of the surface beside
-// those of others.
+// Relaxation: first it is looked where each point would come to lie, then they move, those of one part of the surface
+// beside those of others.
 #include <cmath>
 
 #include "ryosen/algo/remesh/remesher.h"

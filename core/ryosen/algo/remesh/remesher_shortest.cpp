@@ -15,8 +15,8 @@ constexpr double clearly = 1 + 1e-6;
 
 }  // namespace
 
-// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps, and points
-// of the surface as it was are left only at last.
+// Begins with what changes least; slivers, longer edges and larger turns are made only where nothing else helps, and
+// points of the surface as it was are left only at last.
 bool Remesher::remove_shortest(Progress& progress) {
   constexpr double any_turn = -2, least = needle_sine, any = std::numeric_limits<double>::infinity();
   for (const Guard& guard :

@@ -23,9 +23,9 @@ std::vector<std::uint32_t> charts_of(const Mesh& mesh, const Features& features)
 
 }  // namespace
 
-// Where on the surface as it was each vertex lies that is no feature. What features enclose stays enclosed, and a face that
-// stays keeps its number: so it is known to what chart of the surface each chart of the mesh belongs, and a point near a
-// seam does not take values of its other side.
+// Where on the surface as it was each vertex lies that is no feature. What features enclose stays enclosed, and a face
+// that stays keeps its number: so it is known to what chart of the surface each chart of the mesh belongs, and a point
+// near a seam does not take values of its other side.
 std::vector<std::optional<Target::Share>> Remesher::shares(const Mesh& before) const {
   const std::vector<std::uint32_t> old_charts = charts_of(before, begun_with_), charts = charts_of(mesh_, features_);
   std::vector<std::uint32_t> old_of(mesh_.face_slots(), no_index);

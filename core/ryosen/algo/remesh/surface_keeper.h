@@ -10,8 +10,8 @@
 
 namespace ryosen::remesh {
 
-// A step is asked about, and if it is allowed and done, told. None may leave a point of the surface as it was farther away
-// than a reach (covered_points.h); and in the places that are watched none may make faces meet (crossing_guard.h).
+// A step is asked about, and if it is allowed and done, told. None may leave a point of the surface as it was farther
+// away than a reach (covered_points.h); and in the places that are watched none may make faces meet (crossing_guard.h).
 class SurfaceKeeper {
  public:
   // Keeps a mesh of triangles near these points of it. Nothing is watched where `watched` is empty. At the places of
@@ -46,8 +46,8 @@ class SurfaceKeeper {
   };
   bool may_move_beside();
 
-  // From here on points of the surface may lie so many times as far from it as is told. Where that is infinite they may lie
-  // anywhere, but no step makes more faces meet than it parts.
+  // From here on points of the surface may lie so many times as far from it as is told. Where that is infinite they may
+  // lie anywhere, but no step makes more faces meet than it parts.
   void widen(double reach);
 
   // How many steps were refused since faces would have met.

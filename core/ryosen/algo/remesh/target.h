@@ -22,9 +22,9 @@ class Target {
     double length;
     std::uint32_t triangle;  // a number that is a good hint for places near this one
   };
-  // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. Of a place
-  // right over the hint or a triangle few steps from it, and near, that in this. None where there is no such place, and for
-  // a place that is not finite.
+  // The nearest place where the surface faces a direction: so what lies on one sheet does not come to another. Of a
+  // place right over the hint or a triangle few steps from it, and near, that in this. None where there is no such
+  // place, and for a place that is not finite.
   std::optional<Nearest> nearest(const glm::dvec3& place, const glm::dvec3& direction,
                                  std::uint32_t hint = no_index) const;
   // A face of the mesh, and the shares of its corners from its halfedge on.

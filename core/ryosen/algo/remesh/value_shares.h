@@ -15,8 +15,8 @@ class ShareWriter {
  public:
   ShareWriter(Edit& edit, const Mesh& before) : edit_(edit), before_(before), attributes_(corner_attributes(before)) {}
 
-  // The vertex, and all its corners alike, get the values there: linear within the face, but those that are no numbers are
-  // of the corner with the largest share. A corner without a value makes it none.
+  // The vertex, and all its corners alike, get the values there: linear within the face, but those that are no numbers
+  // are of the corner with the largest share. A corner without a value makes it none.
   void write(Vertex v, const Target::Share& share);
 
  private:

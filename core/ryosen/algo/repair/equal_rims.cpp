@@ -153,7 +153,8 @@ HolePatch patch_like(const HolePatch& other, const EqualRim& equal, const HoleLo
   for (std::size_t k = 0; k < 3; ++k) there[k] = equal.corner_of(here[k], n);
   const auto from = frame_of(RimPlaces(other.places).first(n), there, false);
   const auto to = frame_of(hole.places, here, equal.is_mirrored);
-  for (std::uint32_t v = n; v < other.places.size(); ++v) patch.places.push_back(to->place(from->local(other.places[v])));
+  for (std::uint32_t v = n; v < other.places.size(); ++v)
+    patch.places.push_back(to->place(from->local(other.places[v])));
   const auto renumbered = [&](const CornerTriangle& t) {
     if (t[0] == no_index) return t;
     const CornerTriangle moved{number[t[0]], number[t[1]], number[t[2]]};

@@ -51,8 +51,8 @@ struct Hole {
 std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
                              const std::vector<std::uint32_t>& points, Progress& progress);
 
-// Gives holes that were tried in vain, and each of whose sides lies on a further open side of a face, that cause: welding
-// is for them. A pass over the halfedges and a sort, if there is such a hole.
+// Gives holes that were tried in vain, and each of whose sides lies on a further open side of a face, that cause:
+// welding is for them. A pass over the halfedges and a sort, if there is such a hole.
 void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes);
 
 // By vertex the number of its point. O(vertices).

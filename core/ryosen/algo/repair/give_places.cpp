@@ -46,8 +46,8 @@ std::optional<glm::dvec3> middle_of_neighbours(const Mesh& m, Vertex of) {
   return n > 0 ? std::optional(middle) : std::nullopt;
 }
 
-// From the rim inwards: each round goes by the places before it, so that the order makes no difference. Returns the points
-// that got a place.
+// From the rim inwards: each round goes by the places before it, so that the order makes no difference. Returns the
+// points that got a place.
 std::vector<Vertex> place_inwards(Edit& edit, std::vector<Vertex> asked) {
   const Mesh& m = edit.mesh();
   std::vector<Vertex> placed;

@@ -13,9 +13,9 @@ struct JoinedPoints {
   glm::dvec3 place;
 };
 
-// The result is what reading the merged list of polygons gives. No face may visit two points of a class, and every class
-// is manifold afterwards (PointMerger); points that end wires stay alone. Cost: O(k log k) for k corners at the points
-// and their copies, however many meet at one of them, beside a pass over the vertices.
+// The result is what reading the merged list of polygons gives. No face may visit two points of a class, and every
+// class is manifold afterwards (PointMerger); points that end wires stay alone. Cost: O(k log k) for k corners at the
+// points and their copies, however many meet at one of them, beside a pass over the vertices.
 void join_points(Edit& edit, const std::vector<JoinedPoints>& classes);
 
 }  // namespace ryosen

@@ -17,7 +17,8 @@ namespace ryosen {
 namespace {
 
 // A hash grid for radius queries. Cells are slightly wider than twice the radius, so per axis a neighbour is in the
-// same cell or in the adjacent one on the nearer side. Cells of one hash share a list; what is far is told by its place.
+// same cell or in the adjacent one on the nearer side. Cells of one hash share a list; what is far is told by its
+// place.
 class PointGrid {
  public:
   PointGrid(const Mesh& mesh, double distance)

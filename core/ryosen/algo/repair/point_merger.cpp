@@ -10,7 +10,8 @@ namespace ryosen {
 
 namespace {
 
-// Numbers whose sums tell sets of points apart: two sets agree with a chance of 2^-64, which would leave a seam too many.
+// Numbers whose sums tell sets of points apart: two sets agree with a chance of 2^-64, which would leave a seam too
+// many.
 std::uint64_t number_of(Vertex point) {
   std::uint64_t x = (point.index + 1) * 0x9e3779b97f4a7c15u;
   x = (x ^ x >> 30u) * 0xbf58476d1ce4e5b9u;

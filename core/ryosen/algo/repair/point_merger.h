@@ -16,11 +16,11 @@ std::vector<Vertex> points_by_slot(const Mesh& mesh);
 
 // Classes of points that are to be one. A merge is refused where a face would visit a point twice, an edge would get a
 // third face or a second in the same direction, or two faces would be on the same set of points, but for two that are
-// told to be a pocket. All this stays so whatever is merged afterwards, so that a refused merge need not be tried again.
-// Whether the faces at a class form one fan is the caller's affair. The mesh must outlive it and not change.
+// told to be a pocket. All this stays so whatever is merged afterwards, so that a refused merge need not be tried
+// again. Whether the faces at a class form one fan is the caller's affair. The mesh must outlive it and not change.
 //
-// Cost: O(k log n) for k merges with n sides of faces at the points, however many meet at one of them: the smaller of two
-// classes is renamed.
+// Cost: O(k log n) for k merges with n sides of faces at the points, however many meet at one of them: the smaller of
+// two classes is renamed.
 class PointMerger {
  public:
   // `points`: those that may be merged; manifold or isolated ones. `point_of` is points_by_slot().
@@ -70,7 +70,7 @@ class PointMerger {
   std::unordered_map<Face, Key> shape_of_;         // a sum over the face's points
   std::unordered_map<Key, std::uint32_t> shapes_;  // how many faces have it
   std::unordered_map<Face, Face> beyond_pocket_;
-  std::unordered_set<Key> visits_;                 // a face and the root of a class at it
+  std::unordered_set<Key> visits_;  // a face and the root of a class at it
   std::vector<Undo> undo_;
 };
 

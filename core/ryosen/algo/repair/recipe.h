@@ -37,8 +37,8 @@ struct KindCount {
   std::size_t before = 0, after = 0;  // findings as reports count them: of boundary edges their loops
 };
 
-// What is found of every kind unasked, put into `at` of its entry; makes the entries where there are none. `has_quarantine`:
-// the quarantined faces have not been dropped. O(n log n).
+// What is found of every kind unasked, put into `at` of its entry; makes the entries where there are none.
+// `has_quarantine`: the quarantined faces have not been dropped. O(n log n).
 void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine, std::size_t KindCount::*at,
                  std::vector<KindCount>& findings);
 
@@ -53,13 +53,13 @@ struct RecipeResult {
   std::size_t boundary_edges_before = 0, boundary_edges_after = 0;
 };
 
-// Runs the steps in their order, again and again until a round changes nothing. A round takes shares of the diagonal from
-// the mesh with which it begins. It is undone, and ends the recipe, unless it comes nearer to what the steps are for
-// (RecipeGoal): it lowers the number of problems of their kinds; or keeps it and lowers the number of boundary edges where
-// boundary loops are among these; or keeps both and lowers the number of faces that look inwards where `orient` is a step.
-// So every recipe ends, and repeating it on its result changes nothing. Each step runs guarded (guard.h). None if it was
-// cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh per round; a recipe has few rounds, at
-// most one per finding.
+// Runs the steps in their order, again and again until a round changes nothing. A round takes shares of the diagonal
+// from the mesh with which it begins. It is undone, and ends the recipe, unless it comes nearer to what the steps are
+// for (RecipeGoal): it lowers the number of problems of their kinds; or keeps it and lowers the number of boundary
+// edges where boundary loops are among these; or keeps both and lowers the number of faces that look inwards where
+// `orient` is a step. So every recipe ends, and repeating it on its result changes nothing. Each step runs guarded
+// (guard.h). None if it was cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh per
+// round; a recipe has few rounds, at most one per finding.
 std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
                                        const RecipeEvents& events = {});
 

@@ -16,10 +16,10 @@ struct FoundInMesh {
   std::size_t quarantined;  // faces
 };
 
-// First the number of problems of the kinds in the steps' `solves`, but for those of pockets (pockets.h), which no repair
-// takes away; then that of boundary edges where boundary loops are
-// among them (edges, since welding may make two loops of one: a strip closed to a band); then, where `orient` is a step,
-// that of faces that look inwards (count_turned_wrong).
+// First the number of problems of the kinds in the steps' `solves`, but for those of pockets (pockets.h), which no
+// repair takes away; then that of boundary edges where boundary loops are among them (edges, since welding may make two
+// loops of one: a strip closed to a band); then, where `orient` is a step, that of faces that look inwards
+// (count_turned_wrong).
 class RecipeGoal {
  public:
   explicit RecipeGoal(std::span<const RecipeStep> steps);

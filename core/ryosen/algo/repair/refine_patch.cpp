@@ -162,7 +162,8 @@ class PatchRefiner {
     relax_all();
   }
 
-  // Moves each new vertex along the patch to the middle of its neighbours, but for those whose triangles this would turn.
+  // Moves each new vertex along the patch to the middle of its neighbours, but for those whose triangles this would
+  // turn.
   void move_to_middles() {
     const std::size_t n = patch_.places.size();
     std::vector<glm::dvec3> sum(n, glm::dvec3(0.0)), normal(n, glm::dvec3(0.0)), moved = patch_.places;

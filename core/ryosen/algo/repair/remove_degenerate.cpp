@@ -99,7 +99,8 @@ bool is_loose(const Mesh& m, Face f) {
          std::all_of(around.begin(), around.end(), [&](Halfedge h) { return m.is_outside(twin(h)); });
 }
 
-// Whether the face can go without a hole: its sides without a neighbour are one run, and no other corner is on a boundary.
+// Whether the face can go without a hole: its sides without a neighbour are one run, and no other corner is on a
+// boundary.
 bool is_at_border(const Mesh& m, Face f) {
   if (m.has_rings(f)) return false;
   std::size_t runs = 0, open = 0;

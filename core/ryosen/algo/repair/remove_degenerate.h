@@ -5,8 +5,8 @@
 
 namespace ryosen {
 
-// Removes faces with exactly collinear corners, by the first of these that is sound, and the surface stays as it was but
-// for the last two:
+// Removes faces with exactly collinear corners, by the first of these that is sound, and the surface stays as it was
+// but for the last two:
 //  1. a side without length collapses;
 //  2. a triangle gives its middle corner to the face across its long side, by a swap or by uniting the two;
 //  3. a face at the border is deleted where this neither opens a boundary loop nor takes the surface apart;

@@ -1,4 +1,5 @@
-// The rows of the repairs: algorithms that take whole kinds of problems away at once. Each has a pair of files of its own.
+// The rows of the repairs: algorithms that take whole kinds of problems away at once. Each has a pair of files of its
+// own.
 #pragma once
 
 #include <string_view>

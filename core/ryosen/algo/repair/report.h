@@ -31,7 +31,8 @@ RepairReport report_of(const RepairCall& call, const AlgorithmResult& result, co
                        const RecipeInput& input);
 // Of a list; `after` is the repaired mesh. Kinds that no step is for are among what is left. O(n log n).
 RepairReport report_of(const RepairCall& call, const RecipeResult& result, const Mesh& after, const RecipeInput& input);
-// Tries it on a mesh that is thrown away; the values are in their ranges on it. None: cancelled. Cost: that of the repairs.
+// Tries it on a mesh that is thrown away; the values are in their ranges on it. None: cancelled. Cost: that of the
+// repairs.
 std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const RecipeInput& input,
                                        const Progress::Report& progress);
 
@@ -41,8 +42,8 @@ std::optional<RepairReport> try_repair(Mesh mesh, const RepairCall& call, const 
 Text told(const RepairReport& report, const Mesh& mesh, std::size_t most = std::string::npos);
 // Without what becomes of the findings: "One face was deleted. 5 problems are left. 2 elements stay as they are."
 Text in_short(const RepairReport& report);
-// The same where its text is one sentence, up to how it was done: "One hole was filled. One problem is left." Where nothing
-// changes, for one reason, that: "No change: every patch has a face without area." Else in_numbers().
+// The same where its text is one sentence, up to how it was done: "One hole was filled. One problem is left." Where
+// nothing changes, for one reason, that: "No change: every patch has a face without area." Else in_numbers().
 Text in_one_clause(const RepairReport& report);
 // Only how much: "3 changes. 5 problems are left. 2 elements stay as they are."
 Text in_numbers(const RepairReport& report);

@@ -22,7 +22,8 @@ class RimPlane {
   static std::optional<RimPlane> of(std::span<const glm::dvec3> rim, double largest,
                                     std::optional<bool> holds_floats = {});
 
-  // The place in the plane nearest to p, a float where the rim has floats; a coordinate that all corners share is exact.
+  // The place in the plane nearest to p, a float where the rim has floats; a coordinate that all corners share is
+  // exact.
   glm::dvec3 nearest(const glm::dvec3& p) const;
 
   // The distance of p from the plane.

@@ -21,8 +21,8 @@ struct Rims {
   std::vector<bool> is_like;  // whether other rims equal it
 };
 
-// `shape` is one of auto, flat, fair. `holds_floats` says whether the file has coordinates of type float (AlgorithmInput);
-// where nothing is known the numbers are judged.
+// `shape` is one of auto, flat, fair. `holds_floats` says whether the file has coordinates of type float
+// (AlgorithmInput); where nothing is known the numbers are judged.
 Rims read_rims(const Mesh& mesh, std::span<const Hole> holes, std::string_view shape, std::optional<bool> holds_floats);
 
 }  // namespace ryosen

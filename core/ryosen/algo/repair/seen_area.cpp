@@ -18,7 +18,8 @@ namespace ryosen {
 
 namespace {
 
-// A ray begins that far from its triangle, in units of about the largest coordinate: more than the rounding of its centre.
+// A ray begins that far from its triangle, in units of about the largest coordinate: more than the rounding of its
+// centre.
 constexpr double first_step = 1e-10;
 // Boxes are that much larger: more than the rounding of a ray, but such that it begins outside the boxes of faces that
 // lie in one plane with its own, across an axis.

@@ -221,7 +221,8 @@ class Search {
   std::vector<Halfedge> sides_;
   std::vector<Vertex> points_;  // at their ends, at different places
   Bvh tree_;                    // of these
-  // By number of a point: the other ends of the lone sides there, by direction; sides that near, along such ones or not.
+  // By number of a point: the other ends of the lone sides there, by direction; sides that near, along such ones or
+  // not.
   std::vector<std::vector<std::pair<double, Vertex>>> ends_;
   std::vector<std::uint32_t> along_, others_;
   std::vector<Found> found_;

@@ -167,7 +167,8 @@ class Welding {
     return classes;
   }
 
-  // The classes of several points at one place. Isolated ones join the lowest other. Returns how many points stay apart.
+  // The classes of several points at one place. Isolated ones join the lowest other. Returns how many points stay
+  // apart.
   std::size_t add_classes(Vertex first, const std::vector<Vertex>& others, std::vector<JoinedPoints>& classes) const {
     std::map<Vertex, std::vector<Vertex>> by_root;
     for (Vertex p : others)

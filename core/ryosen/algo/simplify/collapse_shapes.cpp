@@ -21,8 +21,7 @@ namespace {
 // Whether the angle between the two has more than this cosine, which is above 0.
 bool looks_along(const glm::dvec3& normal, const glm::dvec3& direction, double cosine) {
   const double product = glm::dot(normal, direction);
-  return product > 0 &&
-         product * product > cosine * cosine * glm::dot(normal, normal) * glm::dot(direction, direction);
+  return product > 0 && product * product > cosine * cosine * glm::dot(normal, normal) * glm::dot(direction, direction);
 }
 
 // Squares of twice an area, scaled: of sides shorter than about a millionth.
@@ -30,8 +29,8 @@ constexpr double small_square = 1e-24;
 
 }  // namespace
 
-// The normal of a triangle of that height over the opposite side turns by an angle whose sine is at most the move by the
-// height.
+// The normal of a triangle of that height over the opposite side turns by an angle whose sine is at most the move by
+// the height.
 double CollapseSurface::safe_move(Vertex v) const {
   constexpr double share = 0.9;  // what is left of an area is not small, and rounding does not matter
   const double sine = std::sqrt(std::max(0.0, 1 - turn_cosine_ * turn_cosine_));
@@ -114,9 +113,10 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, Minds minds
   const glm::dvec3& place = placing.place;
   const Vertex a = mesh_.from(h), b = mesh_.to(h);
   const glm::vec3 together = states_[a.index].normal + states_[b.index].normal;
-  // A face between points of one line, as those of a boundary, is thin where the surface lies, or stands in a wall above it:
-  // it is to look clearly along what its corners stand for, not only not against it. So is one with two such points, from
-  // which such a face may come. Between points that are locked this is a rule: nothing after it could mend such a face.
+  // A face between points of one line, as those of a boundary, is thin where the surface lies, or stands in a wall
+  // above it: it is to look clearly along what its corners stand for, not only not against it. So is one with two such
+  // points, from which such a face may come. Between points that are locked this is a rule: nothing after it could mend
+  // such a face.
   const unsigned line_flags = minds == Minds::input ? 0xff : fixed | on_locked_boundary;
   const auto is_on_line = [&](Vertex v) {
     return (minds != Minds::nothing && mesh_.is_boundary(v)) || (states_[v.index].flags & line_flags) != 0;
@@ -142,7 +142,8 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, Minds minds
     if (minds == Minds::input && !(glm::dot(after, now) > 0) && glm::dot(before, then) > 0) return true;
     return on_line >= 2 && looks_along(before, then, clear_cosine);
   };
-  return any_changed_corner(h, place, turns, [&](Vertex v) { return minds == Minds::input ? nullptr : facts_of_hub(v); });
+  return any_changed_corner(h, place, turns,
+                            [&](Vertex v) { return minds == Minds::input ? nullptr : facts_of_hub(v); });
 }
 
 namespace {
@@ -184,8 +185,8 @@ bool CollapseSurface::swap_spoils_face(Halfedge h) const {
 }
 
 bool CollapseSurface::may_look_against_input(Face f) const {
-  // Of the normals that a vertex stands for, the length of their sum is this share of the sum of their lengths or less where
-  // it is folded; and what looks clearly along a normal has at least this cosine, a narrow face more.
+  // Of the normals that a vertex stands for, the length of their sum is this share of the sum of their lengths or less
+  // where it is folded; and what looks clearly along a normal has at least this cosine, a narrow face more.
   constexpr double folded = 0.6, narrow = 0.1;
   const Halfedge h = mesh_.halfedge(f);
   const std::array<const State*, 3> corners{&states_[mesh_.from(h).index], &states_[mesh_.to(h).index],

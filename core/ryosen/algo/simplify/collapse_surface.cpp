@@ -24,10 +24,10 @@ constexpr double length_share = 1e-9;
 // Of the weight: less than this of squares is that of a place where all planes meet, but for rounding.
 constexpr double flat_share = 1e-13;
 
-// What decides the order. The mean square times the root of the weight lies between the sum of squares, by which horns and
-// legs of small faces go before a dent in a wide flank, and the mean, by which every small part is kept at the cost of all
-// others. Over nine meshes the root mean square distance stays the same at 50 and 10 percent of the faces and is a twelfth
-// less at 1.
+// What decides the order. The mean square times the root of the weight lies between the sum of squares, by which horns
+// and legs of small faces go before a dent in a wide flank, and the mean, by which every small part is kept at the cost
+// of all others. Over nine meshes the root mean square distance stays the same at 50 and 10 percent of the faces and is
+// a twelfth less at 1.
 double cost_of(double squares, double weight, const glm::dvec3& along) {
   return weight > 0 ? (squares + length_share * weight * glm::dot(along, along)) / std::sqrt(weight) : 0;
 }
@@ -199,8 +199,9 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   return {place, squares, cost_of(squares, sum.weight, along)};
 }
 
-// Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their corners
-// to the bit. Elsewhere what keeps a place near the edge has moved it by a share of its way, which is taken back.
+// Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their
+// corners to the bit. Elsewhere what keeps a place near the edge has moved it by a share of its way, which is taken
+// back.
 Placing CollapseSurface::lowest_on_flat(const Freedom& freedom, const Quadric& sum, const glm::dvec3& place) const {
   for (const Vertex end : {mesh_.from(freedom.halfedge), mesh_.to(freedom.halfedge)})
     if (sum.is_lowest(states_[end.index].place)) return at_place(freedom, states_[end.index].place, end);

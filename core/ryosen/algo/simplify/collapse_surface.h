@@ -1,4 +1,5 @@
-// The surface while it is simplified: its places, what each vertex has come to stand for, and what may become of an edge.
+// The surface while it is simplified: its places, what each vertex has come to stand for, and what may become of an
+// edge.
 #pragma once
 
 #include <array>
@@ -71,15 +72,15 @@ class CollapseSurface {
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
-  // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last, small
-  // turns do not add up to a large one.
+  // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last,
+  // small turns do not add up to a large one.
   enum class Minds {
     input,   // the faces that its corners stand for; at boundaries and seams clearly
     lines,   // the same, of faces with two corners or more on a boundary alone
     nothing  // the same, of faces with two locked corners or more alone
   };
-  // Whether a face would turn too far or lose its area, or look against what it minds. Judged to the bit of what is written
-  // where a face is so small that scaling may lose its shape.
+  // Whether a face would turn too far or lose its area, or look against what it minds. Judged to the bit of what is
+  // written where a face is so small that scaling may lose its shape.
   bool turns_face(Halfedge h, const Placing& placing, Minds minds = Minds::nothing) const;
   // That of a placing, in units of the mesh; to the bit that of an end where it is one.
   glm::dvec3 position_of(const Placing& placing) const {
@@ -87,8 +88,8 @@ class CollapseSurface {
   }
   // Whether a triangle does not clearly look the way of all that its corners stand for, or that is itself folded.
   bool may_look_against_input(Face f) const;
-  // A vertex alone, moved: its error, scaled, and whether a face around it would lose its area, get too small an angle or
-  // turn too far; but for one that is to turn.
+  // A vertex alone, moved: its error, scaled, and whether a face around it would lose its area, get too small an angle
+  // or turn too far; but for one that is to turn.
   double error_of_move(Vertex v, const glm::dvec3& position) const;
   bool move_spoils_face(Vertex v, const glm::dvec3& position, Face mended) const;
   // Whether one would get too small an angle.
@@ -119,8 +120,8 @@ class CollapseSurface {
   History history(Halfedge h) const { return history(mesh_.from(h), mesh_.to(h)); }
   History history(Vertex a, Vertex b) const { return {a, b, states_[a.index].merges, states_[b.index].merges}; }
 
-  // While one lives nothing changes, and what is learnt of a hub is kept: how far it may move without turning a face, and
-  // which faces turn. So edges of a hub are asked one after the other without walking around it for each.
+  // While one lives nothing changes, and what is learnt of a hub is kept: how far it may move without turning a face,
+  // and which faces turn. So edges of a hub are asked one after the other without walking around it for each.
   class Standstill {
    public:
     explicit Standstill(const CollapseSurface& surface) : surface_(surface) { surface_.is_still_ = true; }
@@ -181,8 +182,8 @@ class CollapseSurface {
     std::uint32_t turns = 0;
   };
   HubFacts* facts_of_hub(Vertex v) const;
-  // Calls look(face corner) for what changes its shape until it returns true. Of a vertex of many edges facts_of(vertex) is
-  // asked for what may tell it sooner.
+  // Calls look(face corner) for what changes its shape until it returns true. Of a vertex of many edges
+  // facts_of(vertex) is asked for what may tell it sooner.
   template <class Look, class FactsOf>
   bool any_changed_corner(Halfedge h, const glm::dvec3& place, Look look, FactsOf facts_of) const;
   // How far a vertex may move, scaled, such that no face around it turns too far; 0 where it takes more to tell.

@@ -17,12 +17,13 @@ namespace ryosen {
 
 class InputSides {
  public:
-  // Of the triangles with an area at some vertices of a mesh of triangles, which must stay as it is. Cost: n log n in those.
+  // Of the triangles with an area at some vertices of a mesh of triangles, which must stay as it is. Cost: n log n in
+  // those.
   InputSides(const Mesh& input, const std::vector<std::uint8_t>& is_asked_about);
 
-  // Whether of these the one nearest to the middle of a triangle looks 90 degrees or more away from it; where several are
-  // as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n),
-  // and what looks() says.
+  // Whether of these the one nearest to the middle of a triangle looks 90 degrees or more away from it; where several
+  // are as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n), and what looks()
+  // says.
   bool is_turned(const std::array<glm::dvec3, 3>& triangle) const;
   // What that has cost so far: so many triangles were near the nearest place. As many slivers lie around a hub.
   std::size_t looks() const { return looks_; }

@@ -1,5 +1,5 @@
-// The areas of faces of many corners while edges collapse: kept, since summing them anew for each of their edges would cost
-// the square of their corners.
+// The areas of faces of many corners while edges collapse: kept, since summing them anew for each of their edges would
+// cost the square of their corners.
 #include <algorithm>
 #include <glm/geometric.hpp>
 

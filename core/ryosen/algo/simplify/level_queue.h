@@ -1,5 +1,5 @@
-// Numbers in the order of a cost, as far as it matters: costs between two powers of two share a few levels, and within a
-// level the first to come is the first to go. Adding and taking cost O(1).
+// Numbers in the order of a cost, as far as it matters: costs between two powers of two share a few levels, and within
+// a level the first to come is the first to go. Adding and taking cost O(1).
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ class LevelQueue {
   // Puts it on its level, or on the one that is being taken from where that is already past.
   void add(std::uint32_t number, Level level) { levels_[std::max(level, current_)].push_back(number); }
 
-  // Goes to the next number; false where there is none, and everything added from then on is taken from the lowest level
-  // again.
+  // Goes to the next number; false where there is none, and everything added from then on is taken from the lowest
+  // level again.
   bool next() {
     ++place_;
     while (place_ >= levels_[current_].size()) {

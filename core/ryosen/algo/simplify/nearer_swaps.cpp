@@ -50,9 +50,9 @@ double area_of(std::span<const glm::dvec3> places, const Primitive& t) {
   return glm::length(glm::cross(places[t.vertices[1]] - a, places[t.vertices[2]] - a)) / 2;
 }
 
-// How far both surfaces lie from each other about each edge, and what a swap would make of it. An integral over a face of
-// the surface before is taken from its corners and its middle, one over a face of now from the middles of its sides; both
-// are exact for polynomials of degree two.
+// How far both surfaces lie from each other about each edge, and what a swap would make of it. An integral over a face
+// of the surface before is taken from its corners and its middle, one over a face of now from the middles of its sides;
+// both are exact for polynomials of degree two.
 class NearerSwaps {
  public:
   NearerSwaps(Edit& edit, const CollapseSurface& surface, const SurfaceBefore& before)

@@ -26,10 +26,10 @@ struct SurfaceBefore {
 SurfaceBefore surface_before(const CollapseSurface& surface);
 
 // Swaps edges between triangles where the squared distance between both surfaces, summed over the area of each, becomes
-// less by it, in the order of the edges, until there is none or for a few rounds. What holds collapses holds swaps: no face
-// turns too far or gets too small an angle, and creases, seams, copies and what is to stay are left alone. How many edges
-// were swapped, and fewer where it was cancelled; the same for any number of threads. Cost: O(n log n), mostly for the
-// nearest face of each sample.
+// less by it, in the order of the edges, until there is none or for a few rounds. What holds collapses holds swaps: no
+// face turns too far or gets too small an angle, and creases, seams, copies and what is to stay are left alone. How
+// many edges were swapped, and fewer where it was cancelled; the same for any number of threads. Cost: O(n log n),
+// mostly for the nearest face of each sample.
 std::size_t swap_nearer(Edit& edit, const CollapseSurface& surface, const SurfaceBefore& before, Progress& progress);
 
 }  // namespace ryosen

@@ -1,13 +1,13 @@
-// The collapse of an edge between triangles, for batch work: what collapse_edge.h does where nothing but triangles, each
-// vertex with one fan at most, is around the edge and no corner carries values.
+// The collapse of an edge between triangles, for batch work: what collapse_edge.h does where nothing but triangles,
+// each vertex with one fan at most, is around the edge and no corner carries values.
 #pragma once
 
 #include "ryosen/mesh/edit.h"
 
 namespace ryosen {
 
-// from(h) goes, to(h) stays where it is. quick_collapse(mesh, h) must have said legal. `drop(stays, goes)` is told of each
-// edge that goes for another one between the same points. Cost: the valence of the one that goes.
+// from(h) goes, to(h) stays where it is. quick_collapse(mesh, h) must have said legal. `drop(stays, goes)` is told of
+// each edge that goes for another one between the same points. Cost: the valence of the one that goes.
 template <class Drop>
 void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   const Mesh& m = edit.mesh();

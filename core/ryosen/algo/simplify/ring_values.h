@@ -24,8 +24,8 @@ class RingValues {
 
   // Gives a vertex the values between vertices; columns that are no doubles stay.
   void write_vertex(Edit& edit, Vertex to) const;
-  // Before the edge collapses: gives the corners at both ends that lie in the chart of either side what lies at the place in
-  // this chart, so that the collapse finds them equal and keeps it.
+  // Before the edge collapses: gives the corners at both ends that lie in the chart of either side what lies at the
+  // place in this chart, so that the collapse finds them equal and keeps it.
   void write_corners(Edit& edit, Halfedge h) const;
 
  private:

@@ -99,7 +99,8 @@ bool Simplifier::collapse_all(Progress& progress) {
   return !progress.is_cancelled();
 }
 
-// Whether there is more to try where nothing collapses any more; as long as lines are minded, once more while something did.
+// Whether there is more to try where nothing collapses any more; as long as lines are minded, once more while something
+// did.
 bool Simplifier::minds_less(bool has_collapsed) {
   using Minds = CollapseSurface::Minds;
   if (minds_ == Minds::nothing) return has_collapsed;

@@ -1,9 +1,9 @@
 // Simplification by collapses of edges, the one of least error first [Garland97].
 //
-// An edge waits on a level of its cost, which nearly is a lower bound: what its ends stand for only grows. It is asked anew
-// when its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something around it
-// changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at once
-// (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
+// An edge waits on a level of its cost, which nearly is a lower bound: what its ends stand for only grows. It is asked
+// anew when its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something
+// around it changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at
+// once (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
 #pragma once
 
 #include <array>
@@ -28,22 +28,22 @@ namespace ryosen {
 
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
-  // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end where
-  // this brings the surface nearer to the input.
+  // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end
+  // where this brings the surface nearer to the input.
   unsigned effort = 1;
   // No faces may come to meet: of a mesh of triangles, none of which do.
   bool no_self_intersections = false;
-  // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without one,
-  // than the largest error that was made until then; and where nothing else can collapse, all that are so small.
+  // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without
+  // one, than the largest error that was made until then; and where nothing else can collapse, all that are so small.
   bool removes_small_parts = false;
 };
 
 class Simplifier {
  public:
-  // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is final,
-  // so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look against it
-  // are mended when the goal is reached, where there are but triangles without values at their corners, neither a journal
-  // nor anything to keep apart, and the effort is more than 0. All must outlive it.
+  // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is
+  // final, so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look
+  // against it are mended when the goal is reached, where there are but triangles without values at their corners,
+  // neither a journal nor anything to keep apart, and the effort is more than 0. All must outlive it.
   Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
              const Mesh* input = nullptr);
 
@@ -111,7 +111,8 @@ class Simplifier {
   std::vector<glm::dvec3> ways_of(Vertex v, Face f) const;
   bool move_mends(Vertex v, Face f, bool may_pass_on);
   Vertex collapse_mends(Halfedge side);
-  // How many faces around a vertex look against the input when it is at a position; counted up to what is enough to know.
+  // How many faces around a vertex look against the input when it is at a position; counted up to what is enough to
+  // know.
   std::size_t turned_around(Vertex v, const glm::dvec3& position,
                             std::size_t enough = std::numeric_limits<std::size_t>::max()) const;
   bool turns_fewer(Halfedge h, const Placing& placing) const;

@@ -45,8 +45,8 @@ void Simplifier::ask(Edge e) {
     batch_.push_back({e, freedom, lowest, surface_.history(freedom.halfedge)});
 }
 
-// Asks from memory what the collapses of a batch will walk along: around both ends of each, several walks together. Around a
-// hub nothing walks for each of its edges, so that this does not either.
+// Asks from memory what the collapses of a batch will walk along: around both ends of each, several walks together.
+// Around a hub nothing walks for each of its edges, so that this does not either.
 void Simplifier::warm_rings() {
   constexpr std::size_t together = 16, most_steps = 64;
   std::array<Walk, together> walks;

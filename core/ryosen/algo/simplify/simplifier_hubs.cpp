@@ -8,8 +8,8 @@ namespace ryosen {
 
 bool Simplifier::is_hub(Vertex v) const { return ryosen::is_hub(mesh_, v); }
 
-// What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come. Of
-// a hub only those to what has changed; find_further() asks the others in the end.
+// What edges around a vertex and around its neighbours ask has changed: their levels are in the past or still to come.
+// Of a hub only those to what has changed; find_further() asks the others in the end.
 void Simplifier::unblock_around(Vertex v, const std::array<Vertex, 2>& apexes) {
   const auto unblock = [&](Edge e) {
     if (!is_blocked_[e.index]) return;

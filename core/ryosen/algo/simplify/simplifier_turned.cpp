@@ -1,7 +1,7 @@
 // How a simplifier mends faces that have come to look against the input (input_sides.h): few do, and where they do
-// small changes nearby are enough. None of these breaks a limit that holds for collapses, but that the face mended may turn
-// back as far as it likes. Where the input alternates from face to face nearly all do; so this ends where it has looked at
-// the input too often, and leaves hubs as they are.
+// small changes nearby are enough. None of these breaks a limit that holds for collapses, but that the face mended may
+// turn back as far as it likes. Where the input alternates from face to face nearly all do; so this ends where it has
+// looked at the input too often, and leaves hubs as they are.
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>

@@ -19,8 +19,8 @@ namespace ryosen {
 
 namespace {
 
-// Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are wanted
-// and the error decides.
+// Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are
+// wanted and the error decides.
 std::size_t faces_wanted(const ParameterValues& values, std::size_t faces) {
   constexpr double rounding = 1e-6;  // 0.29 of 100 is 29
   std::size_t wanted = values.has("faces") || values.has("ratio") ? faces : 0;

@@ -13,10 +13,10 @@ namespace ryosen {
 // numbers. Cost: O(n) and a constant number of questions per collapse.
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress);
 
-// What simplify() does with these values, as levels of detail: from the mesh, triangulated where that is asked for, to the
-// goal, or as far as it goes. The level with as many faces has the bytes of what simplify() makes of that goal, but for
-// faces that look against the input, which levels leave as they are. Null with a clause where it cannot be done, without
-// one where it was cancelled.
+// What simplify() does with these values, as levels of detail: from the mesh, triangulated where that is asked for, to
+// the goal, or as far as it goes. The level with as many faces has the bytes of what simplify() makes of that goal, but
+// for faces that look against the input, which levels leave as they are. Null with a clause where it cannot be done,
+// without one where it was cancelled.
 struct BuiltLevels {
   std::unique_ptr<DetailLevels> levels;
   std::optional<Text> refused = {};

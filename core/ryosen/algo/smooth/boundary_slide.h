@@ -1,7 +1,10 @@
-// Points that slide along the curve that a boundary was: each towards the middle of its neighbours, by the way on the curve.
+// Points that slide along the curve that a boundary was: each towards the middle of its neighbours, by the way on the
+// curve.
 //
-//      held --- p --------- q --- held          the curve is the chain of edges between points that are held, or a whole
-//           t=0   ->   <-                        loop; where a point is on it is told by the length t from its beginning
+//      held --- p --------- q --- held          the curve is the chain of edges between points that are held, or a
+//      whole
+//           t=0   ->   <-                        loop; where a point is on it is told by the length t from its
+//           beginning
 #pragma once
 
 #include <cstdint>

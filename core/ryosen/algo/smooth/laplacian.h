@@ -1,7 +1,8 @@
 // The weights of the Laplacian of a mesh: how much each neighbour of a point counts.
 //
 //          j             uniform: 1 for each neighbour
-//         /|\            cotangent: (cot a + cot b) / 2, but not below 0 [Desbrun99]; a polygon counts by its triangles,
+//         /|\            cotangent: (cot a + cot b) / 2, but not below 0 [Desbrun99]; a polygon counts by its
+//         triangles,
 //        a | b           so that the ends of a diagonal are neighbours too
 //         \|/
 //          i
@@ -23,8 +24,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 enum class WeightKind { uniform, cotangent };
 
-// The triangles of all faces with finite corners, as points (copies.h). The scale (unit_scale.h) is applied before polygons
-// are cut, so that the size of the mesh does not matter.
+// The triangles of all faces with finite corners, as points (copies.h). The scale (unit_scale.h) is applied before
+// polygons are cut, so that the size of the mesh does not matter.
 std::vector<Triangle> triangles_of(const Mesh& mesh, double scale);
 // Those of one face, by corners of the polygon, which holds its places in the mesh.
 void cut_scaled(const Mesh& mesh, double scale, FacePolygon& polygon, std::vector<CornerTriangle>& out);

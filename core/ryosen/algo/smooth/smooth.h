@@ -2,7 +2,8 @@
 //
 //   laplace    p + s (mean - p)                                       s: the strength, at most 1
 //   implicit   the p' with p' - s (mean' - p') = p [Desbrun99]        any strength; see implicit_step.h
-//   taubin     laplace with s, then with 1 / (k - 1 / s), which is negative [Taubin95]: what varies slowly (below the pass
+//   taubin     laplace with s, then with 1 / (k - 1 / s), which is negative [Taubin95]: what varies slowly (below the
+//   pass
 //              band k) neither shrinks nor grows
 //
 // Weights: laplacian.h; those of the cotangents are formed again before each step. A share of less than 1 lowers the
@@ -18,8 +19,8 @@
 namespace ryosen::smooth {
 
 enum class Method { laplace, implicit, taubin };
-// locked: its points stay. sliding: they move along the curve that the boundary was, towards the middle of their neighbours
-// on it; where it bends by more than 45 degrees they stay. free: they move as all others.
+// locked: its points stay. sliding: they move along the curve that the boundary was, towards the middle of their
+// neighbours on it; where it bends by more than 45 degrees they stay. free: they move as all others.
 enum class BoundaryRule { locked, sliding, free };
 
 struct Options {
@@ -38,7 +39,8 @@ struct Smoothed {
   bool is_cancelled = false;
 };
 
-// `shares`: per vertex slot, of the points from 0 to 1. Cost: the steps times n, implicit ones times what the solver takes.
+// `shares`: per vertex slot, of the points from 0 to 1. Cost: the steps times n, implicit ones times what the solver
+// takes.
 Smoothed smoothed(const Mesh& mesh, const Options& options, std::vector<double> shares, Progress& progress);
 
 }  // namespace ryosen::smooth

@@ -167,8 +167,8 @@ void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& 
   }
 }
 
-// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, and gives the columns
-// of vertices and faces to the others.
+// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, and gives the
+// columns of vertices and faces to the others.
 template <class Corners, class Vertices, class Faces>
 void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, MeshColumns& out, const Corners& corners,
                    const Vertices& vertices, const Faces& faces) {

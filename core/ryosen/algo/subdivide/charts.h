@@ -1,7 +1,7 @@
 // Values as places: what a mask does to places it does to values, so that these stay on the surface where they are.
 //
-// Of vertices (colours) on the mesh itself; of corners (texture coordinates, normals) on a mesh of their charts, which is
-// torn where values differ. There a chart has a boundary, and so its outline runs by the mask of boundaries.
+// Of vertices (colours) on the mesh itself; of corners (texture coordinates, normals) on a mesh of their charts, which
+// is torn where values differ. There a chart has a boundary, and so its outline runs by the mask of boundaries.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace ryosen::subdivide {
 
-// The smallest and largest values in the faces around each vertex: masks stay between them but for rounding, and where they
-// are equal to the bit.
+// The smallest and largest values in the faces around each vertex: masks stay between them but for rounding, and where
+// they are equal to the bit.
 class ValueBounds {
  public:
   explicit ValueBounds(const Mesh& mesh);
@@ -39,8 +39,8 @@ class Charts {
   // The halfedge at the same corner; none where the face is not there.
   Halfedge of(Halfedge h) const { return of_[h.index]; }
 
-  // What masks(mesh, creases) makes of values; vertices come first. A chart that is torn up to a vertex has one value there:
-  // it goes by the mask of the whole mesh, with the means of what its neighbours have.
+  // What masks(mesh, creases) makes of values; vertices come first. A chart that is torn up to a vertex has one value
+  // there: it goes by the mask of the whole mesh, with the means of what its neighbours have.
   template <class Masks>
   Places values(const Masks& masks) const {
     Places values = masks(charts_, own_creases_);

@@ -1,8 +1,9 @@
 // What a subdivision keeps sharp: creases and corners of one level, and the rules at them.
 //
 //    smooth: no sharp edge, or one that ends here (a dart)        sharpness s of an edge [DeRose98]: it is sharp for s
-//    crease: two sharp edges, along which a curve runs            steps and smooth from then on; infinite on a boundary.
-//    corner: three or more, or named; never moves                 Where s falls below 1, both rules are blended.
+//    crease: two sharp edges, along which a curve runs            steps and smooth from then on; infinite on a
+//    boundary. corner: three or more, or named; never moves                 Where s falls below 1, both rules are
+//    blended.
 #pragma once
 
 #include <array>
@@ -38,11 +39,11 @@ struct RuleAt {
   bool is_dart() const { return rule == VertexRule::smooth && along[0]; }
 };
 
-// The rule at a vertex when `steps` more steps have been taken from the sharpness. Cost: the valence, O(1) at a boundary
-// where nothing else is sharp.
+// The rule at a vertex when `steps` more steps have been taken from the sharpness. Cost: the valence, O(1) at a
+// boundary where nothing else is sharp.
 RuleAt rule_at(const Mesh& mesh, const Creases& creases, Vertex v, float steps = 0);
-// How much the rule of now weighs where it differs from that of the next step: the mean sharpness of the edges that become
-// smooth in this one.
+// How much the rule of now weighs where it differs from that of the next step: the mean sharpness of the edges that
+// become smooth in this one.
 double weight_of_rule(const Mesh& mesh, const Creases& creases, Vertex v);
 
 // Where a vertex comes to with this step: by the mask of smooth vertices, that of creases (1 6 1)/8, or nowhere.

@@ -101,8 +101,8 @@ glm::dvec3 mean_normal(const Around& around, const Sector& sector) {
   return unit(sum);
 }
 
-// A step of a scheme around a dart whose sharp edge comes first. The vertex is at 0, then come the ends of the edges, then what
-// lies across the quads.
+// A step of a scheme around a dart whose sharp edge comes first. The vertex is at 0, then come the ends of the edges,
+// then what lies across the quads.
 class DartStep {
  public:
   DartStep(std::size_t valence, Scheme scheme) : n_(valence), has_quads_(scheme == Scheme::catmull_clark) {}

@@ -1,8 +1,9 @@
-// The links of one step of the sqrt(3) scheme [Kobbelt00]: a vertex in each triangle, joined to its corners, then old edges
-// are swapped.
+// The links of one step of the sqrt(3) scheme [Kobbelt00]: a vertex in each triangle, joined to its corners, then old
+// edges are swapped.
 //
 //        o                 o
-//       / \               /|\             An edge that is kept (a boundary, a crease) is not swapped; by every second step
+//       / \               /|\             An edge that is kept (a boundary, a crease) is not swapped; by every second
+//       step
 //      / c \      =>     c-+-c            it is cut in three, x and y, and its triangle gets no centre:
 //     o-----o             \|/
 //                          o              p           p
@@ -11,8 +12,8 @@
 //    centres of its two faces           a=====b    a==x=y==b
 //
 // Triangles only, edges all alive, no rings; where creases are cut at most one edge of a triangle is kept. Old vertices
-// keep their numbers; then come the centres in the order of the faces, then x and y of the cut edges. Each halfedge with a
-// face has a triangle of its own; that of a face's first halfedge keeps its number.
+// keep their numbers; then come the centres in the order of the faces, then x and y of the cut edges. Each halfedge
+// with a face has a triangle of its own; that of a face's first halfedge keeps its number.
 #pragma once
 
 #include <cstdint>

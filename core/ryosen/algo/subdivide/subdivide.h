@@ -1,10 +1,10 @@
 // Subdivision surfaces: finer meshes that tend to a smooth surface.
 //
-// Schemes and their masks: masks.h; creases and corners: creases.h. Boundaries are creases. Non-manifold and misoriented
-// edges are too, and points with copies or several fans, and ends of wires, are corners: copies stay together. Steps add
-// exactly: into_four V + E vertices, 2 E + 3 F edges, 4 F faces; into quads V + E + F, 2 E + C, C with C corners; sqrt(3)
-// V + F, E + 3 F, 3 F, and at each kept edge that is cut two vertices and edges more, but one vertex and edge less for each
-// face at it.
+// Schemes and their masks: masks.h; creases and corners: creases.h. Boundaries are creases. Non-manifold and
+// misoriented edges are too, and points with copies or several fans, and ends of wires, are corners: copies stay
+// together. Steps add exactly: into_four V + E vertices, 2 E + 3 F edges, 4 F faces; into quads V + E + F, 2 E + C, C
+// with C corners; sqrt(3) V + F, E + 3 F, 3 F, and at each kept edge that is cut two vertices and edges more, but one
+// vertex and edge less for each face at it.
 #pragma once
 
 #include <optional>
@@ -39,9 +39,9 @@ struct Subdivided {
   std::optional<Text> fault = {};  // why there is no result: a clause
 };
 
-// Elements keep their numbers, new ones come behind them. The result is the same for any number of threads, and after an
-// affine map of the mesh that map of the result, but for rounding and where faces with rings are cut. Where it would take more memory than there is it throws
-// std::bad_alloc before it begins. O(size of the result).
+// Elements keep their numbers, new ones come behind them. The result is the same for any number of threads, and after
+// an affine map of the mesh that map of the result, but for rounding and where faces with rings are cut. Where it would
+// take more memory than there is it throws std::bad_alloc before it begins. O(size of the result).
 Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress);
 
 }  // namespace ryosen::subdivide

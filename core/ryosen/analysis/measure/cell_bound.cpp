@@ -26,8 +26,8 @@ class CellBound {
     return least;
   }
 
-  // The cell in two parts, or three, each as far from the triangle that is nearest at its corner of the cell. Gives up where
-  // that cannot be as little as wanted.
+  // The cell in two parts, or three, each as far from the triangle that is nearest at its corner of the cell. Gives up
+  // where that cannot be as little as wanted.
   double from_several() {
     for (std::size_t i = 0; i < 3; ++i)
       if (cell_.near[(i + 1) % 3].triangle == cell_.near[(i + 2) % 3].triangle) return from_two(i);
@@ -50,8 +50,8 @@ class CellBound {
   }
   double distance(const glm::dvec3& p, std::uint32_t t) const { return without_rounding(to_.distance(p, t)); }
 
-  // Between a place that is nearer to all of `here` than to `there` and one where that is the other way round. Ends early
-  // where a distance that is wanted was reached, or cannot be.
+  // Between a place that is nearer to all of `here` than to `there` and one where that is the other way round. Ends
+  // early where a distance that is wanted was reached, or cannot be.
   template <class Here>
   Cut cut(glm::dvec3 a, glm::dvec3 b, const Here& here, std::uint32_t there) const {
     Cut best{a, unknown};

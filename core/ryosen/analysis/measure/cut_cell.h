@@ -17,10 +17,10 @@ struct CellParts {
   std::size_t new_places = 0;
 };
 
-// Cuts a cell through a side of a triangle that lies below one of its corners and ends before another, at a right angle to the
-// triangle: so what lies along one triangle is parted from what does not, and where two surfaces lie along each other, cut
-// in any way, no more parts come of it than there are pairs of triangles above each other. Where there is no such side the
-// cell is halved.
+// Cuts a cell through a side of a triangle that lies below one of its corners and ends before another, at a right angle
+// to the triangle: so what lies along one triangle is parted from what does not, and where two surfaces lie along each
+// other, cut in any way, no more parts come of it than there are pairs of triangles above each other. Where there is no
+// such side the cell is halved.
 CellParts cut_cell(const TriangleTree& to, const FarthestCell& cell);
 
 }  // namespace ryosen

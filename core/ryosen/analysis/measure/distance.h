@@ -12,7 +12,8 @@ namespace ryosen {
 
 struct DistanceOptions {
   double gap = 1e-6;  // of the largest distance, how much the bound may be above it; more than 0
-  // About so many per direction, one per triangle at least; 0: as many as the larger mesh has triangles, 200000 at least.
+  // About so many per direction, one per triangle at least; 0: as many as the larger mesh has triangles, 200000 at
+  // least.
   std::uint64_t samples = 0;
   unsigned threads = 0;  // 0 chooses; the result is the same bytes for any number
 };
@@ -20,15 +21,15 @@ struct DistanceOptions {
 // Of the points of one surface from another. Lengths are in the unit of the meshes.
 //
 // mean and rms are integrals over the area: the surface is cut into triangles of about equal area, in each of which the
-// middle counts 3/4 and the corners 1/12, a rule that is exact for squares of distances from a plane. Where the distance is
-// smooth the error falls with the third power of the spacing of the samples, elsewhere (where the nearest triangle changes,
-// or the surfaces cross) with the second. Without any area every triangle counts the same.
+// middle counts 3/4 and the corners 1/12, a rule that is exact for squares of distances from a plane. Where the
+// distance is smooth the error falls with the third power of the spacing of the samples, elsewhere (where the nearest
+// triangle changes, or the surfaces cross) with the second. Without any area every triangle counts the same.
 //
-// hausdorff is an upper bound of the largest distance of all points of the surface, hausdorff - hausdorff_gap one that a
-// point was found to have: [Tang09]'s branch and bound, except that a part between several nearest triangles is bounded by
-// cutting it where their distances are equal. The gap is at most the wanted share, or 1e-10 of the size of the meshes, unless
-// the work grows out of proportion to theirs. The bound is rounded up, by 1e-15 of it where the length is not exact; all
-// up to the rounding of coordinates, about 1e-15 of the largest.
+// hausdorff is an upper bound of the largest distance of all points of the surface, hausdorff - hausdorff_gap one that
+// a point was found to have: [Tang09]'s branch and bound, except that a part between several nearest triangles is
+// bounded by cutting it where their distances are equal. The gap is at most the wanted share, or 1e-10 of the size of
+// the meshes, unless the work grows out of proportion to theirs. The bound is rounded up, by 1e-15 of it where the
+// length is not exact; all up to the rounding of coordinates, about 1e-15 of the largest.
 struct OneWayDistance {
   double mean = 0, rms = 0, hausdorff = 0, hausdorff_gap = 0;
   glm::dvec3 from{0.0}, to{0.0};        // where the largest distance was found, and the nearest point there

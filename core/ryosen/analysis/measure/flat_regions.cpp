@@ -199,8 +199,8 @@ double FlatRegions::bound_of(const FarthestCell& cell) const {
     nearest[i] = cell.corners[i] - to_.way(cell.corners[i], cell.near[i].triangle);
   }
   const Region& region = regions_[number];
-  // Seen along an axis that the normal leans to the most, two places near the plane are less than 1.75 times as far apart
-  // as across it.
+  // Seen along an axis that the normal leans to the most, two places near the plane are less than 1.75 times as far
+  // apart as across it.
   const double uneven = region.uneven > 0 ? 3.5 * region.uneven + 0x1p-50 : 0;
   if (holds(region, number, nearest, cell.near[0].triangle))
     return std::max({cell.near[0].distance, cell.near[1].distance, cell.near[2].distance}) + uneven;

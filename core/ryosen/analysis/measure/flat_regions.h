@@ -9,16 +9,17 @@
 
 namespace ryosen {
 
-// Triangles that are joined by sides and lie in one plane. Where the triangle between the points that are nearest to the
-// corners of a cell lies in one such region, no point of the cell is farther than the farthest corner: a cell above many
-// triangles of one plane need not be cut by the sides of each, of which two discs cut in n thin triangles have n * n pairs.
+// Triangles that are joined by sides and lie in one plane. Where the triangle between the points that are nearest to
+// the corners of a cell lies in one such region, no point of the cell is farther than the farthest corner: a cell above
+// many triangles of one plane need not be cut by the sides of each, of which two discs cut in n thin triangles have n *
+// n pairs.
 class FlatRegions {
  public:
   // O(n log n). `to` must outlive it.
   explicit FlatRegions(const TriangleTree& to);
 
-  // No point of the cell is farther than this; infinity where nothing is known. O(log n) where few sides of the border of
-  // the region come near to the sides of the cell.
+  // No point of the cell is farther than this; infinity where nothing is known. O(log n) where few sides of the border
+  // of the region come near to the sides of the cell.
   double bound_of(const FarthestCell& cell) const;
 
  private:

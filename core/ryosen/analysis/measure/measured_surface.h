@@ -10,8 +10,8 @@
 
 namespace ryosen {
 
-// Polygons count as they are drawn, cut into triangles. Wires, isolated vertices and quarantined faces are no surface; faces
-// with a corner that is not finite are left out and counted.
+// Polygons count as they are drawn, cut into triangles. Wires, isolated vertices and quarantined faces are no surface;
+// faces with a corner that is not finite are left out and counted.
 struct MeasuredSurface {
   const Mesh* mesh;
   std::vector<Primitive> triangles;  // owned by their faces

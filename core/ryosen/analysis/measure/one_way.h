@@ -6,8 +6,8 @@
 
 namespace ryosen {
 
-// Fills in what follows from the trees, neither of which is empty: all of `way` but the numbers of faces. `options.samples`
-// is not 0. False where `progress` cancels. Progress is told on the calling thread.
+// Fills in what follows from the trees, neither of which is empty: all of `way` but the numbers of faces.
+// `options.samples` is not 0. False where `progress` cancels. Progress is told on the calling thread.
 bool measure_one_way(OneWayDistance& way, const TriangleTree& from, const TriangleTree& to,
                      const DistanceOptions& options, Progress& progress);
 

@@ -12,8 +12,8 @@ class OtherSurface {
  public:
   explicit OtherSurface(const Mesh& mesh);
 
-  // From the nearest point of the surface, in units of the mesh; NaN for a place that is not finite, and where the mesh had
-  // no face with finite corners. O(log n) where few triangles are as near.
+  // From the nearest point of the surface, in units of the mesh; NaN for a place that is not finite, and where the mesh
+  // had no face with finite corners. O(log n) where few triangles are as near.
   double distance(const glm::dvec3& place) const;
 
  private:

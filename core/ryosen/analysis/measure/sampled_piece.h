@@ -32,7 +32,7 @@ inline std::size_t lattice_index(std::uint32_t line, std::uint32_t along) {
 // The cells of a piece with what is nearest to their corners: visit(number, cell).
 template <class Visit>
 void for_each_cell(const SampledPiece& piece, const TrianglePlaces& places,
-                          const std::vector<TriangleTree::Near>& lattice, const Visit& visit) {
+                   const std::vector<TriangleTree::Near>& lattice, const Visit& visit) {
   std::uint32_t number = 0;
   const auto at = [&](std::uint32_t line, std::uint32_t along) { return lattice[lattice_index(line, along)]; };
   for (std::uint32_t line = 0; line < piece.cells; ++line)

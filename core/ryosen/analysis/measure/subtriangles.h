@@ -10,7 +10,8 @@ namespace ryosen {
 
 using TrianglePlaces = std::array<glm::dvec3, 3>;
 
-// Point `along` of line `line`, both from 0; line 0 is the first corner, line k the side that faces it. Corners are exact.
+// Point `along` of line `line`, both from 0; line 0 is the first corner, line k the side that faces it. Corners are
+// exact.
 inline glm::dvec3 lattice_point(const TrianglePlaces& t, std::uint32_t k, std::uint32_t line, std::uint32_t along) {
   if (line == 0) return t[0];
   if (line == k && (along == 0 || along == k)) return t[along == 0 ? 1 : 2];

@@ -112,8 +112,8 @@ class Sampler {
       }
   }
 
-  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners. The corners
-  // themselves are known.
+  // The points of a small piece lie near each other, and each near to what is nearest to one of its corners. The
+  // corners themselves are known.
   void ask_at_once(const SampledPiece& piece, const TrianglePlaces& places, std::vector<Nearest>& lattice) const {
     const auto& corners = from_.corners(piece.triangle);
     constexpr std::size_t most = (most_cells_at_once + 1) * (most_cells_at_once + 2) / 2;

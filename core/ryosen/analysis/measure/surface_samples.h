@@ -32,7 +32,8 @@ struct SurfaceSamples {
 // Where its progress is then, of the whole of one way.
 constexpr double share_of_samples = 0.75;
 
-// Of `from`, about options.samples, in units of the trees. The same for any number of threads. False where `progress` cancels.
+// Of `from`, about options.samples, in units of the trees. The same for any number of threads. False where `progress`
+// cancels.
 bool take_samples(SurfaceSamples& samples, const TriangleTree& from, const TriangleTree& to,
                   const DistanceOptions& options, FarEnough enough, unsigned threads, Progress& progress);
 

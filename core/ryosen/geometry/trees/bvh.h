@@ -45,8 +45,8 @@ class Bvh {
   void build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives);
   // The same, told by the share of the primitives that have their place. Cancelled: false, and the tree is empty.
   bool build(std::span<const glm::dvec3> positions, std::vector<Primitive> primitives, Progress& progress);
-  // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them, of which one that
-  // only moves counts by how far it leads out of its box.
+  // Rebuilds from the current primitives; worthwhile when is_worn(): after changes to a third of them, of which one
+  // that only moves counts by how far it leads out of its box.
   void rebuild(std::span<const glm::dvec3> positions);
   bool is_worn() const { return changes_ > 64 && changes_ > static_cast<double>(live_) / 3; }
 

@@ -18,12 +18,13 @@
 namespace ryosen {
 
 // Triangles and points have numbers of the tree's own, such that near ones are near in memory too: go over them in this
-// order. Coordinates are those given times a scale that is a power of two; choose one that brings them to at most about 1.
+// order. Coordinates are those given times a scale that is a power of two; choose one that brings them to at most
+// about 1.
 //
-// Every node has four children; which ones follows from its number, halves of each range being parted at the median along
-// the widest axis. Nodes of long narrow triangles have boxes that lie along these, so that a point in the middle of a fan is
-// not in the boxes of all its spokes. Built in O(n log n), 30 to 60 bytes per triangle. A query takes O(log n) where the
-// nearest triangles are few. It answers the same whatever was asked before.
+// Every node has four children; which ones follows from its number, halves of each range being parted at the median
+// along the widest axis. Nodes of long narrow triangles have boxes that lie along these, so that a point in the middle
+// of a fan is not in the boxes of all its spokes. Built in O(n log n), 30 to 60 bytes per triangle. A query takes O(log
+// n) where the nearest triangles are few. It answers the same whatever was asked before.
 class TriangleTree {
  public:
   TriangleTree() = default;
@@ -81,9 +82,9 @@ class TriangleTree {
     std::uint32_t has_triangles;
     std::uint32_t turn = no_index;  // by place in turns_; none: the axes are those of the places
   };
-  // A node whose boxes lie along what is in them. Beside them each child lies between lines in the plane of the first two
-  // axes, two ways: along its own sides where it narrows to a point, so that of the spokes of a fan that one is the nearest
-  // which is.
+  // A node whose boxes lie along what is in them. Beside them each child lies between lines in the plane of the first
+  // two axes, two ways: along its own sides where it narrows to a point, so that of the spokes of a fan that one is the
+  // nearest which is.
   struct Turn {
     glm::dmat3 axes;  // in rows
     std::array<std::array<glm::dvec2, width>, 2> across;

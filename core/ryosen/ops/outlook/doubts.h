@@ -16,9 +16,9 @@ namespace ryosen {
 using PointPairs = std::vector<std::pair<Vertex, Vertex>>;
 PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices);
 
-// Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a normal turned by 90 degrees or
-// more, and sides that cross in the view along the normal (faces of up to 400 corners). What was so before is no news,
-// nor is what `known` says already. Cost: the faces, squared in the corners of a face with more than three.
+// Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a normal turned by 90 degrees
+// or more, and sides that cross in the view along the normal (faces of up to 400 corners). What was so before is no
+// news, nor is what `known` says already. Cost: the faces, squared in the corners of a face with more than three.
 std::vector<Reason> doubts_of_faces(const Mesh& before, const std::vector<GhostFace>& after,
                                     const std::vector<Reason>& known);
 

@@ -16,11 +16,11 @@ struct Answer {
   std::vector<Reason> warnings;
 };
 
-// Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its answer,
-// unless that names the edge or, along a cycle, has several reasons. All questions must be about the same operator without
-// further arguments, and with the same `geometry`. One whose subject is the edge alone and that reaches further than 400
-// sides or edges (reach.h) gets the warning shape_unseen instead of those about its shape, or n of them would cost n
-// squared.
+// Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its
+// answer, unless that names the edge or, along a cycle, has several reasons. All questions must be about the same
+// operator without further arguments, and with the same `geometry`. One whose subject is the edge alone and that
+// reaches further than 400 sides or edges (reach.h) gets the warning shape_unseen instead of those about its shape, or
+// n of them would cost n squared.
 class KnownAnswers {
  public:
   // With the warnings of a preview, or with none. The mesh is byte-equal afterwards.
@@ -37,7 +37,7 @@ class KnownAnswers {
   std::unordered_map<std::uint64_t, Answer> answers_;
   LocalFacts facts_;
   std::unordered_map<Halfedge, Halfedge> first_of_cycle_;  // of each boundary halfedge of the cycles asked about
-  Journal journal_;                       // of previews; nothing is committed
+  Journal journal_;                                        // of previews; nothing is committed
 };
 
 }  // namespace ryosen

@@ -20,8 +20,8 @@ struct Preview {
 };
 
 // Checks the operator and, if legal, runs it in an Edit that is rolled back: the mesh is byte-equal afterwards and the
-// redo list untouched. What fills a cycle (Subject::cycle) is shown from its lowest halfedge, whichever was asked about,
-// so that each of its edges shows the same. Cost: the operator and the faces it changes.
+// redo list untouched. What fills a cycle (Subject::cycle) is shown from its lowest halfedge, whichever was asked
+// about, so that each of its edges shows the same. Cost: the operator and the faces it changes.
 Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_limit = 10000);
 
 }  // namespace ryosen

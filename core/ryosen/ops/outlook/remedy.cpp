@@ -71,8 +71,8 @@ bool outlasts(std::size_t steps, const Mesh& m, const AnyOp& op, Halfedge h, Kno
          has_more_sheets(2 * steps + 1, m, m.to(h), {}, known);
 }
 
-// How many faces stand in the way that a step takes away or divides one at a time: triangles with the same third vertex,
-// and what two points to be welded have in common.
+// How many faces stand in the way that a step takes away or divides one at a time: triangles with the same third
+// vertex, and what two points to be welded have in common.
 std::size_t single_obstacles(const AnyOp& op, const Verdict& verdict) {
   std::vector<Element> faces;
   std::size_t same_apexes = 0;
@@ -84,8 +84,8 @@ std::size_t single_obstacles(const AnyOp& op, const Verdict& verdict) {
   return same_apexes + faces.size();
 }
 
-// Whether these steps will not help: there are more single obstacles, or the operator is refused for the faces at its own
-// edge and they will stay.
+// Whether these steps will not help: there are more single obstacles, or the operator is refused for the faces at its
+// own edge and they will stay.
 bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdict& verdict, KnownSheets& known) {
   if (single_obstacles(op, verdict) > steps) return true;
   const Halfedge h = halfedge_of(op);
@@ -94,8 +94,8 @@ bool is_hopeless(std::size_t steps, const Mesh& m, const AnyOp& op, const Verdic
   return std::binary_search(refused.begin(), refused.end(), points_of(m, h)) && outlasts(steps, m, op, h, known);
 }
 
-// The edges that stay refused for the number of their faces after a step: the edge itself and, of an operator on a cycle,
-// those of the cycle; ascending.
+// The edges that stay refused for the number of their faces after a step: the edge itself and, of an operator on a
+// cycle, those of the cycle; ascending.
 std::vector<PointPair> edges_that_outlast_a_step(const Mesh& m, const AnyOp& op, const Verdict& verdict,
                                                  KnownSheets& known) {
   std::vector<PointPair> staying;

@@ -15,7 +15,8 @@ constexpr std::size_t most_sides_tried = 12;
 constexpr std::size_t most_copies_tried = 64;
 constexpr std::size_t longest_hole_filled = 64;
 
-// Collects the operators that may help against one reason: each way looks at the witnesses of the kind that it is about.
+// Collects the operators that may help against one reason: each way looks at the witnesses of the kind that it is
+// about.
 class Candidates {
  public:
   Candidates(const Mesh& mesh, const Reason& reason, KnownSheets& sheets)

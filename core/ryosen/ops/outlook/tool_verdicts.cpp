@@ -131,8 +131,8 @@ void ToolVerdicts::ask(const Mesh& mesh, const std::function<bool()>& may_go_on)
   }
 }
 
-// A verdict is about the faces at the ends of an edge, at a vertex or around a face, all of whose corners it may ask for
-// their copies and edges: what lies two steps from what was touched knows nothing of it.
+// A verdict is about the faces at the ends of an edge, at a vertex or around a face, all of whose corners it may ask
+// for their copies and edges: what lies two steps from what was touched knows nothing of it.
 void ToolVerdicts::follow(const Mesh& mesh, const TouchedElements& touched) {
   answers_ = KnownAnswers();
   verdicts_.resize(slots_of(mesh, sort_), ElementVerdict::none);

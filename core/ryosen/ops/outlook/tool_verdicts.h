@@ -15,12 +15,13 @@ namespace ryosen {
 // Whether a click is legal, of an edge on its middle; `none` for what is dead or was not asked about yet.
 enum class ElementVerdict : std::uint8_t { none, legal, refused };
 
-// Cost: one byte for each slot; the first time the checks of all elements, each subject (op.h) once, on a mesh of triangles
-// 0.2 to 0.5 microseconds an edge; after an edit those of the elements around what it touched: after one collapse on a
-// mesh of triangles some 200 edges, of a tool on boundaries whole boundaries.
+// Cost: one byte for each slot; the first time the checks of all elements, each subject (op.h) once, on a mesh of
+// triangles 0.2 to 0.5 microseconds an edge; after an edit those of the elements around what it touched: after one
+// collapse on a mesh of triangles some 200 edges, of a tool on boundaries whole boundaries.
 class ToolVerdicts {
  public:
-  // Of a tool that acts on any element (OpTargetKind::any) those on elements of this kind, which must be one it acts on.
+  // Of a tool that acts on any element (OpTargetKind::any) those on elements of this kind, which must be one it acts
+  // on.
   ToolVerdicts(const Mesh& mesh, const OpInfo& op, Element::Kind sort);
 
   // No two have the same one, and none has 0.
@@ -48,7 +49,7 @@ class ToolVerdicts {
   const OpInfo* op_;
   Element::Kind sort_;
   std::vector<ElementVerdict> verdicts_;
-  std::uint32_t asked_ = 0;        // all below were asked about
+  std::uint32_t asked_ = 0;         // all below were asked about
   std::vector<std::uint32_t> due_;  // to be asked again, ascending
   std::vector<std::uint32_t> asked_again_;
   KnownAnswers answers_;

@@ -1,4 +1,5 @@
-// What stands around an edge that would collapse: the questions whose answers cost no more than the smaller of its ends.
+// What stands around an edge that would collapse: the questions whose answers cost no more than the smaller of its
+// ends.
 #pragma once
 
 #include <array>
@@ -25,9 +26,9 @@ struct CollapsePlace {
   bool is_dropped(Halfedge corner) const { return is_at_edge(mesh.face(corner)) && is_plain_triangle(corner); }
   bool is_tip_of_three_edge_hole(Vertex v) const;
 
-  // Whether the ends have a neighbour in common that may be in the way: no if not, else perhaps, or surely. In that way:
-  // whether there is a common face beside those at the edge, whether loops of a face may break, and whether two faces
-  // may get the same points, where the ends share nothing but the apexes.
+  // Whether the ends have a neighbour in common that may be in the way: no if not, else perhaps, or surely. In that
+  // way: whether there is a common face beside those at the edge, whether loops of a face may break, and whether two
+  // faces may get the same points, where the ends share nothing but the apexes.
   bool may_share_neighbours() const;
   bool surely_share_a_neighbour() const;
   bool may_share_faces() const;

@@ -1,7 +1,7 @@
 // Copies of points: one surgery adds many and takes many out, each at a cost that does not grow with their number.
 //
-// The links of a mesh lead from a copy to the next one alone, so that the one before it is found by a walk around all of
-// them. Here it is kept for points with many copies, from the second walk on.
+// The links of a mesh lead from a copy to the next one alone, so that the one before it is found by a walk around all
+// of them. Here it is kept for points with many copies, from the second walk on.
 #pragma once
 
 #include <set>
@@ -22,8 +22,8 @@ class CopyRings {
   void join(Vertex a, Vertex b);
   // As leave_copies(); where v is the copy after another one, which is named, without a walk around all of them.
   void leave(Vertex v, Vertex other);
-  // Unlinks these copies of one point, each once. Where the representative goes and others stay, one of these is unlinked
-  // in its place, which is returned: the last one with edges or, if there is none, the last one.
+  // Unlinks these copies of one point, each once. Where the representative goes and others stay, one of these is
+  // unlinked in its place, which is returned: the last one with edges or, if there is none, the last one.
   Vertex leave_all(std::span<const Vertex> going);
 
  private:

@@ -15,8 +15,8 @@ class EqualFaceIndex {
  public:
   explicit EqualFaceIndex(const Mesh& mesh) : mesh_(mesh) {}
 
-  // See equal_face(). Cost: the corners of the face, and where no point of it has been read yet those of the faces at its
-  // point of lowest valence.
+  // See equal_face(). Cost: the corners of the face, and where no point of it has been read yet those of the faces at
+  // its point of lowest valence.
   bool has_equal(Face f);
 
  private:

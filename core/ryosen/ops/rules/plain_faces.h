@@ -27,8 +27,8 @@ struct CornerChange {
   Vertex loses, stays;  // the ends of the edge
   Vertex gains;
 };
-// Whether the face is a simple loop and the only one on its points, does not touch the vertex that it gains, and no face
-// but the one beside it can be on its points afterwards.
+// Whether the face is a simple loop and the only one on its points, does not touch the vertex that it gains, and no
+// face but the one beside it can be on its points afterwards.
 bool changes_plainly(const Mesh& mesh, const CornerChange& change, LocalFacts& known);
 
 }  // namespace ryosen

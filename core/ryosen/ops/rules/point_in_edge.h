@@ -8,8 +8,8 @@
 
 namespace ryosen {
 
-// The halfedges that one split of an edge from A to B cuts, from a copy of A to a copy of B, the one with the lowest face
-// first.
+// The halfedges that one split of an edge from A to B cuts, from a copy of A to a copy of B, the one with the lowest
+// face first.
 std::vector<Halfedge> sheets_of_edge(const Mesh& mesh, Halfedge h);
 bool is_triangle_side(const Mesh& mesh, Halfedge side);
 

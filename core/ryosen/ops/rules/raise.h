@@ -7,8 +7,8 @@
 namespace ryosen {
 
 // In the faces of the region each point that stays behind is replaced by a new one, moved by `by`; its other points are
-// moved. Each edge a -> b of the border gets a wall (a, b, b', a'), in the order of the border. Cost: the corners of the
-// region and the fans at the points that stay behind.
+// moved. Each edge a -> b of the border gets a wall (a, b, b', a'), in the order of the border. Cost: the corners of
+// the region and the fans at the points that stay behind.
 OpEffect raise(Edit& edit, const Region& region, const glm::dvec3& by);
 
 }  // namespace ryosen

@@ -1,9 +1,9 @@
-// Points from which faces are taken away one after another: what is to be cut and joined there is found at the edges that
-// lose a face, not at all copies of the points.
+// Points from which faces are taken away one after another: what is to be cut and joined there is found at the edges
+// that lose a face, not at all copies of the points.
 //
 // Around a settled point (Sheets::settle) the loss of a face changes two things: an edge may be left with two faces in
-// opposite directions, which are joined; and where a closed fan opens, an edge at which two faces of it were not cut apart
-// may have to be. Both are rare, and then all is settled as for a single deletion.
+// opposite directions, which are joined; and where a closed fan opens, an edge at which two faces of it were not cut
+// apart may have to be. Both are rare, and then all is settled as for a single deletion.
 #pragma once
 
 #include <cstdint>

@@ -46,8 +46,8 @@ std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
                                  const std::function<bool(Face)>& is_last);
 
-// What is known of a point that others are joined to, one after another: all around it is as settle() leaves it, but for
-// what is listed.
+// What is known of a point that others are joined to, one after another: all around it is as settle() leaves it, but
+// for what is listed.
 struct SettledPoint {
   Vertex at;                      // one of its copies; none: nothing is known
   std::vector<Vertex> changed;    // vertices of it around which something else has changed since then

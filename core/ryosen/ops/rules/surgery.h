@@ -27,8 +27,8 @@ void unlink_edge(Edit& edit, Halfedge h);
 // get the values of the corners it starts from.
 Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b);
 
-// Unites the two faces along a chain of edges into the lower one, without the chain; vertices within it become isolated.
-// Returns the face that is gone.
+// Unites the two faces along a chain of edges into the lower one, without the chain; vertices within it become
+// isolated. Returns the face that is gone.
 Face unite_faces(Edit& edit, std::span<const Halfedge> chain);
 
 // Deletes a face and its rings; all edges stay. Clears its corner values. Cost: its corners.

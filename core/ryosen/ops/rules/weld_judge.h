@@ -19,13 +19,14 @@ namespace ryosen {
 using WeldPairs = std::vector<std::pair<Vertex, Vertex>>;
 
 // Refuses what breaks the list: a face with both points of a pair, edges that become one without being the two sides of
-// a gap, and faces that come to be on the same points. At most two pairs, of four different points. `looks` is added the
-// halfedges and corners that were looked at around the smaller points.
+// a gap, and faces that come to be on the same points. At most two pairs, of four different points. `looks` is added
+// the halfedges and corners that were looked at around the smaller points.
 void judge_weld(const Mesh& mesh, const WeldPairs& pairs, Verdict& verdict, std::uint64_t* looks = nullptr);
 // The first rule that it refuses by. Cost: no more than that, and where a face has both points of a pair, what is met
 // around the smaller point before it.
 std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs);
-// Whether a face has both points of a pair, which it refuses by before all else. Cost: what is around the smaller point.
+// Whether a face has both points of a pair, which it refuses by before all else. Cost: what is around the smaller
+// point.
 bool have_common_face(const Mesh& mesh, const WeldPairs::value_type& pair);
 
 }  // namespace ryosen

@@ -15,8 +15,8 @@
 
 namespace ryosen {
 
-// linear and ratio go from dark to light, ratio by the logarithm; about_middle goes from one colour over white to another,
-// as far on both sides of `middle`.
+// linear and ratio go from dark to light, ratio by the logarithm; about_middle goes from one colour over white to
+// another, as far on both sides of `middle`.
 enum class MapScale : std::uint8_t { linear, ratio, about_middle };
 
 class OtherSurface;
@@ -29,8 +29,9 @@ struct ColourMap {
   MapScale scale = MapScale::linear;
   double middle = 0;
   bool is_count = false;  // its values are whole numbers
-  // Asked about live elements of one sort; NaN: there is none. An edge or vertex that is several in the kernel answers for
-  // one only, see ProblemRow. What it looks at beyond its element and those that meet it says the last, as in HighlightRow.
+  // Asked about live elements of one sort; NaN: there is none. An edge or vertex that is several in the kernel answers
+  // for one only, see ProblemRow. What it looks at beyond its element and those that meet it says the last, as in
+  // HighlightRow.
   double (*vertex)(Neighbourhood&, Vertex) = nullptr;
   double (*edge)(Neighbourhood&, Edge) = nullptr;
   double (*face)(Neighbourhood&, Face) = nullptr;

@@ -28,8 +28,8 @@ class HighlightSets {
   }
   ElementCounts counts_on_points(const Mesh& mesh) const { return problems_.counts_on_points(mesh); }
 
-  // Whether the sets of a highlight are there. Those of problems are; what predicates of its own mark is searched for by
-  // keep(), O(corners), and kept current until forget().
+  // Whether the sets of a highlight are there. Those of problems are; what predicates of its own mark is searched for
+  // by keep(), O(corners), and kept current until forget().
   bool keeps(const HighlightRow& row) const { return !row.has_predicate() || kept_[number_of(row)]; }
   void keep(const Mesh& mesh, const HighlightRow& row, unsigned threads = 0);
   void forget(const HighlightRow& row);

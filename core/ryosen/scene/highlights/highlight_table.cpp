@@ -128,8 +128,9 @@ std::size_t drawing_rank(const HighlightRow& row) {
 
 bool HighlightRow::is_on_request() const {
   const std::span<const ProblemRow> problems = problem_table();
-  return std::any_of(problems.begin(), problems.end(),
-                     [&](const ProblemRow& problem) { return problem.is_on_request() && kinds.contains(problem.kind); });
+  return std::any_of(problems.begin(), problems.end(), [&](const ProblemRow& problem) {
+    return problem.is_on_request() && kinds.contains(problem.kind);
+  });
 }
 
 const HighlightRow* find_highlight(std::string_view id) { return table.find(id); }

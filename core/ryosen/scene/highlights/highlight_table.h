@@ -1,8 +1,8 @@
 // The one table of what can be marked on a mesh: findings of problems, and what is no problem.
 //
-// To add a highlight, write its row, with a predicate where it marks no problem, and with a pair of line style and point
-// shape that no other has which may lie on the same element; golden pictures of the panels show it too. The panel, the
-// drawing, the legend, the commands and their help read the table.
+// To add a highlight, write its row, with a predicate where it marks no problem, and with a pair of line style and
+// point shape that no other has which may lie on the same element; golden pictures of the panels show it too. The
+// panel, the drawing, the legend, the commands and their help read the table.
 #pragma once
 
 #include <cstdint>
@@ -33,15 +33,16 @@ class ProblemKinds {
   std::uint32_t bits_ = 0;
 };
 
-// It marks the findings of kinds of problems, or the elements about which predicates of its own say so. Findings are there
-// anyway; what predicates mark is searched for while the highlight is shown, and costs nothing else.
+// It marks the findings of kinds of problems, or the elements about which predicates of its own say so. Findings are
+// there anyway; what predicates mark is searched for while the highlight is shown, and costs nothing else.
 struct HighlightRow {
   std::string_view id;  // as in the commands
   std::string_view name_en, name_ja;
   std::string_view legend_en, legend_ja;  // what it marks, in a sentence
   ProblemKinds kinds = {};
 
-  // Asked about live elements. An edge or vertex that is several in the kernel answers yes for one only, see ProblemRow.
+  // Asked about live elements. An edge or vertex that is several in the kernel answers yes for one only, see
+  // ProblemRow.
   bool (*vertex)(Neighbourhood&, Vertex) = nullptr;
   bool (*edge)(Neighbourhood&, Edge) = nullptr;
   bool (*face)(Neighbourhood&, Face) = nullptr;
@@ -109,7 +110,8 @@ void for_each_own_mark(const HighlightRow& row, Visit visit) {
 template <class Visit>
 void for_each_mark(const HighlightRow& row, Visit visit) {
   for (const ProblemRow& problem : problem_table())
-    if ((problem.is_local() || problem.is_on_request()) && row.kinds.contains(problem.kind)) visit(mark_of(problem.kind));
+    if ((problem.is_local() || problem.is_on_request()) && row.kinds.contains(problem.kind))
+      visit(mark_of(problem.kind));
   for_each_own_mark(row, visit);
 }
 

@@ -25,8 +25,8 @@ class MapValues {
   std::span<const double> all() const { return values_; }
   double of(std::uint32_t slot) const { return slot < values_.size() ? values_[slot] : missing; }
 
-  // After transaction i of the journal was committed, undone or redone: asks what it reached. The elements whose value is
-  // another now, in ascending order; none where everything was asked anew.
+  // After transaction i of the journal was committed, undone or redone: asks what it reached. The elements whose value
+  // is another now, in ascending order; none where everything was asked anew.
   std::optional<std::vector<std::uint32_t>> update(const Mesh& mesh, const Journal& journal, std::size_t i);
 
  private:
@@ -48,15 +48,15 @@ MapFigures figures_of(std::span<const double> values);
 
 // The lowest and the highest of those values that are finite; none where there are none.
 std::optional<MapRange> extent_of(std::span<const double> values);
-// What a map shows first: the middle nine tenths of the values, so that a few far ones do not make all others look alike,
-// and as far on both sides of the middle where the map has one, unless it counts: then values may not exist there. Up to the
-// ends where these are near, and all of them where those are equal.
+// What a map shows first: the middle nine tenths of the values, so that a few far ones do not make all others look
+// alike, and as far on both sides of the middle where the map has one, unless it counts: then values may not exist
+// there. Up to the ends where these are near, and all of them where those are equal.
 MapRange first_range(const ColourMap& map, const MapFigures& figures);
 // The range that shows all values, likewise.
 MapRange whole_range(const ColourMap& map, const MapFigures& figures);
 
-// How many finite values lie in each of `bars` parts of a range that are equally wide; the last one with its end. What lies
-// outside counts nowhere, or in the first and the last one.
+// How many finite values lie in each of `bars` parts of a range that are equally wide; the last one with its end. What
+// lies outside counts nowhere, or in the first and the last one.
 enum class Outside : std::uint8_t { left_out, at_the_ends };
 std::vector<std::uint32_t> histogram(std::span<const double> values, MapRange range, std::size_t bars,
                                      Outside outside = Outside::left_out);

@@ -12,8 +12,8 @@
 
 namespace ryosen {
 
-// Hidden by themselves are faces, edges without faces (wires), and isolated vertices. Any other edge or vertex is hidden
-// while all of these at it are, over all copies of a point.
+// Hidden by themselves are faces, edges without faces (wires), and isolated vertices. Any other edge or vertex is
+// hidden while all of these at it are, over all copies of a point.
 class HiddenElements {
  public:
   struct Parts {

@@ -63,9 +63,9 @@ class Picker {
                              Depth depth = Depth::seen, double radius_px = pick_radius_px,
                              const PassedOver* passed_over = nullptr);
 
-  // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface is
-  // clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of that
-  // kind, and a ray for each that lies within.
+  // All elements, ascending, of which all points lie within the region, points in place of vertices. Seen: no surface
+  // is clearly in front of the vertex, the middle of the edge, or that of a triangle of the face. Cost: the slots of
+  // that kind, and a ray for each that lies within.
   std::vector<Element> pick_region(const Mesh& mesh, const Camera& camera, Size view, const ScreenRegion& region,
                                    PickMode mode, Depth depth);
 
@@ -73,14 +73,14 @@ class Picker {
   bool is_seen(const Mesh& mesh, const Camera& camera, Size view, const ScreenPoint& at, const glm::dvec3& place,
                Face own = {});
 
-  // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call but
-  // triangles() may go on meanwhile.
+  // Builds the BVH now, unless it is there or `progress` cancels; may be interrupted (interruption.h). No other call
+  // but triangles() may go on meanwhile.
   void prepare(const Mesh& mesh, Progress& progress);
 
   const SurfaceTriangles& triangles() const { return triangles_; }
 
-  // Slots of triangles that are to be drawn anew, also those with other normals: noted by update() and by who keeps what is
-  // drawn with them.
+  // Slots of triangles that are to be drawn anew, also those with other normals: noted by update() and by who keeps
+  // what is drawn with them.
   const RecentCells<std::uint32_t>& changed_slots() const { return changed_slots_; }
   void note_changed(std::span<const std::uint32_t> slots) {
     for (const std::uint32_t slot : slots) changed_slots_.add(slot);

@@ -1,5 +1,5 @@
-#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/scene/pick/screen_segment.h"
+#include "ryosen/geometry/unit_vector.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>

@@ -1,6 +1,7 @@
 // The table of what can be selected at once: all, what grows from the selection, and what has a trait.
 //
-// To add one, write its function and its row. The command `select`, its help, the menu, keys and the tests read the table.
+// To add one, write its function and its row. The command `select`, its help, the menu, keys and the tests read the
+// table.
 #pragma once
 
 #include <optional>

@@ -122,8 +122,8 @@ glm::dmat4 clip_from_view(const Camera& camera, double aspect, double near_dista
 
 namespace {
 
-// Where a point lies that is `offset` from the origin in units of 2^exponent. A point beyond the largest number comes back
-// along `way`, which has length 1, as far as it must.
+// Where a point lies that is `offset` from the origin in units of 2^exponent. A point beyond the largest number comes
+// back along `way`, which has length 1, as far as it must.
 glm::dvec3 place(const glm::dvec3& origin, const glm::dvec3& offset, int exponent, const glm::dvec3& way) {
   const glm::dvec3 far_off = times_power_of_two(origin, -exponent) + offset;
   const double largest = std::ldexp(std::numeric_limits<double>::max() / 2, -exponent) * 2 * (1 - 1e-9);

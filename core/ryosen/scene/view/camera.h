@@ -48,19 +48,19 @@ struct CoveredShares {
   double left = 0, right = 0, above = 0;
 };
 
-// The camera with the same direction that shows all points, centred in what is not covered, as large as the margin allows,
-// which is a share of that. The target is at the depth of the centre of their bounding box, in the middle of the view. If
-// all points coincide the view is one unit high. An eye position that would overflow is clamped. O(n).
+// The camera with the same direction that shows all points, centred in what is not covered, as large as the margin
+// allows, which is a share of that. The target is at the depth of the centre of their bounding box, in the middle of
+// the view. If all points coincide the view is one unit high. An eye position that would overflow is clamped. O(n).
 Camera fitted(const Camera& camera, std::span<const glm::dvec3> points, double aspect, double margin = default_margin,
               const CoveredShares& covered = {});
 
-// Turntable rotation about a point, which stays where it is in the view: azimuth about Y, elevation clamped at the poles.
-// Dragging half the view height turns 90 degrees.
+// Turntable rotation about a point, which stays where it is in the view: azimuth about Y, elevation clamped at the
+// poles. Dragging half the view height turns 90 degrees.
 Camera orbited(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& about);
 // Pans so that what is as deep in the view as `grabbed` follows the pointer.
 Camera panned(const Camera& camera, glm::dvec2 moved_px, Size view, const glm::dvec3& grabbed);
-// Magnifies what is at `fixed` by `factor`: the eye goes towards it by a share of its distance, so never through it, and
-// it stays where it is in the view.
+// Magnifies what is at `fixed` by `factor`: the eye goes towards it by a share of its distance, so never through it,
+// and it stays where it is in the view.
 Camera zoomed(const Camera& camera, double factor, const glm::dvec3& fixed);
 // Puts a point into the middle of the view and makes it the target; the eye moves parallel to the view.
 Camera centred(const Camera& camera, const glm::dvec3& point);

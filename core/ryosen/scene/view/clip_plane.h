@@ -9,7 +9,8 @@
 
 namespace ryosen {
 
-// The axis across which a mesh is cut, and which way what is cut off lies; view: across the line of sight, what is nearer.
+// The axis across which a mesh is cut, and which way what is cut off lies; view: across the line of sight, what is
+// nearer.
 enum class ClipWay { off, x, minus_x, y, minus_y, z, minus_z, view };
 
 struct ClipPlane {
@@ -25,8 +26,8 @@ struct ClipPlane {
 // The part of a ray that is kept; hits nothing where there is none.
 Ray kept(const Ray& ray, const std::optional<ClipPlane>& plane);
 
-// The first and the last point of the segment from a to b that are kept, as parameters from 0 at a to 1 at b; none where
-// all of it is cut off.
+// The first and the last point of the segment from a to b that are kept, as parameters from 0 at a to 1 at b; none
+// where all of it is cut off.
 struct KeptPart {
   double first, last;
 };

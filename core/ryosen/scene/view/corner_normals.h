@@ -14,10 +14,10 @@
 
 namespace ryosen {
 
-// The normal of a corner is that of the file where it has one (FileNormals), else the sum of those of the faces around its
-// vertex, each weighted by the face's angle there. It goes on from face to face as far as an edge joins them that bends by
-// no more than an angle. So corners at a crease, at a boundary, and at the copies of a point, where the surface is not
-// manifold or not oriented alike, go by their own side. A face that has no normal adds nothing.
+// The normal of a corner is that of the file where it has one (FileNormals), else the sum of those of the faces around
+// its vertex, each weighted by the face's angle there. It goes on from face to face as far as an edge joins them that
+// bends by no more than an angle. So corners at a crease, at a boundary, and at the copies of a point, where the
+// surface is not manifold or not oriented alike, go by their own side. A face that has no normal adds nothing.
 class CornerNormals {
  public:
   // O(corners), and their logarithm for faces that are no triangles. `file_normals` must outlive this, and follow edits
@@ -27,13 +27,13 @@ class CornerNormals {
 
   double crease_deg() const { return crease_deg_; }
 
-  // Follows an edit behind the triangles, not where everything was touched. Returns the slots of triangles whose normals
-  // may be other ones, all of a face or none. Costs what was touched and the faces around it.
+  // Follows an edit behind the triangles, not where everything was touched. Returns the slots of triangles whose
+  // normals may be other ones, all of a face or none. Costs what was touched and the faces around it.
   std::vector<std::uint32_t> update(const Mesh& mesh, const SurfaceTriangles& triangles,
                                     const TouchedElements& touched);
 
-  // By slot of the triangles, one per corner, as of packed_normal.h; no_normal where no face around has one. What stands
-  // in unused slots means nothing.
+  // By slot of the triangles, one per corner, as of packed_normal.h; no_normal where no face around has one. What
+  // stands in unused slots means nothing.
   std::span<const std::array<std::uint32_t, 3>> packed() const { return packed_; }
 
  private:

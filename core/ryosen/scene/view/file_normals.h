@@ -18,8 +18,8 @@ class FileNormals {
   class Reader {
    public:
     Reader(const FileNormals& normals, const Mesh& mesh);
-    // That of the corner at which an outgoing halfedge leaves, as of packed_normal.h; no_normal where the file gives none,
-    // and at vertices that an edit has reached. O(1).
+    // That of the corner at which an outgoing halfedge leaves, as of packed_normal.h; no_normal where the file gives
+    // none, and at vertices that an edit has reached. O(1).
     std::uint32_t at(Vertex from, Halfedge h) const;
 
    private:
@@ -27,8 +27,8 @@ class FileNormals {
     const AttributeColumn *indices_ = nullptr, *pool_ = nullptr;
   };
 
-  // After an edit, its undo or redo: what it touched, and the corners of the faces that it touched, go by the surface from
-  // now on. Costs what was touched; nothing where the mesh has no normals.
+  // After an edit, its undo or redo: what it touched, and the corners of the faces that it touched, go by the surface
+  // from now on. Costs what was touched; nothing where the mesh has no normals.
   void follow(const Mesh& mesh, const TouchedElements& touched);
   // As after an edit of everything.
   void end() { all_edited_ = true; }

@@ -1,5 +1,5 @@
-#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/scene/view/named_views.h"
+#include "ryosen/geometry/unit_vector.h"
 
 #include <array>
 

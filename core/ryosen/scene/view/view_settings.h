@@ -1,6 +1,7 @@
 // How a view draws what it shows, beside the camera: what the switches of the view set
-// (app/editor/preferences/view_switches.h) and what its shaders read. A switch that needs more of the mesh than places and links, as smooth shading needs normals,
-// has that found beside the mesh (corner_normals.h), kept by the session and laid into buffers by render/mesh_buffers.h.
+// (app/editor/preferences/view_switches.h) and what its shaders read. A switch that needs more of the mesh than places
+// and links, as smooth shading needs normals, has that found beside the mesh (corner_normals.h), kept by the session
+// and laid into buffers by render/mesh_buffers.h.
 #pragma once
 
 namespace ryosen {
@@ -17,8 +18,8 @@ enum class Dots { picked, always, never };
 // Of which elements the numbers are drawn: of one kind, of all, or the numbers 3i+j of the corners of faces.
 enum class Numbers { off, vertices, edges, faces, halfedges, all, corners };
 
-// Whether the surface has the colours of the file: those of its faces, and where they have none of its vertices; or of one
-// of the two alone.
+// Whether the surface has the colours of the file: those of its faces, and where they have none of its vertices; or of
+// one of the two alone.
 enum class FileColours { on, vertices, faces, off };
 // Of which elements the normals are drawn.
 enum class Normals { off, vertices, faces };

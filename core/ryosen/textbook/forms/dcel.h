@@ -1,5 +1,5 @@
-// The doubly connected edge list of the source texts: vertices with incident_edge, half-edges with origin, twin, next, prev and
-// face, faces with an outer component and inner components.
+// The doubly connected edge list of the source texts: vertices with incident_edge, half-edges with origin, twin, next,
+// prev and face, faces with an outer component and inner components.
 #pragma once
 
 #include <utility>

@@ -127,8 +127,8 @@ struct FormRow {
   std::string_view en, ja;
   std::string_view source_en, source_ja;  // where the source texts show it
   std::uint32_t needs;
-  // False for one that stores places alone: it answers no relation, and the conversion back numbers the vertices by their
-  // first corner.
+  // False for one that stores places alone: it answers no relation, and the conversion back numbers the vertices by
+  // their first corner.
   bool stores_vertices;
   HalfedgesOf halfedges;
   bool holds_copies;  // its vertices are those of the mesh; else points

@@ -1,5 +1,5 @@
-// The halfedge structure of text 002: vertices, edges, halfedges and loops. A halfedge stores no pair: it is the other one
-// of its parent edge.
+// The halfedge structure of text 002: vertices, edges, halfedges and loops. A halfedge stores no pair: it is the other
+// one of its parent edge.
 #pragma once
 
 #include "ryosen/textbook/forms/form.h"

@@ -9,9 +9,9 @@
 
 namespace ryosen::forms {
 
-// Halfedge 3i+j is side j of face i. Where h has no opposite, the array holds -(h + 1), as the text's map does; so there are
-// fewer than 2^31 halfedges. The halfedge per vertex is an addition to the
-// text; with it the vertex relations can be answered. The handle of an edge is one of its halfedges.
+// Halfedge 3i+j is side j of face i. Where h has no opposite, the array holds -(h + 1), as the text's map does; so
+// there are fewer than 2^31 halfedges. The halfedge per vertex is an addition to the text; with it the vertex relations
+// can be answered. The handle of an edge is one of its halfedges.
 class OppositeArray : public Form {
  public:
   explicit OppositeArray(const Mesh& mesh);

@@ -1,4 +1,5 @@
-// The 3i+j form of the source texts: triangles, and a map from each directed side to the number of the halfedge opposite.
+// The 3i+j form of the source texts: triangles, and a map from each directed side to the number of the halfedge
+// opposite.
 #pragma once
 
 #include <array>

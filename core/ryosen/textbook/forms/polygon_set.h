@@ -5,8 +5,8 @@
 
 namespace ryosen::forms {
 
-// It stores neither vertices nor edges, so it answers no relation. In the conversion back equal coordinates are one point,
-// numbered by its first corner; +0 and -0 are equal.
+// It stores neither vertices nor edges, so it answers no relation. In the conversion back equal coordinates are one
+// point, numbered by its first corner; +0 and -0 are equal.
 class PolygonSet : public Form {
  public:
   explicit PolygonSet(const Mesh& mesh);

@@ -1,4 +1,5 @@
-// The record that a form stores of one element: its fields in the order of the source text's table, with the text's own words.
+// The record that a form stores of one element: its fields in the order of the source text's table, with the text's own
+// words.
 #pragma once
 
 #include <cstdint>

@@ -16,8 +16,8 @@ struct ElementRecord {
   Fields fields;
 };
 
-// One form of a mesh, built at once, for looking into. Names of elements are slots of the mesh; a form that holds points
-// links to the first copy. The mesh is not needed later. Cost: that of building the form.
+// One form of a mesh, built at once, for looking into. Names of elements are slots of the mesh; a form that holds
+// points links to the first copy. The mesh is not needed later. Cost: that of building the form.
 class Records {
  public:
   Records(const Mesh& mesh, const FormRow& row);

@@ -6,8 +6,8 @@
 
 namespace ryosen::forms {
 
-// Fills `out`, which is empty, for a relation that asks about a vertex. for_each_side(visit) calls visit(face, ends) for
-// every side of every face. O(sides).
+// Fills `out`, which is empty, for a relation that asks about a vertex. for_each_side(visit) calls visit(face, ends)
+// for every side of every face. O(sides).
 template <class ForEachSide>
 void answer_by_all_sides(Relation relation, std::uint32_t v, ForEachSide for_each_side, Answer& out) {
   for_each_side([&](std::uint32_t f, EdgeEnds ends) {

@@ -1,6 +1,7 @@
 // The edge split of the source texts on triangles whose halfedges are numbered 3i, 3i+1, 3i+2 by their face i.
 //
-//          v1                     v1            the triangle left of the halfedge v3 -> v0 becomes (v0, v1, new), the one
+//          v1                     v1            the triangle left of the halfedge v3 -> v0 becomes (v0, v1, new), the
+//          one
 //        / a  \                 / | \           on its right, if any, (v2, v0, new); (v1, v3, new) and then, if there
 //      v3 ---> v0     =>      v3-new-v0         were two, (v3, v2, new) come last
 //        \ b  /                 \ | /
@@ -81,8 +82,8 @@ double area_3ij(const Structure& mesh, std::uint32_t face) {
                                       mesh.position(mesh.corner(3 * face + 2)) - a));
 }
 
-// The repeated split of the source texts: `times` times the longest side of the largest triangle (the first of equal ones) is
-// split at its midpoint. O(times * faces).
+// The repeated split of the source texts: `times` times the longest side of the largest triangle (the first of equal
+// ones) is split at its midpoint. O(times * faces).
 template <class Structure>
 void split_largest_3ij(Structure& mesh, std::size_t times) {
   for (; times > 0; --times) {

@@ -9,9 +9,9 @@
 
 namespace ryosen::steps {
 
-// Makes a stretch of steps at a time, from copies that it keeps of the builder on the way. Up to most_made of them it makes
-// all once to begin with, so that all counts are known; of more only those up to one that is asked for. In each stretch
-// the elements of the mesh are numbered anew. Memory: O(points).
+// Makes a stretch of steps at a time, from copies that it keeps of the builder on the way. Up to most_made of them it
+// makes all once to begin with, so that all counts are known; of more only those up to one that is asked for. In each
+// stretch the elements of the mesh are numbered anew. Memory: O(points).
 class HullSequence : public Sequence {
  public:
   static constexpr std::size_t most_made = 100000;

@@ -1,6 +1,6 @@
-// The ways of text 000 to find the pair of each halfedge, halfedge by halfedge: what is compared, how the tables fill, and
-// how many comparisons there were. As in the text a search ends at the first match; last come the edges on which that is
-// not what the kernel does.
+// The ways of text 000 to find the pair of each halfedge, halfedge by halfedge: what is compared, how the tables fill,
+// and how many comparisons there were. As in the text a search ends at the first match; last come the edges on which
+// that is not what the kernel does.
 #include <algorithm>
 #include <array>
 #include <map>

@@ -35,8 +35,8 @@ std::string names_text(const Elements& elements) {
   return count > most ? text + " ... (" + std::to_string(count) + ")" : text;
 }
 
-// Whether to offer what takes this form of the mesh. Of a large mesh that is not asked, since it takes too long for a list of
-// choices; to play it then says why not.
+// Whether to offer what takes this form of the mesh. Of a large mesh that is not asked, since it takes too long for a
+// list of choices; to play it then says why not.
 inline constexpr std::uint32_t most_faces_asked = 5000;
 inline bool may_offer(const Mesh& mesh, std::string_view form) {
   if (mesh.live().faces == 0) return false;

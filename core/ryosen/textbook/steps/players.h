@@ -8,8 +8,8 @@ namespace ryosen::steps {
 using Arguments = std::span<const std::string>;
 using Selected = std::span<const Element>;
 
-// script.cpp: operators, and `expect` with a term of the sum. The steps end behind a line that is refused, or an `expect`
-// that is not so.
+// script.cpp: operators, and `expect` with a term of the sum. The steps end behind a line that is refused, or an
+// `expect` that is not so.
 Made play_script(const Mesh& mesh, Arguments lines);
 Choices choices_of_script(const Mesh& mesh, Selected selection);
 // The history of a mesh as a script: the journal with the line of each transaction. Both may have been undone in part.

@@ -56,9 +56,9 @@ class Sequence {
   std::optional<Stop> stop_;
 };
 
-// Steps that are known beforehand, on a mesh that some of them edit: each edit is transactions of the journal. To a step
-// that edits, at() adds what the edit changes: rows, marks, delta, and the delta's text behind the caption. At most
-// most_rows rows; the caption says how many more there are.
+// Steps that are known beforehand, on a mesh that some of them edit: each edit is transactions of the journal. To a
+// step that edits, at() adds what the edit changes: rows, marks, delta, and the delta's text behind the caption. At
+// most most_rows rows; the caption says how many more there are.
 class RecordedSteps : public Sequence {
  public:
   static constexpr std::size_t most_rows = 1000;

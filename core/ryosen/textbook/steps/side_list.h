@@ -1,5 +1,5 @@
-// The sides of the first faces of a mesh as a file lists them: by points, so that copies are one. The rings of a face follow
-// its outer loop.
+// The sides of the first faces of a mesh as a file lists them: by points, so that copies are one. The rings of a face
+// follow its outer loop.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Where the source texts say what is played: one place for the names of their listings. A line counts from the first one of
-// its listing as it is printed, blank lines included.
+// Where the source texts say what is played: one place for the names of their listings. A line counts from the first
+// one of its listing as it is printed, blank lines included.
 #pragma once
 
 #include "ryosen/textbook/steps/step.h"

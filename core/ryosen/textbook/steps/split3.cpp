@@ -1,5 +1,5 @@
-// Text 003's edge split on faces and a map from sides to opposites, line by line, beside the kernel's own split. As in the
-// text nothing is taken out of the map, so keys of sides that are no more stay in it; they are shown.
+// Text 003's edge split on faces and a map from sides to opposites, line by line, beside the kernel's own split. As in
+// the text nothing is taken out of the map, so keys of sides that are no more stay in it; they are shown.
 #include <array>
 #include <charconv>
 #include <map>

@@ -1,5 +1,6 @@
-// The one-ring of a vertex and the loops of a face, link by link, on any form that can hold the mesh: by halfedges, from face
-// to face, along wings, or, where no link leads on, by a look at every face. Without a form it is table 5, else the kernel.
+// The one-ring of a vertex and the loops of a face, link by link, on any form that can hold the mesh: by halfedges,
+// from face to face, along wings, or, where no link leads on, by a look at every face. Without a form it is table 5,
+// else the kernel.
 #include <algorithm>
 
 #include "ryosen/textbook/forms/all.h"
@@ -37,8 +38,8 @@ const Text counter_clockwise_text{"Counter-clockwise: ", "反時計回りに："
     clockwise_text{"Clockwise: ", "時計回りに："}, round_text{": round once", "：一周した"},
     boundary_text{": here is the boundary", "：境界"};
 
-// What a walk finds around a point. Every way goes counter-clockwise up to a gap, and then clockwise from the start; where
-// the point has copies, from each to the next.
+// What a walk finds around a point. Every way goes counter-clockwise up to a gap, and then clockwise from the start;
+// where the point has copies, from each to the next.
 class RingWalk {
  public:
   RingWalk(LinkWalk& walk, Vertex v, bool holds_copies) : walk_(walk), v_(v), holds_copies_(holds_copies) {}
@@ -241,7 +242,8 @@ Result<const forms::FormRow*> wanted_form(const Mesh& mesh, Arguments arguments)
   return form;
 }
 
-// On each form that can hold the mesh, the usual one first; on a large mesh that alone, since it takes time to see which can.
+// On each form that can hold the mesh, the usual one first; on a large mesh that alone, since it takes time to see
+// which can.
 Choices choices_on_forms(const Mesh& mesh, const std::string& element, bool is_of_vertices) {
   Choices choices{{element}};
   if (mesh.live().faces > most_faces_asked) return choices;

@@ -53,8 +53,9 @@ class Sets {
   std::vector<std::size_t> of_;
 };
 
-// The angle from one half-plane counter-clockwise around the edge to another, as something to compare: a whole turn where
-// they are one. Of two in the same part of the turn the one comes first from which the other is counter-clockwise.
+// The angle from one half-plane counter-clockwise around the edge to another, as something to compare: a whole turn
+// where they are one. Of two in the same part of the turn the one comes first from which the other is
+// counter-clockwise.
 int part_of_turn(const EdgeOfAll& edge, const LatticePoint& from, const LatticePoint& to) {
   const LatticeVector u = difference(edge.high, edge.low), v = difference(from, edge.low), w = difference(to, edge.low);
   const std::int64_t turn = dot(u, cross(v, w));

@@ -171,7 +171,8 @@ TEST_F(ViewportTest, several_on_one_session_draw_the_same) {
       const std::vector<Image> images = all();
       for (std::size_t i = 1; i < images.size(); ++i) {
         int different = 0;
-        for (std::size_t k = 0; k < images[0].pixels.size(); ++k) different += images[0].pixels[k] != images[i].pixels[k];
+        for (std::size_t k = 0; k < images[0].pixels.size(); ++k)
+          different += images[0].pixels[k] != images[i].pixels[k];
         ASSERT_LE(different, 20) << "step " << step << ", reader " << i;
       }
     }

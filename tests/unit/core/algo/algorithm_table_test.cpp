@@ -159,7 +159,8 @@ TEST_F(Algorithms, lengths_and_elements_are_those_of_the_mesh) {
 }
 
 // Something for every row: a sheet with a hole, three faces on an edge, a face twice, a face turned against its
-// neighbour, corners on a line, an edge torn open, a point on an edge, points next to each other, vertices without a face, and a solid.
+// neighbour, corners on a line, an edge torn open, a point on an edge, points next to each other, vertices without a
+// face, and a solid.
 Mesh mesh_of_all_defects() {
   IndexedMesh source;
   const auto add = [&](const std::vector<glm::dvec3>& places, const Polygons& faces) {

@@ -1,4 +1,5 @@
-// Every algorithm of the table on every kind of mesh of a table: what it makes is whole, and what it gives up leaves no trace.
+// Every algorithm of the table on every kind of mesh of a table: what it makes is whole, and what it gives up leaves no
+// trace.
 #include <gtest/gtest.h>
 
 #include <algorithm>

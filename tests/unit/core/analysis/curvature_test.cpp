@@ -24,8 +24,8 @@ struct Truth {
 };
 using Formula = std::function<Truth(const glm::dvec3&)>;
 
-// A patch of n by n squares, each cut in two along a diagonal by chance, whose inner points are moved by up to `aside` of
-// their spacing.
+// A patch of n by n squares, each cut in two along a diagonal by chance, whose inner points are moved by up to `aside`
+// of their spacing.
 Mesh patch(std::uint32_t n, double aside, const Place& place) {
   std::mt19937 random(n);
   std::uniform_real_distribution<double> share(-aside, aside);

@@ -126,8 +126,8 @@ TEST(overlap_tree, finds_what_asking_all_pairs_finds_on_thin_solids) {
   EXPECT_GT(found, 1000u);
 }
 
-// Stars whose triangles run through each other, with their points on a coarse grid, so that many touch or lie in a plane
-// with a tip, and places occur twice.
+// Stars whose triangles run through each other, with their points on a coarse grid, so that many touch or lie in a
+// plane with a tip, and places occur twice.
 TEST(overlap_tree, finds_what_asking_all_pairs_finds_on_tangled_stars) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Dice dice(seed);

@@ -19,8 +19,9 @@
 namespace ryosen::test {
 namespace {
 
-// The oracle: whole numbers alone, every pair of triangles, and nothing of the kernel. The points that two triangles have
-// in common are a convex set, so they are known by its corners; each is a corner of a triangle or lies on one's side.
+// The oracle: whole numbers alone, every pair of triangles, and nothing of the kernel. The points that two triangles
+// have in common are a convex set, so they are known by its corners; each is a corner of a triangle or lies on one's
+// side.
 namespace slow {
 
 using Number = __int128;

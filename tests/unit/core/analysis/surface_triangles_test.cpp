@@ -28,7 +28,8 @@ std::vector<Held> held_by(const SurfaceTriangles& triangles, const Mesh& mesh) {
   return held;
 }
 
-// Every face has its triangles, each in a slot that names it back, with a bit for each of its sides; nothing else is held.
+// Every face has its triangles, each in a slot that names it back, with a bit for each of its sides; nothing else is
+// held.
 void expect_the_faces_of(const Mesh& mesh, const SurfaceTriangles& triangles) {
   std::size_t expected = 0;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {

@@ -16,7 +16,8 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 
-// In so many dimensions by trying every direction that is normal to two differences of points: the least width is among them.
+// In so many dimensions by trying every direction that is normal to two differences of points: the least width is among
+// them.
 double width_by_trying_all(const Points& points) {
   Points differences;
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -1,5 +1,5 @@
-// The name that a copy of a point is printed with is read as that copy: its number and a face, its number alone where it
-// has no face.
+// The name that a copy of a point is printed with is read as that copy: its number and a face, its number alone where
+// it has no face.
 #include <gtest/gtest.h>
 
 #include "ryosen/mesh/copies.h"

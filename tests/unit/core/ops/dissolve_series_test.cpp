@@ -40,8 +40,8 @@ Mesh with_corner_values(const SeededMesh& seeded) {
   return from_indexed(std::move(source));
 }
 
-// Edges, and here and there or every other time a vertex, in a random order with repetitions: each judged and done as by itself. Where it is
-// strict, warnings refuse too.
+// Edges, and here and there or every other time a vertex, in a random order with repetitions: each judged and done as
+// by itself. Where it is strict, warnings refuse too.
 void expect_same_as_one_by_one(const Mesh& start, Dice& dice) {
   const bool is_strict = dice.one_in(2);
   const int of_vertices = dice.one_in(3) ? 2 : 20;

@@ -53,8 +53,8 @@ bool is_joined_as_itself(const Mesh& mesh, Vertex v, Vertex last) {
   return is_joined;
 }
 
-// Along the edges that lead to the last one, those with the lowest number first; what may not be is asked again when there is
-// no other and something was done since.
+// Along the edges that lead to the last one, those with the lowest number first; what may not be is asked again when
+// there is no other and something was done since.
 std::size_t collapsed_into(Mesh& mesh, std::vector<Element>& left, Vertex& last) {
   std::size_t done = 0, before = 0;
   std::vector<Element> refused;

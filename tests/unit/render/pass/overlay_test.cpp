@@ -122,7 +122,8 @@ TEST(overlay, lines_thin_out_where_they_are_short) {
   EXPECT_LT(2 * thin, coloured(*view, 0.08, false)) << "one of 8 pixels is not";
 }
 
-// The border of an arrow is as wide before its tip and beside its head as beside its shaft: nothing looks like a second one.
+// The border of an arrow is as wide before its tip and beside its head as beside its shaft: nothing looks like a second
+// one.
 TEST(overlay, the_rim_of_an_arrow_lies_all_round_it) {
   const auto view = front_view(square_scene(1), overlay_size, 2.4);
   Overlay overlay;

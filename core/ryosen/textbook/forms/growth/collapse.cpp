@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::uint32_t most_edges = 8;
 
-// Edges that may collapse and that the listing can: between two faces, with no boundary in sight. They lie apart, so that
-// one goes with the others.
+// Edges that may collapse and that the listing can: between two faces, with no boundary in sight. They lie apart, so
+// that one goes with the others.
 std::vector<Halfedge> edges_to_collapse(const Mesh& mesh) {
   std::vector<Halfedge> found;
   std::vector<bool> is_near(mesh.vertex_slots(), false);

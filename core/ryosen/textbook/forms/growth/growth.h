@@ -1,5 +1,5 @@
-// How the work of the forms grows with the number of faces: of the pairings, of what they are asked, and of the collapse.
-// Everything is counted and timed when it is asked for, on meshes of growing size.
+// How the work of the forms grows with the number of faces: of the pairings, of what they are asked, and of the
+// collapse. Everything is counted and timed when it is asked for, on meshes of growing size.
 #pragma once
 
 #include <cstdint>
@@ -52,8 +52,8 @@ struct GrowthEffort {
 };
 
 // The curves of all pairings, of all relations on all forms that can tell, and of the ways to collapse, on `meshes` of
-// growing size; a form that a mesh does not suit has no point there. Empty when it is cancelled. Cost: that of all pairings
-// and of building every form for each mesh.
+// growing size; a form that a mesh does not suit has no point there. Empty when it is cancelled. Cost: that of all
+// pairings and of building every form for each mesh.
 std::vector<GrowthCurve> measure_growth(std::span<const Mesh> meshes, const GrowthEffort& effort, Progress& progress);
 
 }  // namespace ryosen::forms

@@ -80,7 +80,8 @@ void for_each_neighbour_by_faces(RecordReader& reader, std::uint32_t v, Visit vi
 
 }  // namespace
 
-// Table 2, and the map of text 003 about a vertex: all faces are looked through, but for what stands in the face itself.
+// Table 2, and the map of text 003 about a vertex: all faces are looked through, but for what stands in the face
+// itself.
 void answer_by_search(RecordReader& reader, const Asked& asked, Answer& out) {
   Corners own;
   if (asked.row.asks == ElementOf::face) {

@@ -38,8 +38,8 @@ struct HullStep {
   // seen from outside, by the twins. In a plane the half-edges before and behind the seen ones.
   std::vector<std::uint32_t> horizon = {};
   std::vector<std::uint32_t> made = {};  // elements: in space one for each edge of the horizon, in a plane two
-  // A made element and the one beside it, which stays or is made too, where they lie in one plane, or line: one facet, or
-  // edge, of the hull.
+  // A made element and the one beside it, which stays or is made too, where they lie in one plane, or line: one facet,
+  // or edge, of the hull.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> united = {};
   std::uint32_t witness = no_index;               // of on_face the element, of equal the vertex
   std::vector<DcelChange> changes = {};           // in the order in which they were written
@@ -56,12 +56,12 @@ inline void take_back(const HullStep& step, forms::DcelRecords& records) {
   take_back_changes(step.changes, step.half_edge_rows, step.face_rows, records);
 }
 
-// Builds the hull point by point. Each point outside is kept with one element that it sees; when that goes it is handed to
-// a new one that it sees, or lies inside. In space that is the one towards which it lies from a point inside
-// (fan_sectors.h), so in random order the elements that are made and the hand-overs are O(n log n) expected for n points,
-// each of them O(log k) exact signs among k new faces [Clarkson89]. Vertices of the DCEL are the points by number; rows of
-// half-edges and faces that are gone are used again, and have no origin and no outer component in between. Points must
-// outlive it.
+// Builds the hull point by point. Each point outside is kept with one element that it sees; when that goes it is handed
+// to a new one that it sees, or lies inside. In space that is the one towards which it lies from a point inside
+// (fan_sectors.h), so in random order the elements that are made and the hand-overs are O(n log n) expected for n
+// points, each of them O(log k) exact signs among k new faces [Clarkson89]. Vertices of the DCEL are the points by
+// number; rows of half-edges and faces that are gone are used again, and have no origin and no outer component in
+// between. Points must outlive it.
 class HullSteps {
  public:
   // Not finite points are left out. `seed`: of the random order.

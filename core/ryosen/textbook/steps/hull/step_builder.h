@@ -69,7 +69,8 @@ class StepBuilder {
   void pair(Index h, Index k);
   Index new_half_edge();
   Index new_face();
-  // All its fields become none, as that of its origin which leads to it. Its row may be used again from the next step on.
+  // All its fields become none, as that of its origin which leads to it. Its row may be used again from the next step
+  // on.
   void remove_half_edge(Index h);
   void note_made(Index element);
 

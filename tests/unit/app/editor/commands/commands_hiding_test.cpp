@@ -96,7 +96,8 @@ TEST(hiding, what_is_hidden_is_neither_picked_nor_in_the_way) {
   const auto session = laid_out("torus.off");
   const glm::dvec2 pixel = middle_of(*session, Face(0));
   std::vector<std::uint32_t> met;
-  for (auto picked = session->pointing.pick(pixel, PickMode::face); picked; picked = session->pointing.pick(pixel, PickMode::face)) {
+  for (auto picked = session->pointing.pick(pixel, PickMode::face); picked;
+       picked = session->pointing.pick(pixel, PickMode::face)) {
     met.push_back(picked->element.index);
     ASSERT_LE(met.size(), 4u);
     run(*session, {("hide f" + std::to_string(met.back())).c_str()});
@@ -133,7 +134,8 @@ TEST(hiding, follows_edits_undo_and_redo) {
   run(*session, {"hide f0 f1 f2 f3", "delete f1"});
   EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3}));
   run(*session, {"undo"});
-  EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3})) << "what comes back is seen";
+  EXPECT_EQ(session->findings().hidden().faces().to_vector(), (std::vector<std::uint32_t>{0, 2, 3}))
+      << "what comes back is seen";
   run(*session, {"redo", "undo", "select f8", "poke selected"});
   for (std::uint32_t i = 0; i < session->mesh().face_slots(); ++i)
     EXPECT_EQ(session->findings().hidden().hides(session->mesh(), Face(i)), i == 0 || i == 2 || i == 3) << i;

@@ -240,7 +240,8 @@ TEST(on_selection, dissolves_edges_with_the_ends_that_they_leave_with_two_edges)
   EXPECT_EQ(session->mesh().hash(), hash);
 }
 
-// As whoever knows other editors expects of selected faces: the edges between them go, with the vertices that only they had.
+// As whoever knows other editors expects of selected faces: the edges between them go, with the vertices that only they
+// had.
 TEST(on_selection, dissolves_selected_faces_into_one_as_one_entry) {
   const auto session = session_opened("cube.obj");
   ASSERT_TRUE(session->run("new").done());
@@ -321,7 +322,8 @@ TEST(on_each, both_sides_of_a_wire_are_cycles_of_their_own) {
   for (const int side : {0, 1}) session->run("select add h" + std::to_string(halfedge(wire, side).index));
   const Outcome outcome = session->run("fill selected");
   ASSERT_TRUE(outcome.done()) << outcome.sentence.en;
-  EXPECT_TRUE(outcome.sentence.en.starts_with("One face was made. One refused: Two faces would have")) << outcome.sentence.en;
+  EXPECT_TRUE(outcome.sentence.en.starts_with("One face was made. One refused: Two faces would have"))
+      << outcome.sentence.en;
   EXPECT_EQ(session->mesh().live().faces, 7u);
 }
 

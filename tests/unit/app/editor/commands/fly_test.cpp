@@ -104,7 +104,8 @@ TEST(fly, a_walk_takes_the_camera_along_where_the_next_halfedge_is_hidden) {
     const Halfedge h = session->selecting.selection[0].halfedge();
     const glm::dvec3 middle = (m.position(m.from(h)) + m.position(m.to(h))) / 2.0;
     ASSERT_TRUE(is_in_view(*session, middle));
-    const auto front = session->pointing.pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
+    const auto front =
+        session->pointing.pick(project(session->view.camera, session->view.size, middle)->pixel, PickMode::face);
     if (!front) continue;  // on the silhouette
     EXPECT_TRUE(front->face == m.face(h) || front->face == m.face(twin(h))) << i;
   }

@@ -60,7 +60,8 @@ TEST(preparation, finds_in_the_background_what_would_be_found_at_once) {
   expect_as_if_asked_at_once(*session);
   const auto other = large_session();
   for (int x = 100; x < 1200; x += 50) {
-    const auto picked = session->pointing.pick({x, 360}, PickMode::edge), expected = other->pointing.pick({x, 360}, PickMode::edge);
+    const auto picked = session->pointing.pick({x, 360}, PickMode::edge),
+               expected = other->pointing.pick({x, 360}, PickMode::edge);
     ASSERT_EQ(picked.has_value(), expected.has_value());
     EXPECT_TRUE(!picked || picked->element == expected->element);
   }

@@ -1,5 +1,5 @@
-// A session ended by a signal at a random moment of edits and saves is recovered as it was after the last edit, or the one
-// that was being done. A signal that the program answers leaves nothing half written beside the file.
+// A session ended by a signal at a random moment of edits and saves is recovered as it was after the last edit, or the
+// one that was being done. A signal that the program answers leaves nothing half written beside the file.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -108,7 +108,9 @@ Death walk_and_die(const std::string& file, const std::filesystem::path& folder,
   ::kill(child, signal);
   rusage usage{};
   ::wait4(child, &death.status, 0, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   death.took = std::chrono::duration<double>(seconds(usage.ru_utime) + seconds(usage.ru_stime)) - before;
   for (ssize_t more; (more = ::read(ends[0], told, sizeof told)) > 0;) count += more;
   ::close(ends[0]);
@@ -177,7 +179,8 @@ TEST(killed_session, is_recovered_as_it_was_after_the_last_edit) {
   }
   std::sort(times.begin(), times.end());
   std::printf(
-      "%d sessions ended within %.1f ms, seed %u: %d recovered, %d with nothing unsaved, the slowest in %.0f ms of the processor\n",
+      "%d sessions ended within %.1f ms, seed %u: %d recovered, %d with nothing unsaved, the slowest in %.0f ms of the "
+      "processor\n",
       rounds, took.count() / 1000, seed, recovered, saved, 1000 * times.back().count());
   EXPECT_LT(times[times.size() * 9 / 10].count(), 0.2);
   EXPECT_GT(recovered, 0);

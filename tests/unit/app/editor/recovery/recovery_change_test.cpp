@@ -1,5 +1,5 @@
-// What another program does to the file of a session that crashed: it is told before anything is replayed, nothing of it
-// is replaced unasked, and the edits come back all the same.
+// What another program does to the file of a session that crashed: it is told before anything is replayed, nothing of
+// it is replaced unasked, and the edits come back all the same.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -122,7 +122,8 @@ TEST(house_counts, no_struct_of_the_program_has_over_20_data_members) {
     const std::string& text = text_of(file);
     for (std::sregex_iterator found(text.begin(), text.end(), head), end; found != end; ++found) {
       const std::size_t begin = static_cast<std::size_t>(found->position() + found->length());
-      EXPECT_LE(data_members_in(text.substr(begin, text.find("\n};", begin) - begin)), 20u) << file << " " << found->str(1);
+      EXPECT_LE(data_members_in(text.substr(begin, text.find("\n};", begin) - begin)), 20u)
+          << file << " " << found->str(1);
       ++structs;
     }
   }

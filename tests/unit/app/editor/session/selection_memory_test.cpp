@@ -44,8 +44,8 @@ struct Divided {
 
 class what_is_divided : public testing::TestWithParam<Divided> {};
 
-// The face z = 1 of the cube and one of its edges lie in planes that the midpoint scheme keeps; the others move them, but
-// divide all alike.
+// The face z = 1 of the cube and one of its edges lie in planes that the midpoint scheme keeps; the others move them,
+// but divide all alike.
 TEST_P(what_is_divided, is_kept_and_selected_with_all_its_parts) {
   const auto session = memory_session("cube.obj");
   const Mesh& mesh = session->mesh();
@@ -140,8 +140,8 @@ TEST(selection_memory, what_is_kept_changes_nothing_of_what_is_made) {
   }
 }
 
-// A row that puts faces in the place of others and says nothing of it is found here: all faces of a mesh whose every face
-// is kept come of these.
+// A row that puts faces in the place of others and says nothing of it is found here: all faces of a mesh whose every
+// face is kept come of these.
 TEST(selection_memory, behind_every_algorithm_that_replaces_all_the_set_of_all_faces_is_that_of_all) {
   for (const AlgorithmRow& row : algorithm_table()) {
     const auto session = memory_session("cube.obj");

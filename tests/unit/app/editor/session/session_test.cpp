@@ -98,7 +98,8 @@ TEST(session, picker_highlights_and_totals_follow_edits_as_if_made_anew) {
       for (double y = 0.2; y < 6; y += 0.9) {
         const glm::dvec2 pixel = pixel_of(*session, {x, y, 0});
         for (const PickMode mode : {PickMode::face, PickMode::edge, PickMode::vertex}) {
-          const auto a = session->findings().picker().pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
+          const auto a =
+              session->findings().picker().pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
           const auto b = anew.pick(session->mesh(), session->view.camera, session->view.size, pixel, mode);
           ASSERT_EQ(a.has_value(), b.has_value()) << line;
           if (!a) continue;

@@ -227,7 +227,8 @@ TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   ASSERT_TRUE(session_.findings().account());
   const std::vector<std::uint8_t> rules = session_.findings().account()->rules;
   ASSERT_TRUE(say("account free").done());
-  EXPECT_EQ(session_.selecting.selection.size(), session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
+  EXPECT_EQ(session_.selecting.selection.size(),
+            session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
   session_.view.gizmo_kind = GizmoKind::move;
   EXPECT_FALSE(session_.pointing.gizmo()) << "nothing of a level is moved";
   ASSERT_TRUE(say("levels at 300").done());

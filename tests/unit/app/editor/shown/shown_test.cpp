@@ -121,7 +121,8 @@ TEST(shown, looking_at_a_preview_or_asking_for_a_remedy_leaves_it) {
 
 // What is added to the document was counted against the mesh of the preview.
 TEST(shown, what_a_command_adds_is_added_to_the_document) {
-  for (const char* const line : {"append torus.off", "cube size=1", "sphere", "grid", "duplicate elements=f0 by=2,0,0"}) {
+  for (const char* const line :
+       {"append torus.off", "cube size=1", "sphere", "grid", "duplicate elements=f0 by=2,0,0"}) {
     const auto alone = shown_by(ShownBy::document), previewed = shown_by(ShownBy::preview);
     const std::string said = line == std::string("append torus.off") ? "append " + test::asset("torus.off") : line;
     const Outcome a = alone->run(said), b = previewed->run(said);

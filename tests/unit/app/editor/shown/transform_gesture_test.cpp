@@ -49,7 +49,8 @@ TEST_F(GestureTest, changes_only_the_view_until_it_ends_as_one_entry) {
   ASSERT_TRUE(session_->gesturing.is_active());
   EXPECT_EQ(session_->mesh().hash(), hash);
   EXPECT_NE(session_->gesturing.drawn_positions()[0], session_->mesh().position(Vertex(0)));
-  const std::vector<glm::dvec3> shown(session_->gesturing.drawn_positions().begin(), session_->gesturing.drawn_positions().end());
+  const std::vector<glm::dvec3> shown(session_->gesturing.drawn_positions().begin(),
+                                      session_->gesturing.drawn_positions().end());
   run({"press left 700,300", "release left 700,300"});
   EXPECT_FALSE(session_->gesturing.is_active());
   EXPECT_EQ(session_->document().history().size(), 1u);
@@ -85,7 +86,9 @@ TEST_F(GestureTest, typed_numbers_and_axes_are_exact) {
   EXPECT_EQ(session_->document().history().size(), 1u);
 }
 
-std::uint32_t flat_faces(Session& session) { return session.findings().highlights().count(ProblemKind::degenerate_area); }
+std::uint32_t flat_faces(Session& session) {
+  return session.findings().highlights().count(ProblemKind::degenerate_area);
+}
 
 // While faces are pulled out their sides are where they are drawn, not where the operator on trial has put them.
 TEST_F(GestureTest, lists_no_face_that_only_the_trial_leaves_without_area) {
@@ -156,7 +159,8 @@ class SnapTest : public GestureTest {
   }
   static std::string at(glm::dvec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
   bool is_selected(Vertex v) const {
-    return std::find(session_->selecting.selection.begin(), session_->selecting.selection.end(), Element(v)) != session_->selecting.selection.end();
+    return std::find(session_->selecting.selection.begin(), session_->selecting.selection.end(), Element(v)) !=
+           session_->selecting.selection.end();
   }
   // One that is in sight, and selected or not.
   Vertex seen_vertex(bool selected) {
@@ -317,7 +321,8 @@ TEST_F(GestureTest, extruding_is_one_entry_along_the_normal_of_the_faces_or_noth
   const std::uint64_t hash = session_->mesh().hash();
   run({"mode face", "select f0 f1", "key E"});
   ASSERT_TRUE(session_->gesturing.is_active());
-  EXPECT_FALSE(session_->gesturing.transform()->movement() && *session_->gesturing.transform()->movement() != glm::dvec3(0))
+  EXPECT_FALSE(session_->gesturing.transform()->movement() &&
+               *session_->gesturing.transform()->movement() != glm::dvec3(0))
       << "by nothing yet";
   run({"key Escape"});
   EXPECT_EQ(session_->mesh().hash(), hash);

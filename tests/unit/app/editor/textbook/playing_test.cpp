@@ -163,7 +163,8 @@ TEST(playing, an_exercise_over_a_step_says_what_is_shown) {
 TEST(playing, what_was_selected_hidden_measured_and_found_comes_back) {
   const auto session = playing_session("figures/003-image41.obj");
   do_all(*session, {"mode face", "select f0", "hide f3", "measure f0", "self_intersections", "steps collapse 0-1"});
-  const std::vector<std::uint32_t> found = session->findings().highlights().of(ProblemKind::self_intersection).to_vector();
+  const std::vector<std::uint32_t> found =
+      session->findings().highlights().of(ProblemKind::self_intersection).to_vector();
   do_all(*session, {"steps last"});
   ASSERT_TRUE(session->shown.is_replaced());
   EXPECT_TRUE(session->selecting.selection.empty());

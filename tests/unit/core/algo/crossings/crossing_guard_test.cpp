@@ -97,13 +97,14 @@ MetPlaces places_where_faces_meet(const IndexedMesh& mesh, double reach) {
   std::vector<MetPlaces::Place> places;
   for (const FacePair& pair : pairs_by_asking_all(mesh)) {
     const Box common = common_box(corners_of_face(mesh, pair.first), corners_of_face(mesh, pair.second));
-    places.push_back({{common.lowest - reach, common.highest + reach}, parts[pair.first.index], parts[pair.second.index]});
+    places.push_back(
+        {{common.lowest - reach, common.highest + reach}, parts[pair.first.index], parts[pair.second.index]});
   }
   return {parts, places};
 }
 
-// Whether faces meet away from these places when a vertex lies elsewhere; what meets a face that lies in one of its part's
-// is not asked.
+// Whether faces meet away from these places when a vertex lies elsewhere; what meets a face that lies in one of its
+// part's is not asked.
 bool meets_elsewhere(IndexedMesh mesh, const MetPlaces& met, std::uint32_t moved, const glm::dvec3& position) {
   mesh.positions[moved] = position;
   const std::vector<FacePair> pairs = pairs_by_asking_all(mesh);

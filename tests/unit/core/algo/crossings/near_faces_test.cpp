@@ -18,7 +18,8 @@
 namespace ryosen::test {
 namespace {
 
-// A fan of n faces around a hub so high, another one below on the same circle, and n squares between, each in two triangles.
+// A fan of n faces around a hub so high, another one below on the same circle, and n squares between, each in two
+// triangles.
 Mesh two_hubs(std::uint32_t n, double height) {
   IndexedMesh source;
   for (const double radius : {1.0, 1.0 + 6.0 / n})
@@ -36,7 +37,8 @@ Mesh two_hubs(std::uint32_t n, double height) {
   return from_indexed(source);
 }
 
-// Pages that stand around a spine, each of so many squares along it, in two triangles each. They bend with the spine by so much.
+// Pages that stand around a spine, each of so many squares along it, in two triangles each. They bend with the spine by
+// so much.
 Mesh book(std::uint32_t pages, std::uint32_t squares, double bend) {
   IndexedMesh source;
   const auto at = [&](double radius, double angle, std::uint32_t k) {

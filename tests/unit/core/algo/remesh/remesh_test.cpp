@@ -90,7 +90,8 @@ Vertex next_towards(const Mesh& mesh, Vertex at, const glm::dvec3& b) {
   return found ? point(mesh, found) : found;
 }
 
-// Of the features each point is still there to the bit, and edges of the result lead straight from end to end of each edge.
+// Of the features each point is still there to the bit, and edges of the result lead straight from end to end of each
+// edge.
 void expect_features_are_kept(const Mesh& before, const Mesh& after, double angle_rad) {
   Mesh triangles = before;
   Journal journal;

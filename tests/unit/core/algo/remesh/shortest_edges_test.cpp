@@ -56,7 +56,8 @@ double distance_from(const Segment& segment, const glm::dvec3& p) {
   return glm::distance(p, segment.a + t * along);
 }
 
-// Edges of a result that lie on no boundary and no feature of the mesh before, nor lead from one point of these to another.
+// Edges of a result that lie on no boundary and no feature of the mesh before, nor lead from one point of these to
+// another.
 std::vector<Segment> made_edges(const Mesh& before, const Mesh& after,
                                 double below = std::numeric_limits<double>::infinity()) {
   const remesh::Features features = remesh::find_features(before, angle_rad);

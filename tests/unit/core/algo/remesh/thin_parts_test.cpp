@@ -48,8 +48,8 @@ Mesh read(const std::filesystem::path& path) {
   return file ? from_indexed(file->mesh) : Mesh();
 }
 
-// How far the surfaces may be from each other, in lengths. Where edges are to be longer than a part is thick, it is left so
-// that none stays short.
+// How far the surfaces may be from each other, in lengths. Where edges are to be longer than a part is thick, it is
+// left so that none stays short.
 struct Near {
   double eaten = 0.4, torn = 0.6;
 };
@@ -86,7 +86,8 @@ void expect_any_length_is_fine(const Mesh& mesh, const std::string& name) {
       const double length = times * mean_edge(mesh);
       Progress unheard;
       remesh::Remeshed made = remesh::remeshed(
-          mesh, {.length = length, .adaptive = adaptive, .tolerance = length / 20, .feature_angle_rad = 0.785}, unheard);
+          mesh, {.length = length, .adaptive = adaptive, .tolerance = length / 20, .feature_angle_rad = 0.785},
+          unheard);
       ASSERT_FALSE(made.fault);
       expect_same_surface(mesh, Mesh(std::move(made.columns)), length, times >= 2 ? around_long_edges : Near{});
     }
@@ -94,8 +95,9 @@ void expect_any_length_is_fine(const Mesh& mesh, const std::string& name) {
 
 TEST(RemeshThin, parts_thinner_than_the_length_stay) {
   expect_any_length_is_fine(made_by_lines({"sphere", "scale axis=0,0,1 factor=0.02"}), "a smooth plate");
-  expect_any_length_is_fine(made_by_lines({"cube", "scale axis=0,0,1 factor=0.02", "subdivide scheme=midpoint steps=3"}),
-                            "a plate with edges");
+  expect_any_length_is_fine(
+      made_by_lines({"cube", "scale axis=0,0,1 factor=0.02", "subdivide scheme=midpoint steps=3"}),
+      "a plate with edges");
   expect_any_length_is_fine(made_by_lines({"torus radius=1 tube=0.03"}), "a thin torus");
   expect_any_length_is_fine(made_by_lines({"cone radius=0.1 height=1", "subdivide scheme=midpoint steps=1"}), "a cone");
 }
@@ -106,8 +108,8 @@ TEST(RemeshThin, sheets_nearer_than_the_length_do_not_meet) {
                             "a plate in a sphere");
 }
 
-// Two large triangles that cross, with two spheres in their boxes but away from where they do: that they meet excuses no
-// others.
+// Two large triangles that cross, with two spheres in their boxes but away from where they do: that they meet excuses
+// no others.
 TEST(RemeshThin, faces_that_met_before_excuse_none_elsewhere) {
   IndexedMesh indexed = to_indexed(made_by_lines({"sphere radius=1", "sphere radius=1.01"})).mesh;
   constexpr glm::dvec3 corner(-1.2);
@@ -133,11 +135,13 @@ TEST(RemeshThin, faces_that_met_before_excuse_none_elsewhere) {
 
 TEST(RemeshThin, meshes_of_files_stay_what_they_are) {
   namespace fs = std::filesystem;
-  for (const char* const name : {"ball.off", "torus.off", "tetrahedron.off", "cube.obj", "moebius.off", "klein_bottle.off"})
+  for (const char* const name :
+       {"ball.off", "torus.off", "tetrahedron.off", "cube.obj", "moebius.off", "klein_bottle.off"})
     expect_any_length_is_fine(read(fs::path(RYOSEN_SOURCE_DIR "/assets") / name), name);
   const fs::path known = RYOSEN_SHARED_DIR "/meshes/known";
   if (!fs::exists(known)) return;
-  for (const char* const name : {"annulus.off", "cube_quad.off", "cube_tri.off", "moebius5.off", "two_tets_disjoint.off"})
+  for (const char* const name :
+       {"annulus.off", "cube_quad.off", "cube_tri.off", "moebius5.off", "two_tets_disjoint.off"})
     expect_any_length_is_fine(read(known / name), name);
 }
 
@@ -184,9 +188,9 @@ TEST(RemeshThin, overlapping_parts_meet_where_they_met) {
   }
 }
 
-// A tongue with a smooth rim whose sheets lie nearer to each other than the length: what projecting to the nearest point of
-// the surface, or collapsing into middles, ate from the tip.
-// Were a point of one page put on the next one, they would meet, and steps would be refused since.
+// A tongue with a smooth rim whose sheets lie nearer to each other than the length: what projecting to the nearest
+// point of the surface, or collapsing into middles, ate from the tip. Were a point of one page put on the next one,
+// they would meet, and steps would be refused since.
 TEST(RemeshThin, points_of_a_page_stay_on_it) {
   const std::vector<std::uint32_t> few{100}, many{60, 100, 150, 300};
   for (const std::uint32_t pages : is_long_run() ? many : few)

@@ -24,7 +24,8 @@ IndexedMesh wavy_cup(std::uint32_t corners, double height) {
   return list;
 }
 
-// With a small triangle close to each side of each triangle between the corners of the rim: no other patch fits between.
+// With a small triangle close to each side of each triangle between the corners of the rim: no other patch fits
+// between.
 IndexedMesh with_guards(IndexedMesh list) {
   const Mesh mesh = from_indexed(list);
   Progress unheard;

@@ -122,13 +122,14 @@ TEST(pair_faces, a_solid_that_comes_back_to_itself_in_a_face_keeps_the_wall) {
   // Eight cubes around the middle of a square, without the walls between them but for one: a bar bent to a ring.
   SolidBuilder ring;
   const std::vector<LatticePoint> cells{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0},
-                                     {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
+                                        {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}};
   for (const LatticePoint& cell : cells) ring.add_cube(cell);
   const auto key = [](std::vector<LatticePoint> face) {
     std::sort(face.begin(), face.end());
     return face;
   };
-  const std::vector<LatticePoint> kept{{0, 1, 0}, {0, 1, 1}, {1, 1, 0}, {1, 1, 1}};  // between the first cube and the last
+  const std::vector<LatticePoint> kept{
+      {0, 1, 0}, {0, 1, 1}, {1, 1, 0}, {1, 1, 1}};  // between the first cube and the last
   SolidBuilder c;
   for (const auto& face : ring.faces()) {
     const auto walls = std::count_if(ring.faces().begin(), ring.faces().end(),

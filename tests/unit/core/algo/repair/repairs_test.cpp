@@ -87,8 +87,8 @@ TEST(repairs, two_cubes_on_the_points_of_one_edge_come_apart) {
 }
 
 TEST(repairs, a_flat_face_within_a_disc_goes_without_a_hole) {
-  // A fan of six around vertex 0 in which 0, 1 and 2 lie on a line, the flat face 0-1-2 included; across its long side 0-2
-  // lies the flat face 0-2-3.
+  // A fan of six around vertex 0 in which 0, 1 and 2 lie on a line, the flat face 0-1-2 included; across its long side
+  // 0-2 lies the flat face 0-2-3.
   IndexedMesh disc = indexed({{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}, {1, 5, 6}, {1, 6, 2}, {2, 6, 3}});
   disc.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 3, 0}, {-3, -3, 0}, {3, -3, 0}};
   Mesh mesh = from_indexed(disc);
@@ -110,7 +110,8 @@ TEST(repairs, equal_triangles_that_run_alike_are_not_turned_into_a_hanging_pair)
 TEST(repairs, duplicates_go_without_a_misoriented_edge) {
   // Two triangles that run their common edge alike, and one of them again: the edge has three faces.
   Mesh mesh = make_mesh({{0, 1, 2}, {0, 1, 3}, {1, 3, 0}});
-  ASSERT_EQ(compute_figures(mesh)[ProblemKind::misoriented_edge], 2u) << "the other edges of the face that is there twice";
+  ASSERT_EQ(compute_figures(mesh)[ProblemKind::misoriented_edge], 2u)
+      << "the other edges of the face that is there twice";
   EXPECT_EQ(run_repair(mesh, "remove_duplicates").changed, 1u);
   const Figures after = compute_figures(mesh);
   EXPECT_EQ(after[ProblemKind::misoriented_edge], 0u);

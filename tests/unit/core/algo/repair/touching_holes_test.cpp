@@ -94,10 +94,19 @@ bool has_island(const Mesh& mesh) {
 }
 
 Mesh triangle_cube() {
-  return from_indexed(
-      placed({{0, 2, 1}, {4, 5, 6}, {4, 6, 7}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4},
-               {3, 4, 7}, {0, 1, 5}, {0, 3, 2}},
-              {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}));
+  return from_indexed(placed({{0, 2, 1},
+                              {4, 5, 6},
+                              {4, 6, 7},
+                              {0, 5, 4},
+                              {1, 2, 6},
+                              {1, 6, 5},
+                              {2, 3, 7},
+                              {2, 7, 6},
+                              {3, 0, 4},
+                              {3, 4, 7},
+                              {0, 1, 5},
+                              {0, 3, 2}},
+                             {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}));
 }
 
 TEST(touching_holes, of_a_cube_give_the_cube_back) {
@@ -128,8 +137,8 @@ TEST(touching_holes, of_a_cube_give_the_cube_back) {
 
 TEST(touching_holes, of_a_sheet_are_filled_in_rows_and_where_it_is_bent) {
   for (const double bend : {0.0, 0.1, 0.4}) {
-    for (const std::vector<int>& cells : std::vector<std::vector<int>>{
-             {5, 10}, {5, 10, 15}, {6, 9}, {5, 8}, {1, 6}, {5, 7, 13, 15}}) {
+    for (const std::vector<int>& cells :
+         std::vector<std::vector<int>>{{5, 10}, {5, 10, 15}, {6, 9}, {5, 8}, {1, 6}, {5, 7, 13, 15}}) {
       IndexedMesh list = squares(4);
       for (glm::dvec3& p : list.positions) p.z = bend * (p.x - 2) * (p.x - 2);
       Mesh mesh = without(from_indexed(list), {cells.begin(), cells.end()});
@@ -139,7 +148,8 @@ TEST(touching_holes, of_a_sheet_are_filled_in_rows_and_where_it_is_bent) {
       const Figures figures = compute_figures(mesh);
       for (const ProblemKind kind : {ProblemKind::nonmanifold_edge, ProblemKind::nonmanifold_vertex,
                                      ProblemKind::coincident_points, ProblemKind::degenerate_area})
-        EXPECT_EQ(figures[kind], 0u) << row_of(kind).id << " " << bend << " first cell " << cells[0] << ", then " << cells[1];
+        EXPECT_EQ(figures[kind], 0u) << row_of(kind).id << " " << bend << " first cell " << cells[0] << ", then "
+                                     << cells[1];
     }
   }
 }

@@ -66,8 +66,8 @@ Mesh tile(std::uint64_t seed, const TileShape& shape) {
     for (std::uint32_t x = 0; x + 1 < columns; ++x) {
       if (is_in_hole(x, y)) continue;
       const std::uint32_t a = y * columns + x, c = a + columns;
-      const std::vector<std::uint32_t> corners = dice.one_in(3) ? std::vector{a, a + 1, c, a + 1, c + 1, c}
-                                                                 : std::vector{a, a + 1, c + 1, a, c + 1, c};
+      const std::vector<std::uint32_t> corners =
+          dice.one_in(3) ? std::vector{a, a + 1, c, a + 1, c + 1, c} : std::vector{a, a + 1, c + 1, a, c + 1, c};
       source.corners.insert(source.corners.end(), corners.begin(), corners.end());
       for (const std::size_t end : {source.corners.size() - 3, source.corners.size()})
         source.face_offsets.push_back(static_cast<std::uint32_t>(end));
@@ -96,7 +96,8 @@ TEST(StandingFaces, none_of_a_locked_tile) {
 TEST(StandingFaces, none_of_that_tile_turned_mirrored_or_scaled) {
   const Mesh mesh = report_mesh("locked_tile12.off");
   const double c = std::cos(0.7), s = std::sin(0.7);
-  const Mesh turned = moved(mesh, [&](const glm::dvec3& p) { return glm::dvec3(p.x, c * p.y - s * p.z, s * p.y + c * p.z); });
+  const Mesh turned =
+      moved(mesh, [&](const glm::dvec3& p) { return glm::dvec3(p.x, c * p.y - s * p.z, s * p.y + c * p.z); });
   EXPECT_GT(least_rise(simplified(turned, "ratio=0.7 boundary=locked"), {0, -s, c}), 0.2);
   const Mesh mirrored = moved(mesh, [](const glm::dvec3& p) { return glm::dvec3(p.y, p.x, p.z); });
   EXPECT_GT(least_rise(simplified(mirrored, "ratio=0.7 boundary=locked"), {0, 0, -1}), 0.2);
@@ -118,12 +119,14 @@ TEST(StandingFaces, none_of_other_tiles) {
     expect_no_standing_faces(tile(seed, {8 + side(2), 8 + side(3), 0.1, true}));
     const double c = std::cos(0.1 * double(seed)), s = std::sin(0.1 * double(seed));
     expect_no_standing_faces(
-        moved(tile(seed, {10, 12}), [&](const glm::dvec3& p) { return glm::dvec3(p.x, c * p.y - s * p.z, s * p.y + c * p.z); }),
+        moved(tile(seed, {10, 12}),
+              [&](const glm::dvec3& p) { return glm::dvec3(p.x, c * p.y - s * p.z, s * p.y + c * p.z); }),
         {0, -s, c});
   }
 }
 
-// A face at a rim that hardly looks along its corners is not to turn against them: on this mesh that cost half as much again.
+// A face at a rim that hardly looks along its corners is not to turn against them: on this mesh that cost half as much
+// again.
 TEST(StandingFaces, rims_stay_as_near_as_other_faces) {
   const Mesh bunny = asset_mesh("stanford_bunny.obj"), made = simplified(bunny, "ratio=0.1");
   Progress unheard;

@@ -491,8 +491,8 @@ TEST(Subdivide, texture_colours_and_names_are_carried_along) {
   }
 }
 
-// Texture coordinates and colours that are the places stay so, whatever a mask does to an irregular sheet; a slit in it ends
-// in a vertex with one value.
+// Texture coordinates and colours that are the places stay so, whatever a mask does to an irregular sheet; a slit in it
+// ends in a vertex with one value.
 TEST(Subdivide, values_stay_where_they_are_on_the_surface) {
   constexpr std::uint32_t side = 6;
   Dice dice(5);

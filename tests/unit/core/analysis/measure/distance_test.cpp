@@ -224,7 +224,8 @@ TEST(distance, integrates_squares_over_a_plane_exactly) {
   }
 }
 
-// Where the surfaces cross the distance has a kink; the error of the mean is divided by four where the spacing is halved.
+// Where the surfaces cross the distance has a kink; the error of the mean is divided by four where the spacing is
+// halved.
 TEST(distance, converges_with_the_second_power_of_the_spacing) {
   const double t = 0.5, zero = 0.337;
   const IndexedMesh plane = moved(flat_grid(1, false, 0), 9, glm::dvec3(-4, -4, 0));

@@ -21,7 +21,7 @@ bool acts_on(const OpInfo& op, Element::Kind sort) {
 std::vector<ElementVerdict> asked_alone(const Mesh& mesh, const OpInfo& op, Element::Kind sort) {
   std::vector<ElementVerdict> verdicts;
   const auto ask = [&](bool is_there, const OpTarget& target) {
-    verdicts.push_back(!is_there                                        ? ElementVerdict::none
+    verdicts.push_back(!is_there                                         ? ElementVerdict::none
                        : check(mesh, op_at(mesh, op.id, target)).legal() ? ElementVerdict::legal
                                                                          : ElementVerdict::refused);
   };

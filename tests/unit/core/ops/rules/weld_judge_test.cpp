@@ -14,7 +14,8 @@ using namespace test;
 Polygons tetrahedra(std::uint32_t n) {
   Polygons faces;
   for (std::uint32_t i = 0; i < 4 * n; i += 4)
-    for (const auto& [a, b, c] : {std::tuple(i, i + 1, i + 2), {i, i + 2, i + 3}, {i, i + 3, i + 1}, {i + 1, i + 3, i + 2}})
+    for (const auto& [a, b, c] :
+         {std::tuple(i, i + 1, i + 2), {i, i + 2, i + 3}, {i, i + 3, i + 1}, {i + 1, i + 3, i + 2}})
       faces.push_back({a, b, c});
   return faces;
 }

@@ -29,8 +29,8 @@ TEST(highlight_table, problems_come_first_and_are_shown_at_first) {
 
 TEST(highlight_table, whatever_is_listed_of_elements_of_the_mesh_can_be_drawn) {
   for (const ProblemRow& problem : problem_table()) {
-    if (problem.kind == ProblemKind::nonfinite_vertex) continue;  // that has no place
-    if (!problem.is_local() || problem.is_found_whole()) continue;     // one is seen where another is
+    if (problem.kind == ProblemKind::nonfinite_vertex) continue;    // that has no place
+    if (!problem.is_local() || problem.is_found_whole()) continue;  // one is seen where another is
     EXPECT_TRUE(std::any_of(highlight_table().begin(), highlight_table().end(), [&](const HighlightRow& row) {
       return row.kinds.contains(problem.kind);
     })) << problem.id;

@@ -210,8 +210,7 @@ TEST(camera, switching_the_projection_keeps_the_target_as_large) {
   const Camera camera = slanted(false);
   const Camera ortho = with_ortho(camera, true);
   EXPECT_NEAR(units_per_pixel(ortho, window, 1),
-              units_per_pixel(camera, window, glm::length(camera.target - camera.eye)),
-              1e-12);
+              units_per_pixel(camera, window, glm::length(camera.target - camera.eye)), 1e-12);
   expect_close(with_ortho(ortho, false).eye, camera.eye, 1e-12);
 }
 

@@ -64,8 +64,8 @@ TEST(forms_comparison, of_memory_is_between_the_forms_that_text_002_compares) {
   EXPECT_EQ(claims[1].claim->smaller, "indexed_face_set");
   EXPECT_EQ(claims[1].claim->larger, "halfedge_loop");
   for (const ComparedClaim& claim : claims) EXPECT_TRUE(claim.holds) << claim.sentence.en;
-  // Of a face: three sides with 5 numbers, half an edge's 2 and, by vertices half as many as faces, 16 bytes of a vertex;
-  // one number of a loop. Of a polygon: a list's head of 24 bytes and three places.
+  // Of a face: three sides with 5 numbers, half an edge's 2 and, by vertices half as many as faces, 16 bytes of a
+  // vertex; one number of a loop. Of a polygon: a list's head of 24 bytes and three places.
   EXPECT_NE(claims[0].sentence.en.find("halfedge, loops and parent edges 92, polygon set 96"), std::string::npos)
       << claims[0].sentence.en;
   EXPECT_NE(claims[0].sentence.ja.find("92"), std::string::npos) << claims[0].sentence.ja;

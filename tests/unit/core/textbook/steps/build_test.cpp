@@ -56,7 +56,8 @@ TEST(build_steps, end_with_the_halfedges_of_table_5_and_the_map_of_text_003) {
   }
 }
 
-// The lines of program code 2, and of the listing of text 003 that fills opps, as printed, blank lines included, by hand.
+// The lines of program code 2, and of the listing of text 003 that fills opps, as printed, blank lines included, by
+// hand.
 TEST(build_steps, cite_the_lines_of_the_printed_listings) {
   const auto sequence = played("build", asset_mesh("figures/003-image22.obj"), {});
   std::map<std::string, std::set<int>> lines;

@@ -151,9 +151,9 @@ TEST(listing_steps, cite_the_lines_of_the_printed_listing) {
   }
 }
 
-// Two triangles, 0 1 2 and 1 0 3, with more of them around. The pair that was never set is followed where he1 is written to
-// (54), where heRT and heLT or heLB and heRB are joined (59, 60), where he->pair leads on (36, 71), or where a vertex is
-// read from beyond (81 to 86).
+// Two triangles, 0 1 2 and 1 0 3, with more of them around. The pair that was never set is followed where he1 is
+// written to (54), where heRT and heLT or heLB and heRB are joined (59, 60), where he->pair leads on (36, 71), or where
+// a vertex is read from beyond (81 to 86).
 TEST(listing_steps, end_in_the_line_that_follows_a_link_never_set) {
   struct Gap {
     const char* id;

@@ -75,7 +75,8 @@ TEST(script_steps, each_delta_is_what_the_header_of_the_operator_promises) {
   EXPECT_GT(compared, 150u);
 }
 
-// By hand from the text's figures: a vertex by itself is an I, an edge by itself a walk W around it, a triangle's rim a B.
+// By hand from the text's figures: a vertex by itself is an I, an edge by itself a walk W around it, a triangle's rim a
+// B.
 TEST(script_steps, tell_boundary_loops_walks_along_wires_and_points_apart) {
   struct Told {
     const char *line, *changes;

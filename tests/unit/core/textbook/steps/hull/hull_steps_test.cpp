@@ -218,7 +218,8 @@ class PlanarStepsOf : public testing::TestWithParam<std::tuple<int, HullOrder>> 
   HullOrder order_ = std::get<1>(GetParam());
 };
 
-// Half-edges within the face from which the point lies strictly outside, by asking each with the normal of three corners.
+// Half-edges within the face from which the point lies strictly outside, by asking each with the normal of three
+// corners.
 std::set<std::uint32_t> edges_seen(const DcelRecords& records, const std::vector<glm::dvec3>& points, std::uint32_t p) {
   const auto corner = [&](std::uint32_t h) { return points[records.half_edges[h].origin]; };
   std::set<std::uint32_t> all, seen;

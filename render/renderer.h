@@ -37,7 +37,7 @@ namespace ryosen {
 // Overlay layers that change independently, in drawing order.
 enum class Layer {
   normals,
-  account,
+  left_edges,
   highlights,
   verdicts,
   question,

@@ -13,7 +13,7 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/document/repair_call.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/io/given_back.h"
@@ -70,18 +70,18 @@ class AlgorithmRun {
     else if (by_repair_)
       print_json<repair_shape>();
     else
-      account() ? print_json<accounting_shape>() : print_json<algorithm_shape>();
+      goal_report() ? print_json<goal_shape>() : print_json<algorithm_shape>();
     return code_;
   }
 
  private:
-  // Of one that accounts; by repair none does.
-  const Account* account() const {
-    const std::optional<Account>& given = calls_.front().result.account;
+  // Of one with a goal; by repair none does.
+  const GoalReport* goal_report() const {
+    const std::optional<GoalReport>& given = calls_.front().result.goal_report;
     return !by_repair_ && given ? &*given : nullptr;
   }
   // One with a goal is asked for the goal, every other for what is left.
-  bool falls_short() const { return account() ? !account()->is_reached : has_problem_; }
+  bool falls_short() const { return goal_report() ? !goal_report()->is_reached : has_problem_; }
 
   std::optional<Failure> repair() { return repair_.emplace(job_, console_).run(calls_); }
 
@@ -92,7 +92,8 @@ class AlgorithmRun {
     faces_before_ = job_.document->mesh().live().faces + job_.document->tables().quarantine.size();
     const std::optional<Mesh> before = wants_distance_ ? std::optional(job_.document->mesh()) : std::nullopt;
     call.result =
-        job_.document->run(*call.row, call.values, line, report_on(console_, name), {.account = console_.json}).value();
+        job_.document->run(*call.row, call.values, line, report_on(console_, name), {.edge_rules = console_.json})
+            .value();
     if (const std::optional<Text>& fault = call.result.fault)
       return usage_failure("bad_value", {fault->en + ".", fault->ja + "。"});
     if (const std::optional<Text>& refused = call.result.refused)
@@ -136,21 +137,21 @@ class AlgorithmRun {
     add_result(json, calls_.front(), job_.document->mesh());
   }
 
-  void add_to(Record<accounting_shape>& json) const {
+  void add_to(Record<goal_shape>& json) const {
     json["algorithm"] = calls_.front().row->id;
     add_result(json, calls_.front(), job_.document->mesh());
     json["faces_before"] = faces_before_;
     json["faces_after"] = after_.figures.faces;
-    json["stopped"] = id_of(account()->stopped);
+    json["stopped"] = id_of(goal_report()->stopped);
     json["remaining"] = Json::object();
     for (const EdgeRuleRow& row : edge_rules) {
       const auto i = static_cast<std::size_t>(row.rule);
-      const std::vector<std::size_t>& counts = account()->remaining;
+      const std::vector<std::size_t>& counts = goal_report()->remaining;
       json["remaining"][std::string(row.id)] = !counts.empty()              ? counts[i]
                                                : row.rule == EdgeRule::free ? after_.figures.edges
                                                                             : 0;
     }
-    json["error_max"] = account()->error_max ? Json(*account()->error_max) : Json();
+    json["error_max"] = goal_report()->error_max ? Json(*goal_report()->error_max) : Json();
     json["distance"] = Json();
     if (!distance_) return;
     Record<result_distance_shape> distance;

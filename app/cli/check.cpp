@@ -9,7 +9,7 @@
 #include "app/cli/check_report.h"
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "ryosen/base/out_of_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/split_list.h"

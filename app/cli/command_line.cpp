@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/cli/subcommands.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 
 namespace ryosen::cli {
 

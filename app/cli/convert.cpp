@@ -4,7 +4,7 @@
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/safe_write.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/document/run_files.h"
 #include "ryosen/base/result.h"
 

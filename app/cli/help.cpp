@@ -6,7 +6,7 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/help_json.h"
 #include "app/cli/subcommands.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/textbook/text_places.h"
 
 namespace ryosen::cli {

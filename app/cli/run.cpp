@@ -23,7 +23,7 @@ std::optional<std::string_view> file_of(const CommandLine& line) {
 
 ExitCode run_command(const CommandLine& line) {
   const AlgorithmRow* const algorithm = line.command ? find_algorithm(line.command->id) : nullptr;
-  prepare_last_words(line.console, file_of(line), algorithm && algorithm->accounts);
+  prepare_last_words(line.console, file_of(line), algorithm && algorithm->has_goal);
   let_signals_in();
   if (line.wants_help) return show_help(line.command, line.console);
   if (line.failure) {

@@ -5,8 +5,8 @@
 
 #include "app/cli/outputs.h"
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/scene/highlights/highlight_table.h"
 #include "ryosen/scene/view/named_views.h"

@@ -331,7 +331,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
     flags.push_back({flag_of(parameter), flag_value(parameter), false, std::string(parameter.help_en) + ": " + is.en,
                      std::string(parameter.help_ja) + "：" + is.ja});
   }
-  if (row.accounts)
+  if (row.has_goal)
     flags.push_back({"--distance", "", false, "also measures how far the result is from the input, as distance does",
                      "結果が入力から離れた距離も測る（distance と同じ）"});
   flags.push_back(overwrite);
@@ -346,7 +346,7 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
           std::move(flags),
           more,
           run,
-          row.accounts ? account_contract : algorithm_contract,
+          row.has_goal ? goal_contract : algorithm_contract,
           false,
           false,
           true};

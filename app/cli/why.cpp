@@ -5,14 +5,14 @@
 #include "app/cli/edge_sides.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "ryosen/document/quarantine_text.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/name_failure.h"
-#include "ryosen/ops/outlook/known_answers.h"
-#include "ryosen/ops/outlook/preview.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/known_answers.h"
+#include "ryosen/ops/preview/preview.h"
+#include "ryosen/ops/preview/remedy.h"
 
 namespace ryosen::cli {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/textbook/playing.h"

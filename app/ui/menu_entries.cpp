@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/layout.h"

@@ -149,16 +149,16 @@ std::uint32_t colour_of(EdgeRule rule, Theme theme) {
   return theme == Theme::dark ? looks.dark : looks.light;
 }
 
-Overlay account_overlay(const Findings& findings, const Layout& layout, Theme theme) {
+Overlay left_edges_overlay(const Findings& findings, const Layout& layout, Theme theme) {
   Overlay overlay;
-  const EdgeAccount* const account = findings.account();
-  if (!account || !layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
-  for (std::uint32_t i = 0; i < account->rules.size(); ++i) {
+  const LeftEdges* const left_edges = findings.left_edges();
+  if (!left_edges || !layout.is_shown(panel_opened_by(PanelOpener::levelled))) return overlay;
+  for (std::uint32_t i = 0; i < left_edges->rules.size(); ++i) {
     const Edge e(i);
-    if (account->rules[i] == no_rule || rule_looks[account->rules[i]].width_px == 0) continue;
+    if (left_edges->rules[i] == no_rule || rule_looks[left_edges->rules[i]].width_px == 0) continue;
     if (findings.hidden().hides(findings.mesh(), Element(e))) continue;
-    const auto rule = static_cast<EdgeRule>(account->rules[i]);
-    const RuleLooks& looks = rule_looks[account->rules[i]];
+    const auto rule = static_cast<EdgeRule>(left_edges->rules[i]);
+    const RuleLooks& looks = rule_looks[left_edges->rules[i]];
     const auto [a, b] = ends(findings.mesh(), e);
     overlay.lines.push_back({findings.mesh().position(a), findings.mesh().position(b), rgb(colour_of(rule, theme)),
                              looks.line, looks.width_px, 0, false});

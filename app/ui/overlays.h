@@ -8,7 +8,7 @@
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/ops/outlook/tool_verdicts.h"
+#include "ryosen/ops/preview/tool_verdicts.h"
 #include "ryosen/scene/highlights/highlight_table.h"
 
 namespace ryosen {
@@ -44,7 +44,7 @@ Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& g
 Overlay question_overlay(const Session& session, Theme theme);
 // The edges that the last simplification left, each in the colour of the rule that holds it; nothing where its panel is
 // not shown.
-Overlay account_overlay(const Findings& findings, const Layout& layout, Theme theme);
+Overlay left_edges_overlay(const Findings& findings, const Layout& layout, Theme theme);
 // The colour of a rule, as 0xRRGGBB.
 std::uint32_t colour_of(EdgeRule rule, Theme theme);
 // The links of the selected element, or all halfedges, as arrows.

@@ -2,8 +2,8 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
@@ -120,7 +120,7 @@ bool lacks_file(const Document& document, const std::string& line) {
 void show_made(PanelContext& context, const std::string& lines) {
   for (const ScriptLine& line : split_script(lines))
     if (!context.keep(context.session.run(line.text)).done()) return;
-  context.document().count_as_made();
+  context.document().mark_generated();
   if (context.session.frontend.autosave) context.session.frontend.autosave->note_document(context.document());
 }
 

@@ -82,7 +82,7 @@ void RepairRows::draw_report(PanelContext& context, const std::string& line, con
   const ImVec2 end{begin.x + width, ImGui::GetCursorScreenPos().y + row_lines * pitch};
   const bool is_pointed = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(begin, end);
   const RepairReport* report = nullptr;
-  const bool is_asked = why_off.en.empty() && (is_pointed || !is_dear_to_try(context.mesh()));
+  const bool is_asked = why_off.en.empty() && (is_pointed || !is_costly_to_try(context.mesh()));
   Text said{"Point here to try it on a copy.", "ここを指すと、写しで試します。"};
   if (!why_off.en.empty()) said = why_off;
   if (is_asked) {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"

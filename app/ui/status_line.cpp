@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/asking.h"
 #include "app/editor/session/pointing.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "render/renderer.h"
-#include "ryosen/ops/outlook/tool_verdicts.h"
+#include "ryosen/ops/preview/tool_verdicts.h"
 
 namespace ryosen {
 

@@ -395,11 +395,12 @@ void Viewport::follow_overlays(Session& session) {
   if (selection_stale_ || asked_ != asked)
     renderer_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
   asked_ = asked;
-  const EdgeAccount* const account =
-      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().account() : nullptr;
-  const std::pair<std::uint64_t, std::uint64_t> drawn(account ? account->serial : 0, account ? account->revision : 0);
+  const LeftEdges* const left_edges =
+      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().left_edges() : nullptr;
+  const std::pair<std::uint64_t, std::uint64_t> drawn(left_edges ? left_edges->serial : 0,
+                                                      left_edges ? left_edges->revision : 0);
   if (selection_stale_ || account_ != drawn)
-    renderer_->set_overlay(Layer::account, account_overlay(session.findings(), session.layout, settings_.theme));
+    renderer_->set_overlay(Layer::left_edges, left_edges_overlay(session.findings(), session.layout, settings_.theme));
   account_ = drawn;
   selection_stale_ = false;
   selection_ = session.selecting.selection.stamp();

@@ -16,7 +16,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/lookahead.h"
 #include "ryosen/ops/collapse_edge.h"
-#include "ryosen/ops/outlook/collapsible_edges.h"
+#include "ryosen/ops/preview/collapsible_edges.h"
 #include "ryosen/ops/swap_edge.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/counted_memory.h"

@@ -62,7 +62,7 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
       EXPECT_NE(help.find(described(parameter).en), std::string::npos) << help;
       EXPECT_NE(japanese.find(described(parameter).ja), std::string::npos) << japanese;
     }
-    EXPECT_EQ(run_here({"help", id, "--json"}).line()["flags"].size(), row.parameters.size() + (row.accounts ? 3 : 2));
+    EXPECT_EQ(run_here({"help", id, "--json"}).line()["flags"].size(), row.parameters.size() + (row.has_goal ? 3 : 2));
     const ProgramRun run = run_here(words_for(row, input), {"-o", output, "--json"});
     ASSERT_LE(run.exit_code, 1) << id << run.err;
     const Json report = run.line();

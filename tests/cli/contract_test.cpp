@@ -148,7 +148,7 @@ void sweep_algorithms(Sweep& sweep) {
   const std::string empty = sweep.folder().write("empty.off", "OFF\n0 0 0\n");
   for (const ryosen::AlgorithmRow& row : ryosen::algorithm_table()) {
     sweep.run(words_for(row, mesh));
-    if (row.accounts) sweep.run(words_for(row, empty));
+    if (row.has_goal) sweep.run(words_for(row, empty));
   }
   sweep.run({"distance", mesh, mesh});
   sweep.run({"hull", mesh});

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/program.h"
 

@@ -10,7 +10,7 @@
 #include "ryosen/analysis/figures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
-#include "ryosen/ops/outlook/preview.h"
+#include "ryosen/ops/preview/preview.h"
 #include "tests/fuzz/any_op.h"
 #include "tests/fuzz/failure.h"
 #include "tests/fuzz/starts.h"

@@ -9,7 +9,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/invariants.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/remedy.h"
 #include "tests/support/core/kernel_sum.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/proof.h"

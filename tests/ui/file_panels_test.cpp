@@ -1,7 +1,7 @@
 // The panels that open and save files: what a failure says there, and clicks on folders.
 #include <gtest/gtest.h>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

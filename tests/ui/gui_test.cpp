@@ -5,7 +5,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>  // the border of a window
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/enum_table.h"

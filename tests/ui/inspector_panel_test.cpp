@@ -1,7 +1,7 @@
 // What the panels of the pointer and of the selected element say.
 #include <gtest/gtest.h>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"

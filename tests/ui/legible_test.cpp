@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "app/editor/commands/lines/words.h"
 #include "app/editor/commands/palette.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"

@@ -1,7 +1,7 @@
 // The menus, the files and the palette by the keyboard alone.
 #include <gtest/gtest.h>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/session/session.h"

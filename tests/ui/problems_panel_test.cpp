@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/analysis/problems.h"
 #include "tests/support/app/drawn_text.h"
@@ -282,7 +282,7 @@ TEST_F(ProblemsPanel, a_repair_tells_about_eight_lines_of_a_long_report_and_coun
 
 TEST_F(ProblemsPanel, on_a_large_mesh_only_what_is_pointed_at_is_tried_and_in_the_background) {
   open("stanford_bunny.obj");
-  ASSERT_TRUE(is_dear_to_try(session.mesh()));
+  ASSERT_TRUE(is_costly_to_try(session.mesh()));
   session.trials.in_background = true;
   unfold("5boundaryloops");
   gui.pointer({500, 400});

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/algorithm_preview.h"
 #include "app/editor/shown/levels.h"

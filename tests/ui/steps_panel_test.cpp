@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"

@@ -90,8 +90,8 @@ inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", al
 inline constexpr Shape result_distance_shape{"result_distance", "Both directions together, as distance prints them.",
                                              "両方向を合わせた距離（distance と同じ）。", distance_figure_keys};
 
-// Of one that accounts for its end.
-inline constexpr JsonKey account_keys[] = {
+// Of one with a goal.
+inline constexpr JsonKey goal_keys[] = {
     {"faces_before", "integer", "The faces of the input, as in check.", "入力の面数（check と同じ）。"},
     {"faces_after", "integer", "The same as faces.", "faces と同じ。"},
     {"stopped", "string",
@@ -109,15 +109,15 @@ inline constexpr JsonKey account_keys[] = {
      "How far the result is from the input; null without --distance, and where there is nothing to measure.",
      "結果の入力からの距離。--distance がないとき、測るものがないとき null。", objects(result_distance_shape)},
 };
-inline constexpr auto accounting_keys = joined(run_keys, algorithm_id_keys, result_keys, account_keys, outcome_keys);
-inline constexpr Shape accounting_shape{"algorithm_with_goal", "One line, of an algorithm with a goal.",
-                                        "一行（目標のあるアルゴリズム）。", accounting_keys};
+inline constexpr auto goal_run_keys = joined(run_keys, algorithm_id_keys, result_keys, goal_keys, outcome_keys);
+inline constexpr Shape goal_shape{"algorithm_with_goal", "One line, of an algorithm with a goal.",
+                                  "一行（目標のあるアルゴリズム）。", goal_run_keys};
 
 inline constexpr Contract repair_contract{
     .lines = {&repair_shape}, .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed}};
 inline constexpr Contract algorithm_contract{.lines = {&algorithm_shape}, .exits = repair_contract.exits};
-inline constexpr Contract account_contract{
-    .lines = {&accounting_shape},
+inline constexpr Contract goal_contract{
+    .lines = {&goal_shape},
     .exits = {ExitCode::found_problems, ExitCode::input_missing, ExitCode::input_malformed, ExitCode::refused}};
 
 }  // namespace ryosen::cli

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/geometry/unit_vector.h"
 

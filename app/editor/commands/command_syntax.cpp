@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/input.h"
 #include "app/editor/session/session.h"
 #include "ryosen/ops/all.h"

@@ -6,7 +6,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/expect.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/repair_call.h"
 #include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"

@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {

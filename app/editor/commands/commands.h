@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/commands/lines/line_of.h"
-#include "app/editor/commands/lines/outcomes.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/line_of.h"
+#include "app/editor/commands/text/outcomes.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/owners.h"
 #include "app/editor/shown/effect.h"
 #include "ryosen/algo/algorithm.h"

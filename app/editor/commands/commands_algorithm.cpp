@@ -4,8 +4,8 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/repair_call.h"
 #include "app/editor/session/first_slots.h"
 #include "app/editor/session/session.h"
@@ -114,7 +114,7 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   outcome.performed = call + (values.empty() ? "" : " " + values);
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
-  // Who wants it later asks for it (make_account).
+  // Who wants it later asks for it (find_left_edges).
   const bool wants_account = row.accounts_for_edges && session.layout.is_shown(panel_opened_by(PanelOpener::levelled));
   const std::vector<std::string> names_before = names_of_kept(session.selecting);
   const bool wants_descent = !session.selecting.selection.empty() || !names_before.empty();
@@ -127,9 +127,10 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
   if (was_empty && result->changed > 0) session.framing.frame_all();  // nobody could have looked at it before
   unless_memory_lacks([&] {
     if (row.selects_added && result->changed > 0) session.selecting.selection = before.added_to(session.mesh());
-    if (result->account && !result->account->rules.empty())
-      session.findings().keep_account({session.document().serial(), session.document().revision(),
-                                       std::move(result->account->rules), std::move(result->account->remaining)});
+    if (result->goal_report && !result->goal_report->rules.empty())
+      session.findings().keep_left_edges({session.document().serial(), session.document().revision(),
+                                          std::move(result->goal_report->rules),
+                                          std::move(result->goal_report->remaining)});
     if (!row.is_repair()) return;
     const BesideRepairs beside = session.document().beside_repairs();
     session.findings().keep_report(
@@ -198,7 +199,7 @@ Outcome run_would(const Document& document, const Frontend& frontend, Words word
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line) {
   const std::vector<std::string_view> words = split_words(line);
   const RepairCall call = call_of_repair(Words(words).subspan(1));
-  return trials.of(document, line, call, is_dear_to_try(document.mesh()));
+  return trials.of(document, line, call, is_costly_to_try(document.mesh()));
 }
 
 }  // namespace ryosen

@@ -1,6 +1,6 @@
 // The command `compare`: another mesh beside the open one.
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 
 namespace ryosen {

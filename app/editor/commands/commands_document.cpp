@@ -1,7 +1,7 @@
 #include "app/editor/commands/command_functions.h"
 
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/file_findings.h"
 #include "app/editor/document/large_files.h"
 #include "app/editor/recovery/autosave.h"
@@ -147,7 +147,7 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
   Outcome outcome;
   for (const ScriptLine& line : split_script(find_exercise(arguments[0])->script))
     if (outcome = session.run(line.text); !outcome.done()) return outcome;
-  session.document().count_as_made();
+  session.document().mark_generated();
   if (session.frontend.autosave) session.frontend.autosave->note_document(session.document());
   session.framing.frame_all();
   outcome.performed.clear();
@@ -171,7 +171,7 @@ Outcome run_figure(Document& document, Framing& framing, Words arguments, std::s
   if (!file) return failed(file.failure());
   const std::string line = "figure " + std::string(figure.id);
   document.append(std::move(file).value(), line);
-  document.count_as_made();
+  document.mark_generated();
   framing.frame_all();
   Outcome outcome = performed(line);
   outcome.sentence = {std::string(figure.name_en) + ".", std::string(figure.name_ja) + "。"};

@@ -2,7 +2,7 @@
 
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/input.h"
 #include "app/editor/input/view/view_input.h"
 #include "app/editor/preferences/keys.h"

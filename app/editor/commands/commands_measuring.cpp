@@ -2,7 +2,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/selecting.h"

@@ -4,7 +4,7 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"

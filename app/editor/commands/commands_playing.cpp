@@ -2,7 +2,7 @@
 #include <charconv>
 
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"

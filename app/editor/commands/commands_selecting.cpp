@@ -3,8 +3,8 @@
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"

@@ -1,4 +1,4 @@
-// The levels of detail of a mesh, and the account of the last simplification.
+// The levels of detail of a mesh, and the edges that the last simplification left.
 #include <charconv>
 #include <utility>
 
@@ -88,10 +88,10 @@ const EdgeRuleRow* find_rule(std::string_view id) {
   return nullptr;
 }
 
-void select_under(Selecting& selecting, const EdgeAccount& account, EdgeRule rule) {
+void select_under(Selecting& selecting, const LeftEdges& left_edges, EdgeRule rule) {
   Elements found;
-  for (std::uint32_t i = 0; i < account.rules.size(); ++i)
-    if (account.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
+  for (std::uint32_t i = 0; i < left_edges.rules.size(); ++i)
+    if (left_edges.rules[i] == static_cast<std::uint8_t>(rule)) found.emplace_back(Edge(i));
   selecting.selection = std::move(found);
 }
 
@@ -144,17 +144,17 @@ Outcome run_account(Session& session, Words arguments, std::string_view) {
   if (line_to_account_for(session.document(), session.shown).empty())
     return failed(ExitCode::refused, {"there is no account; simplify makes one, until the next change",
                                       "内訳がありません。simplify の直後、次の変更までの間だけ示せます"});
-  const EdgeAccount* const account =
-      make_account(session.document(), session.findings(), session.shown, session.frontend);
-  if (!account) return cancelled();
+  const LeftEdges* const left_edges =
+      find_left_edges(session.document(), session.findings(), session.shown, session.frontend);
+  if (!left_edges) return cancelled();
   session.layout.show(panel_opened_by(PanelOpener::levelled), true);
   Outcome outcome;
   if (!arguments.empty()) {
-    select_under(session.selecting, *account, find_rule(arguments[0])->rule);
+    select_under(session.selecting, *left_edges, find_rule(arguments[0])->rule);
     return outcome;
   }
   for (const EdgeRuleRow& row : edge_rules) {
-    const std::size_t count = account->counts[static_cast<std::size_t>(row.rule)];
+    const std::size_t count = left_edges->counts[static_cast<std::size_t>(row.rule)];
     if (count == 0) continue;
     const std::string number = std::to_string(count);
     const Text one{std::string(row.id) + " " + number, std::string(row.name_ja) + " " + number};

@@ -4,7 +4,7 @@
 
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/fly.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/input/view/navigation.h"
 #include "app/editor/session/session.h"
 #include "ryosen/scene/view/named_views.h"

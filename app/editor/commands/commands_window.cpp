@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"

@@ -1,7 +1,7 @@
 #include "app/editor/commands/expect.h"
 
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/findings.h"
 #include "ryosen/document/document.h"
 #include "ryosen/io/numbers.h"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "app/editor/commands/command_syntax.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/panel_list.h"

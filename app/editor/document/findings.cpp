@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/document/edge_account.h"
+#include "app/editor/document/left_edges.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -320,12 +320,12 @@ void Findings::keep_report(RepairReport report) {
   last_repair_ = {document_.serial(), document_.revision(), std::move(report)};
 }
 
-const EdgeAccount* Findings::account() const {
+const LeftEdges* Findings::left_edges() const {
   const bool is_of_now =
-      account_ && account_->serial == document_.serial() && account_->revision == document_.revision();
-  return is_of_now ? account_.get() : nullptr;
+      left_edges_ && left_edges_->serial == document_.serial() && left_edges_->revision == document_.revision();
+  return is_of_now ? left_edges_.get() : nullptr;
 }
 
-void Findings::keep_account(EdgeAccount account) { account_ = std::make_shared<const EdgeAccount>(std::move(account)); }
+void Findings::keep_left_edges(LeftEdges edges) { left_edges_ = std::make_shared<const LeftEdges>(std::move(edges)); }
 
 }  // namespace ryosen

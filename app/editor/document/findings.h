@@ -26,7 +26,7 @@ namespace ryosen {
 
 class Mesh;
 
-struct EdgeAccount;
+struct LeftEdges;
 
 class Findings {
  public:
@@ -104,8 +104,8 @@ class Findings {
   const RepairReport* last_repair() const;
   void keep_report(RepairReport report);
   // What holds the edges that the last simplification left; null where the document has changed since.
-  const EdgeAccount* account() const;
-  void keep_account(EdgeAccount account);
+  const LeftEdges* left_edges() const;
+  void keep_left_edges(LeftEdges edges);
 
   // The findings of a mesh that this one is compared with, and that one's with this; null for none.
   Findings* against = nullptr;
@@ -168,7 +168,7 @@ class Findings {
     RepairReport report;
   };
   std::optional<LastRepair> last_repair_;
-  std::shared_ptr<const EdgeAccount> account_;
+  std::shared_ptr<const LeftEdges> left_edges_;
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
 };
 

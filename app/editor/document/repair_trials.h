@@ -15,7 +15,7 @@
 namespace ryosen {
 
 // Whether a mesh is so large that only what somebody points at is worth trying.
-inline bool is_dear_to_try(const Mesh& mesh) { return mesh.live().faces > 20000; }
+inline bool is_costly_to_try(const Mesh& mesh) { return mesh.live().faces > 20000; }
 
 // One trial at a time; reports are kept until the document changes.
 class RepairTrials {

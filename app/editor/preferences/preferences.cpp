@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/preferences/view_switches.h"
 #include "ryosen/base/number_text.h"

@@ -5,7 +5,7 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/preferences.h"
 #include "app/editor/session/session.h"
 #include "ryosen/io/input_file.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/gzip.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/user_folders.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/recovery/owned_script.h"
@@ -177,7 +177,7 @@ Text why_not(const LostSession& lost, RecoverOnto onto) {
 // Replays the edits in the session, up to the first that fails.
 Outcome replay(Session& session, const LostSession& lost) {
   for (std::size_t i = 0; i < lost.edits.size(); ++i) {
-    if (i == lost.saved_edits) session.document().count_as_saved();
+    if (i == lost.saved_edits) session.document().mark_saved();
     const ScriptLine& edit = lost.edits[i];
     const Outcome outcome = is_edit(edit.text)
                                 ? session.run(edit.text)

@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

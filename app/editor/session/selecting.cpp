@@ -144,7 +144,7 @@ void Selecting::follow(const Journal& journal, std::size_t transaction, Document
   if (change == Document::Change::tried) drop_lost(selection.changed(), m, false);
 }
 
-void Selecting::settle() {
+void Selecting::refresh() {
   session_.findings().drop_hidden(selection.changed());
   if (is_verdict_held_)
     ask_held_verdict_again();

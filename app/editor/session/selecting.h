@@ -13,7 +13,7 @@
 #include "app/editor/session/selection_memory.h"
 #include "app/editor/views/view.h"
 #include "ryosen/document/document.h"
-#include "ryosen/ops/outlook/tool_verdicts.h"
+#include "ryosen/ops/preview/tool_verdicts.h"
 #include "ryosen/scene/pick/picker.h"
 
 namespace ryosen {
@@ -78,7 +78,7 @@ class Selecting {
 
   // For the session: behind a change of the document; and once another mesh that was on trial has given its place back.
   void follow(const Journal& journal, std::size_t transaction, Document::Change change, const TouchedElements& touched);
-  void settle();
+  void refresh();
   // Nothing is pointed at any more.
   void forget_pointed();
   // Nothing is selected, measured or pointed at in another document.

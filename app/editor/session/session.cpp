@@ -96,7 +96,7 @@ void Session::update_derived(const Journal& journal, std::size_t transaction, Do
   open_.findings->follow(journal, transaction, change, touched);
   selecting.follow(journal, transaction, change, touched);
   if (change == Document::Change::trial_ended) shown.bring_back();
-  selecting.settle();
+  selecting.refresh();
 }
 
 void Session::prepare() {

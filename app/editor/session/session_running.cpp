@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/out_of_memory.h"

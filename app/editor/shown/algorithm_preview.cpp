@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/lines/line_of.h"
+#include "app/editor/commands/text/line_of.h"
 #include "app/editor/session/session.h"
 #include "ryosen/geometry/unit_vector.h"
 
@@ -52,7 +52,7 @@ class ComingPlaces {
 
 bool AlgorithmPreview::is_offered(const Findings& findings, const Shown& shown) const {
   if (shown.by() != ShownBy::document) return shown.by() == ShownBy::preview;
-  return !is_dear_to_try(findings.mesh()) && findings.mesh().live().vertices > 0 && !findings.preparing();
+  return !is_costly_to_try(findings.mesh()) && findings.mesh().live().vertices > 0 && !findings.preparing();
 }
 
 void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/editor/commands/lines/outcomes.h"
+#include "app/editor/commands/text/outcomes.h"
 #include "app/editor/session/first_slots.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"

@@ -52,19 +52,19 @@ std::string line_to_account_for(const Document& document, const Shown& shown) {
   return row && row->accounts_for_edges ? line : std::string();
 }
 
-const EdgeAccount* make_account(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend) {
-  if (findings.account()) return findings.account();
+const LeftEdges* find_left_edges(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend) {
+  if (findings.left_edges()) return findings.left_edges();
   const std::string line = line_to_account_for(document, shown);
   if (line.empty()) return nullptr;
   const std::vector<std::string_view> words = split_words(line);
   const AlgorithmRow& row = *find_algorithm(words[0]);
   const ReadValues given = read_values(row.parameters, std::span(words).subspan(1));
   if (!given.values) return nullptr;
-  auto result = document.account_of(row, *given.values, frontend.on_progress);
-  if (!result || !result->account || result->account->rules.empty()) return nullptr;
-  findings.keep_account({document.serial(), document.revision(), std::move(result->account->rules),
-                         std::move(result->account->remaining)});
-  return findings.account();
+  auto result = document.goal_report_of(row, *given.values, frontend.on_progress);
+  if (!result || !result->goal_report || result->goal_report->rules.empty()) return nullptr;
+  findings.keep_left_edges({document.serial(), document.revision(), std::move(result->goal_report->rules),
+                            std::move(result->goal_report->remaining)});
+  return findings.left_edges();
 }
 
 }  // namespace ryosen

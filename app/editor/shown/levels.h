@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/editor/document/edge_account.h"
+#include "app/editor/document/left_edges.h"
 #include "ryosen/algo/simplify/detail_levels.h"
 #include "ryosen/document/document.h"
 
@@ -53,6 +53,6 @@ Outcome leave_level(Shown& shown);
 std::string line_to_account_for(const Document& document, const Shown& shown);
 
 // Finds it where it is not there yet, at the cost of that line. Null where there is none, or it was cancelled.
-const EdgeAccount* make_account(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend);
+const LeftEdges* find_left_edges(Document& document, Findings& findings, const Shown& shown, const Frontend& frontend);
 
 }  // namespace ryosen

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/commands/lines/outcomes.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/outcomes.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/framing.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"

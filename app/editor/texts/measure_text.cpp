@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
 

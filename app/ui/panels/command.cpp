@@ -4,9 +4,9 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
 #include "app/editor/commands/palette.h"
 #include "app/editor/commands/path_completion.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/commands/lines/words.h"
 #include "app/editor/commands/path_completion.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/layout.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

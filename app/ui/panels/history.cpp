@@ -1,4 +1,4 @@
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/shown.h"
 #include "app/ui/panels.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/preferences/preferences.h"
 #include "app/ui/panels.h"

@@ -83,11 +83,11 @@ void draw_levels(PanelContext& context) {
                      "コピーを限界まで簡略化し、すべての手順を残します。") +
         std::string("\nlevels"));
   }
-  const EdgeAccount* const account = context.findings().account();
-  if (!account) return draw_asking(context);
+  const LeftEdges* const left_edges = context.findings().left_edges();
+  if (!left_edges) return draw_asking(context);
   ImGui::Separator();
   dim_text(context, context.text("What holds the edges that are left", "残った稜線とその理由"));
-  const std::vector<std::size_t> counts = account->counts;
+  const std::vector<std::size_t> counts = left_edges->counts;
   for (const EdgeRuleRow& rule : edge_rules)
     if (const std::size_t count = counts[static_cast<std::size_t>(rule.rule)]; count > 0)
       draw_rule(context, rule, count);

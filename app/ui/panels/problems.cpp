@@ -2,7 +2,7 @@
 #include <array>
 
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"

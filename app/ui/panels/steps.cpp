@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/shown.h"

@@ -157,7 +157,7 @@ void ValuesPanel::draw_preview(PanelContext& context, const AlgorithmRow& row, c
   bool none = false;
   ImGui::BeginDisabled(!is_offered);
   ImGui::SameLine();
-  ImGui::Checkbox(is_dear_to_try(context.mesh())
+  ImGui::Checkbox(is_costly_to_try(context.mesh())
                       ? context.text("Preview (up to 20,000 faces)", "プレビュー（20,000 面まで）")
                       : context.text("Preview", "プレビュー"),
                   is_offered ? &has_preview_ : &none);

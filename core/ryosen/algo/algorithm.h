@@ -20,8 +20,8 @@ namespace ryosen {
 
 // What an algorithm is asked for beside its work, where it can tell it.
 struct AlgorithmWants {
-  bool account = false;  // the rule under which each edge stands, see Account
-  bool descent = false;  // of what its elements come, see Lineage
+  bool edge_rules = false;  // the rule under which each edge stands, see GoalReport
+  bool descent = false;     // of what its elements come, see Lineage
 };
 
 struct AlgorithmInput {
@@ -51,7 +51,7 @@ inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vec
 enum class Stop { goal, error, blocked, cancelled };
 
 // What an algorithm with a goal says of its end.
-struct Account {
+struct GoalReport {
   Stop stopped = Stop::goal;
   bool is_reached = true;                // the goal; an error that is the only goal is one
   std::optional<double> error_max = {};  // a distance in units of the mesh
@@ -75,8 +75,8 @@ struct AlgorithmResult {
   std::optional<Text> fault = {};
   // Why the mesh is none that it can be done on, as one without faces: a clause. Nothing was written then.
   std::optional<Text> refused = {};
-  std::optional<Account> account = {};  // of one that accounts
-  std::optional<Descent> descent = {};  // of one that tells the lineage, where it was asked for
+  std::optional<GoalReport> goal_report = {};  // of one that has a goal
+  std::optional<Descent> descent = {};         // of one that tells the lineage, where it was asked for
 };
 
 // How what is selected or kept under a name goes on behind an algorithm.
@@ -104,8 +104,8 @@ struct AlgorithmRow {
   Lineage lineage = Lineage::numbers;
   bool selects_added = false;  // what it has added is selected afterwards
   bool adds_points = false;    // points by themselves are what is wanted, and no fault of the result
-  // Has a goal and tells in its result's account how it ended: its subcommand ends with 1 where it stopped before.
-  bool accounts = false;
+  // Has a goal and tells in goal_report how it ended: its subcommand ends with 1 where it stopped before.
+  bool has_goal = false;
   bool accounts_for_edges = false;  // and for each edge that is left, by the rule that holds it
   // The program has a command of this name, which prints what other algorithms do not have.
   bool has_own_subcommand = false;

@@ -2,9 +2,9 @@
 
 #include <cassert>
 
-#include "ryosen/algo/copying/copying.h"
-#include "ryosen/algo/hull/hull.h"
-#include "ryosen/algo/hull/point_cloud.h"
+#include "ryosen/algo/convex_hull/hull_rows.h"
+#include "ryosen/algo/convex_hull/point_cloud.h"
+#include "ryosen/algo/duplicate/duplicates.h"
 #include "ryosen/algo/primitives/primitives.h"
 #include "ryosen/algo/remesh/remeshings.h"
 #include "ryosen/algo/repair/repairs.h"
@@ -21,7 +21,7 @@ std::deque<AlgorithmRow>& algorithm_rows() {
   static std::deque<AlgorithmRow> rows = [] {
     std::deque<AlgorithmRow> all;
     for (const std::vector<AlgorithmRow>& folder :
-         {repair_rows(), primitive_rows(), point_cloud_rows(), transform_rows(), copying_rows(), simplify_rows(),
+         {repair_rows(), primitive_rows(), point_cloud_rows(), transform_rows(), duplicate_rows(), simplify_rows(),
           subdivision_rows(), smoothing_rows(), remeshing_rows(), hull_rows()})
       all.insert(all.end(), folder.begin(), folder.end());
     return all;

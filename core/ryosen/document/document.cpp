@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "ryosen/algo/copying/part.h"
+#include "ryosen/algo/duplicate/part.h"
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/document/quarantine_text.h"
@@ -160,8 +160,8 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   return result;
 }
 
-std::optional<AlgorithmResult> Document::account_of(const AlgorithmRow& row, const ParameterValues& values,
-                                                    Progress::Report report) {
+std::optional<AlgorithmResult> Document::goal_report_of(const AlgorithmRow& row, const ParameterValues& values,
+                                                        Progress::Report report) {
   Mesh mesh = is_on_trial() ? without_trial() : before_last_entry();
   const ReadValues found = values.on(mesh);
   if (!found.values) return std::nullopt;
@@ -170,7 +170,7 @@ std::optional<AlgorithmResult> Document::account_of(const AlgorithmRow& row, con
   Progress progress(std::move(report));
   Edit edit(mesh, nullptr);
   AlgorithmResult result =
-      row.run(edit, {*found.values, used, tables_.quarantine.size(), on_lines, {.account = true}}, progress);
+      row.run(edit, {*found.values, used, tables_.quarantine.size(), on_lines, {.edge_rules = true}}, progress);
   if (progress.is_cancelled()) return std::nullopt;
   return result;
 }
@@ -315,7 +315,7 @@ Status Document::save(const std::filesystem::path& path, WriteOptions options) {
   if (status || is_open_here) take_file_as_known();
   if (!status) return status;
   saved_position_ = journal_.position();
-  count_as_saved();
+  mark_saved();
   return status;
 }
 

@@ -17,8 +17,8 @@
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/touched.h"
 #include "ryosen/ops/each.h"
-#include "ryosen/ops/outlook/preview.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/preview.h"
+#include "ryosen/ops/preview/remedy.h"
 
 namespace ryosen {
 
@@ -66,10 +66,10 @@ class Document {
   // nothing. None where `progress` cancels it: nothing has changed then. The values are those on this mesh.
   std::optional<AlgorithmResult> run(const AlgorithmRow& row, const ParameterValues& values, std::string command,
                                      Progress::Report progress = {}, AlgorithmWants wants = {});
-  // What that would say of its account where it began with the mesh that the last entry of the history began with, or
+  // What that would report of its goal where it began with the mesh that the last entry of the history began with, or
   // of the document's where another is on trial. Nothing changes. None where it is cancelled or the values do not fit.
-  std::optional<AlgorithmResult> account_of(const AlgorithmRow& row, const ParameterValues& values,
-                                            Progress::Report progress = {});
+  std::optional<AlgorithmResult> goal_report_of(const AlgorithmRow& row, const ParameterValues& values,
+                                                Progress::Report progress = {});
   // The same for a recipe, whatever its rounds: one entry of the history or none. The result comes without
   // its mesh, which is that of the document.
   std::optional<RecipeResult> run(std::span<const RecipeStep> recipe, std::string command,
@@ -129,10 +129,10 @@ class Document {
   // Marks every history position as unsaved.
   void mark_unsaved();
   // The file holds what the mesh is now, though it may have been changed since (see mark_unsaved).
-  void count_as_saved() { held_ = {position(), position()}; }
+  void mark_saved() { held_ = {position(), position()}; }
   // The program itself has made all that there is so far, and can make it again: as long as there is no file nobody
   // would miss it, also where some of it is undone.
-  void count_as_made() { count_as_saved(); }
+  void mark_generated() { mark_saved(); }
   // What the mesh and its file do not have in common, in entries of the history.
   struct Unsaved {
     std::size_t edits = 0;   // done, and not in the file

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "ryosen/io/beside.h"
 #include "ryosen/io/descriptor.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/system_reason.h"
+#include "ryosen/io/temporary_file.h"
 
 namespace ryosen {
 namespace {
@@ -140,7 +140,7 @@ Status write_in_place(const std::filesystem::path& path, std::string_view bytes)
   const Descriptor folder(retried([&] { return ::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (!folder.is_open() && errno != EACCES) return failed();
   clear_leftovers(target);
-  Beside beside(parent / target.filename());
+  TemporaryFile beside(parent / target.filename());
   if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), found.status)) ||
       !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {
     return failed();

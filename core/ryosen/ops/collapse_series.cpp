@@ -102,7 +102,7 @@ void CollapseSeries::give_number(Vertex slot, Vertex other, Vertex stays) {
   numbers_[slot] = stays;
 }
 
-void CollapseSeries::settle() {
+void CollapseSeries::finish() {
   for (const auto& [slot, stays] : numbers_) {
     if (slot == stays) continue;
     for (const Halfedge g : outgoing(mesh(), slot)) edit_.set_from(g, stays);

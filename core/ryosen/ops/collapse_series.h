@@ -24,7 +24,7 @@ class CollapseSeries : public OneByOne {
   void apply(const AnyOp& op) override;
   Vertex number(Vertex slot) const override;
   // Gives the vertices their numbers. Until then the mesh has others.
-  void settle() override;
+  void finish() override;
 
   // Halfedges that were looked at to rename them and to count gaps: what the work is measured by.
   std::uint64_t looks() const { return looks_; }

@@ -8,9 +8,9 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
+#include "ryosen/ops/rules/manifold_points.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/pinch_watch.h"
-#include "ryosen/ops/rules/settled_points.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -94,7 +94,7 @@ std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
   return reasons;
 }
 
-void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, SettledPoints* known) {
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, ManifoldPoints* known) {
   const Mesh& m = edit.mesh();
   std::vector<Halfedge> unused = deletion.wires;
   std::vector<Vertex> bare = deletion.vertices, points;
@@ -118,9 +118,9 @@ void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, Settl
   std::erase_if(bare, [&](Vertex v) { return !m.is_alive(v) || !m.is_isolated(v); });
   sheets.remove_vertices(bare);
   if (known)
-    known->settle();
+    known->make_manifold();
   else
-    sheets.settle(points);
+    sheets.make_manifold(points);
 }
 
 OpEffect Delete::apply(Edit& edit) const {
@@ -147,7 +147,7 @@ class Deletes : public OneByOne {
 
  private:
   Sheets sheets_;
-  SettledPoints known_;
+  ManifoldPoints known_;
   PinchWatch pinches_;
 };
 

@@ -19,7 +19,7 @@
 
 namespace ryosen {
 
-class SettledPoints;
+class ManifoldPoints;
 class Sheets;
 // Each costs what is near the faces that go, not all copies of their points.
 std::unique_ptr<OpSeries> deletes_in_series(Edit& edit);
@@ -46,6 +46,6 @@ struct Deletion {
 
 // Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points, or where it is one
 // of several in a row, which share what they know (rules/settled_points.h), what is near the faces.
-void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, SettledPoints* known = nullptr);
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, ManifoldPoints* known = nullptr);
 
 }  // namespace ryosen

@@ -132,7 +132,7 @@ OpEffect Detach::apply(Edit& edit) const {
   }
   const std::size_t shared = points.size();
   for (std::size_t i = 0; i < shared; ++i) points.push_back(split_point(edit, sheets, points[i], away));
-  sheets.settle(points);
+  sheets.make_manifold(points);
   return sheets.finish();
 }
 

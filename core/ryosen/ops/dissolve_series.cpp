@@ -123,7 +123,7 @@ void DissolveSeries::apply(const Dissolve& op) {
     return;
   }
   if (plain_star_) return unite_star(std::exchange(plain_star_, {}));
-  settle();
+  finish();
   if (takes_ == Takes::chain)
     op.apply(edit_);
   else
@@ -173,7 +173,7 @@ void DissolveSeries::give_corners(Face from, Face to) {
   }
 }
 
-bool DissolveSeries::settle() {
+bool DissolveSeries::finish() {
   bool renumbers = false;
   for (const auto& [slot, stays] : numbers_) {
     if (slot == stays) continue;
@@ -213,7 +213,7 @@ class Dissolves : public OpSeries {
   void apply(const AnyOp& any) override {
     const Dissolve& op = std::get<Dissolve>(any);
     if (is_two_edged(op)) {
-      if (of_edges_.settle()) {  // what is known of faces is known by their numbers
+      if (of_edges_.finish()) {  // what is known of faces is known by their numbers
         of_vertices_ = UniteSeries(edit_);
         of_vertices_.broken_rule(op.vertex);
       }
@@ -223,7 +223,7 @@ class Dissolves : public OpSeries {
       of_vertices_ = UniteSeries(edit_);
     }
   }
-  void settle() override { of_edges_.settle(); }
+  void finish() override { of_edges_.finish(); }
 
  private:
   bool is_two_edged(const Dissolve& op) const {
@@ -241,7 +241,7 @@ class UnitedLoops : public OpSeries {
   std::optional<Rule> broken_rule(const AnyOp& op) override { return series_.broken_rule(as_dissolve(op)); }
   std::optional<Rule> doubt(const AnyOp& op) override { return series_.doubt(as_dissolve(op)); }
   void apply(const AnyOp& op) override { series_.apply(as_dissolve(op)); }
-  void settle() override { series_.settle(); }
+  void finish() override { series_.finish(); }
 
  private:
   static Dissolve as_dissolve(const AnyOp& op) { return {std::get<UniteLoop>(op).halfedge}; }

@@ -33,7 +33,7 @@ class DissolveSeries {
   void apply(const Dissolve& op);
   // Gives the faces their numbers, and returns whether one had another. Afterwards the mesh may change in other ways
   // too.
-  bool settle();
+  bool finish();
 
   // Corners that were looked at and renumbered: what the work is measured by.
   std::uint64_t looks() const { return looks_; }

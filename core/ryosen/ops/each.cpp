@@ -204,7 +204,7 @@ class Calls {
   const Mesh& mesh() const { return edit_.mesh(); }
   EachResult& result() { return result_; }
   // After the last call.
-  void settle() { series_->settle(); }
+  void finish() { series_->finish(); }
 
  private:
   Parsed<AnyOp> read(const Element& e, const Element* with) const {
@@ -422,7 +422,7 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
     if (!op.along_edge.empty()) call_along_edges(calls, taken, last, progress);
   }
   call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
-  calls.settle();
+  calls.finish();
   if (calls.result().done > 0) calls.result().ends = take_along(edit, ends_left);
   return std::move(calls.result());
 }

@@ -124,7 +124,7 @@ class ExtrudedEdges {
     }
     for (const auto& [p, top] : tops_) points.insert(points.end(), {p, top});
     std::sort(points.begin(), points.end());
-    sheets_.settle(points);
+    sheets_.make_manifold(points);
     return sheets_.finish();
   }
 

@@ -88,7 +88,7 @@ OpEffect Fill::apply(Edit& edit) const {
   for (Vertex v : vertices_around(m, f)) corners.push_back(v);
   for (Vertex v : corners) hold_outside(edit, v);
   sheets.changed(f);
-  sheets.settle(corners);
+  sheets.make_manifold(corners);
   return sheets.finish();
 }
 

@@ -104,7 +104,7 @@ OpEffect MakeFace::apply(Edit& edit) const {
   const Face f = attach_face(edit, sheets, corners);
   std::vector<Vertex> met;
   for (Vertex v : vertices_around(edit.mesh(), f)) met.push_back(v);
-  sheets.settle(met);
+  sheets.make_manifold(met);
   return sheets.finish();
 }
 

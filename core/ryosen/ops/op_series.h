@@ -9,7 +9,7 @@
 namespace ryosen {
 
 // Says and does the same as check(), warnings() and apply() of each call in its turn. In between nothing else changes
-// the mesh, and numbers of faces and vertices may be others until settle().
+// the mesh, and numbers of faces and vertices may be others until finish().
 class OpSeries {
  public:
   virtual ~OpSeries() = default;
@@ -19,10 +19,10 @@ class OpSeries {
   virtual std::optional<Rule> doubt(const AnyOp& op) = 0;
   // The one that was asked about last, which is legal.
   virtual void apply(const AnyOp& op) = 0;
-  // The number that a vertex goes by, where it has the slot of another one until settle().
+  // The number that a vertex goes by, where it has the slot of another one until finish().
   virtual Vertex number(Vertex slot) const { return slot; }
   // After the last call.
-  virtual void settle() {}
+  virtual void finish() {}
 };
 
 // Each call by itself.

@@ -50,7 +50,7 @@ OpEffect SeparateFans::apply(Edit& edit) const {
   Sheets sheets(edit);
   for (Vertex v : with_several_fans(edit.mesh(), vertex)) sheets.separate(v);
   const Vertex touched[] = {vertex};
-  sheets.settle(touched);
+  sheets.make_manifold(touched);
   return sheets.finish();
 }
 

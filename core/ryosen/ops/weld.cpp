@@ -242,17 +242,17 @@ void make_one(Edit& edit, Sheets& sheets, Vertex a, Vertex b) {
 }
 
 // After the two points have become one, which this vertex belongs to.
-void know(const Mesh& m, Vertex v, bool has_new_fan, SettledPoint& known) {
+void know(const Mesh& m, Vertex v, bool has_new_fan, ManifoldPoint& known) {
   const bool is_new = known.at.is_none();
   known.at = v;
-  if (is_new) for_each_copy(m, v, [&](Vertex copy) { known.unsettled.push_back(copy); });
-  if (has_new_fan) known.unsettled.push_back(v);
+  if (is_new) for_each_copy(m, v, [&](Vertex copy) { known.maybe_split.push_back(copy); });
+  if (has_new_fan) known.maybe_split.push_back(v);
 }
 
-void forget(SettledPoint& known) { known = {{}, {}, {}, {}, known.rings, known.looks}; }
+void forget(ManifoldPoint& known) { known = {{}, {}, {}, {}, known.rings, known.looks}; }
 
 // What is looked at where two points become one: all of the one that comes, and what has changed at the other one.
-std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, SettledPoint& known) {
+std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, ManifoldPoint& known) {
   std::vector<Vertex> joined = std::exchange(known.changed, {});
   std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
   for_each_copy(m, comes, [&](Vertex copy) { joined.push_back(copy); });
@@ -262,11 +262,11 @@ std::vector<Vertex> take_joined(const Mesh& m, Vertex comes, SettledPoint& known
 }  // namespace
 
 OpEffect Weld::apply(Edit& edit) const {
-  SettledPoint unknown;
+  ManifoldPoint unknown;
   return apply(edit, unknown);
 }
 
-OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
+OpEffect Weld::apply(Edit& edit, ManifoldPoint& known) const {
   const Mesh& m = edit.mesh();
   assert(check(m).legal());
   CopyRings own_rings(edit);
@@ -297,10 +297,10 @@ OpEffect Weld::apply(Edit& edit, SettledPoint& known) const {
   }
   if (is_known && are_two_points) {
     std::erase_if(joined, [&](Vertex v) { return !m.is_alive(v); });
-    sheets.settle_joined(std::move(joined), known);
-  } else if (!is_known) {  // else two copies of a settled point make one vertex, by which nothing is to be cut or
+    sheets.make_joined_manifold(std::move(joined), known);
+  } else if (!is_known) {  // else two copies of a manifold point make one vertex, by which nothing is to be cut or
                            // joined
-    sheets.settle(touched);
+    sheets.make_manifold(touched);
     forget(known);
   }
   known.looks += sheets.looks();
@@ -367,7 +367,7 @@ class Welds : public OneByOne {
   }
 
   CopyRings rings_;
-  SettledPoint known_;
+  ManifoldPoint known_;
   LocalFacts facts_;  // for collapses
   // By both points, until something is done.
   std::map<std::pair<Vertex, Vertex>, std::optional<Rule>> rules_;

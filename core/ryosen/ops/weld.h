@@ -24,7 +24,7 @@ std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Elem
 inline constexpr InPlaceOf all_their_vertices{vertices_of_elements, "faces, for all of their vertices",
                                               "面（その頂点すべて）"};
 
-struct SettledPoint;
+struct ManifoldPoint;
 // Each costs what is near the vertex that is welded into the last, not what has come together there.
 std::unique_ptr<OpSeries> welds_in_series(Edit& edit);
 
@@ -45,7 +45,7 @@ struct Weld {
   OpEffect apply(Edit& edit) const;
   bool operator==(const Weld&) const = default;
   // The same where the point of `a` may be known from the call before (rules/sheets.h), and is known for the next one.
-  OpEffect apply(Edit& edit, SettledPoint& known) const;
+  OpEffect apply(Edit& edit, ManifoldPoint& known) const;
 };
 
 }  // namespace ryosen

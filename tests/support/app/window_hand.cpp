@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/circulate.h"
 

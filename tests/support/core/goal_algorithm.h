@@ -17,13 +17,13 @@ inline AlgorithmResult run_wish(Edit& edit, const AlgorithmInput& input, Progres
   const std::size_t wanted = values.has("faces")
                                  ? values.count("faces")
                                  : static_cast<std::size_t>(values.ratio("ratio") * static_cast<double>(faces));
-  result.account.emplace();
-  result.account->is_reached = wanted >= faces;
-  result.account->stopped = wanted >= faces ? Stop::goal : Stop::blocked;
-  if (values.flag("measured")) result.account->error_max = 0.25;
-  if (input.wants.account && wanted < faces) {
-    result.account->remaining.assign(edge_rules.size(), 0);
-    result.account->remaining[static_cast<std::size_t>(EdgeRule::structure)] = edit.mesh().live().edges;
+  result.goal_report.emplace();
+  result.goal_report->is_reached = wanted >= faces;
+  result.goal_report->stopped = wanted >= faces ? Stop::goal : Stop::blocked;
+  if (values.flag("measured")) result.goal_report->error_max = 0.25;
+  if (input.wants.edge_rules && wanted < faces) {
+    result.goal_report->remaining.assign(edge_rules.size(), 0);
+    result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::structure)] = edit.mesh().live().edges;
   }
   for (std::size_t i = wanted; i < faces; ++i) edit.add_vertex({0, 0, static_cast<double>(i)});
   result.changed = wanted < faces ? faces - wanted : 0;
@@ -46,7 +46,7 @@ inline AlgorithmRow wish_row() {
   wish.parameters = {row("faces", ParameterKind::count, "faces, ratio", ""),
                      row("ratio", ParameterKind::ratio, "faces, ratio", ""),
                      row("measured", ParameterKind::flag, "", "off")};
-  wish.accounts = true;
+  wish.has_goal = true;
   return wish;
 }
 

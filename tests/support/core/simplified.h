@@ -43,7 +43,7 @@ inline AlgorithmResult simplified(Mesh& mesh, std::string_view values) {
 }
 
 inline std::size_t count_of(const AlgorithmResult& result, EdgeRule rule) {
-  return result.account->remaining[static_cast<std::size_t>(rule)];
+  return result.goal_report->remaining[static_cast<std::size_t>(rule)];
 }
 
 // Whether the kernel refuses the collapse or warns that a face would turn or lose its area.
@@ -95,9 +95,9 @@ inline void go_all_the_way(Mesh mesh, const std::string& name, bool verify = tru
   const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=0" + further);
   if (result.refused) return;
   expect_kept(before, mesh, journal, name);
-  EXPECT_EQ(result.account->stopped, Stop::blocked) << name;
-  EXPECT_FALSE(result.account->is_reached) << name;
-  const std::vector<std::size_t>& remaining = result.account->remaining;
+  EXPECT_EQ(result.goal_report->stopped, Stop::blocked) << name;
+  EXPECT_FALSE(result.goal_report->is_reached) << name;
+  const std::vector<std::size_t>& remaining = result.goal_report->remaining;
   EXPECT_EQ(std::accumulate(remaining.begin(), remaining.end(), std::size_t{0}), compute_figures(mesh).edges) << name;
   EXPECT_EQ(count_of(result, EdgeRule::free), 0u) << name;
   if (verify) expect_all_refused(mesh, name);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editor/camera/camera_text.h"
-#include "app/editor/commands/lines/outcomes.h"
+#include "app/editor/commands/text/outcomes.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
 

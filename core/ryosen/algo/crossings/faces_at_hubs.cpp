@@ -21,9 +21,9 @@ void FacesAtHubs::change(Slot slot, const TriangleCorners& corners) {
   seen_.resize(2 * faces_.size());
   reach_.add(box_of(corners));
   if (places_.size() == 1) {
-    for (std::uint32_t i : {0u, 1u}) seen_[2 * slot + i] = seen_from::direction(places_[0], corners[i + 1]);
+    for (std::uint32_t i : {0u, 1u}) seen_[2 * slot + i] = directions::direction(places_[0], corners[i + 1]);
   } else {
-    const Box page = seen_from::page_of({places_[0], places_[1]}, corners[2]);
+    const Box page = directions::page_of({places_[0], places_[1]}, corners[2]);
     seen_[2 * slot] = page.lowest;
     seen_[2 * slot + 1] = page.highest;
   }
@@ -37,8 +37,8 @@ void FacesAtHubs::erase(Slot slot) {
 }
 
 Frustum FacesAtHubs::region_of(const NumberedTriangle& triangle, std::span<const std::uint32_t> numbers) const {
-  return places_.size() == 1 ? seen_from::cone_of(triangle, numbers[0], places_[0])
-                             : seen_from::wedge_of(triangle, numbers, {places_[0], places_[1]});
+  return places_.size() == 1 ? directions::cone_of(triangle, numbers[0], places_[0])
+                             : directions::wedge_of(triangle, numbers, {places_[0], places_[1]});
 }
 
 }  // namespace ryosen

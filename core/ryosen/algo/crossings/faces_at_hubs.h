@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/algo/crossings/seen_from.h"
+#include "ryosen/algo/crossings/directions.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/trees/bvh.h"

@@ -57,7 +57,7 @@ void NearFaces::find(std::span<const NumberedTriangle> triangles, std::vector<Fa
   if (around_groups_.is_worn()) around_groups_.rebuild(ends_);
   if (!each) tree_.visit_box(mesh_.positions(), around, add);
   for (std::size_t i = 0; each && i < triangles.size(); ++i)
-    tree_.visit_frustum(mesh_.positions(), seen_from::slab_of(triangles[i].places), add);
+    tree_.visit_frustum(mesh_.positions(), directions::slab_of(triangles[i].places), add);
   around_groups_.visit_frustum(ends_, inside, [&](std::uint32_t slot) {
     Group& group = groups_[slot];
     if (!each) return group.faces.for_each(add_face);
@@ -131,7 +131,7 @@ NearFaces::Home NearFaces::home_of(Face f) const {
   if (hubs_.empty()) return home;
   TriangleCorners& c = home.corners;
   for (const std::size_t i : {0u, 1u, 2u})
-    if (!seen_from::is_somewhere(seen_from::direction(c[i], c[(i + 1) % 3]))) return home;
+    if (!directions::is_somewhere(directions::direction(c[i], c[(i + 1) % 3]))) return home;
   std::array<std::pair<std::uint32_t, glm::dvec3>, 3> corners;
   std::size_t i = 0;
   for (const Halfedge h : halfedges_around(mesh_, f)) {

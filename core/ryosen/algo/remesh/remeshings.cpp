@@ -44,7 +44,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   remesh::Remeshed made = remesh::remeshed(mesh, options, progress);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
-  result.account.emplace();
+  result.goal_report.emplace();
   result.changed = made.columns.live.faces;
   const std::string after = std::to_string(made.columns.live.faces);
   result.text = count_text(before, "One face became " + after, "# faces became " + after,
@@ -188,7 +188,7 @@ AlgorithmRow remesh_row() {
           .solves = {},
           .run = remesh_mesh,
           .lineage = Lineage::lost,
-          .accounts = true};
+          .has_goal = true};
 }
 
 }  // namespace

@@ -44,12 +44,12 @@ class Detaching {
     for (const Vertex p : points_) separate_fans_at(sheets, p);
     const Groups groups = groups_of_copies();
     for (const std::vector<Vertex>& group : groups) link_copies(edit_, group);
-    std::vector<Vertex> parts, unsettled;
+    std::vector<Vertex> parts, maybe_split;
     for (const std::vector<Vertex>& group : groups) {
       if (has_copies(m_, group[0])) parts.push_back(group[0]);
-      if (has_copies(m_, group[0]) || has_neighbour_with_copies(group[0])) unsettled.push_back(group[0]);
+      if (has_copies(m_, group[0]) || has_neighbour_with_copies(group[0])) maybe_split.push_back(group[0]);
     }
-    sheets.settle(unsettled);
+    sheets.make_manifold(maybe_split);
     find_what_is_next(parts);
     return groups.size() - points_.size();
   }

@@ -219,7 +219,7 @@ class HoleFiller {
       for (Halfedge h : planned_[k].hole.sides) corners.push_back(mesh().from(h));
       insert(takes, way, k);
     }
-    Sheets(edit_).settle(corners);
+    Sheets(edit_).make_manifold(corners);
   }
 
   void insert(Takes takes, std::size_t way_number, std::uint32_t k) {

@@ -52,8 +52,8 @@ class Joiner {
     link_copies();
     Sheets sheets(edit_);
     sheets.remove_vertices(isolated_copies());
-    sort_unique(unsettled_);
-    sheets.settle(unsettled_);
+    sort_unique(maybe_split_);
+    sheets.make_manifold(maybe_split_);
   }
 
  private:
@@ -93,7 +93,7 @@ class Joiner {
       if (std::all_of(ends.begin(), ends.end(), [&](Vertex v) { return has_one_gap(v); }))
         pairs.emplace_back(h, other);
       else
-        unsettled_.insert(unsettled_.end(), ends.begin(), ends.end());
+        maybe_split_.insert(maybe_split_.end(), ends.begin(), ends.end());
     }
     return pairs;
   }
@@ -170,7 +170,7 @@ class Joiner {
       // Reading may join more at a point that was non-manifold before, alone or with isolated ones.
       std::vector<Vertex> fans = copies;
       std::erase_if(fans, [&](Vertex v) { return m_.is_isolated(v); });
-      if (fans.size() > 1) unsettled_.push_back(fans[0]);
+      if (fans.size() > 1) maybe_split_.push_back(fans[0]);
     }
     for (const JoinedPoints& joined : classes_)
       for (Vertex v : copies_[joined.points[0]]) edit_.set_position(v, joined.place);
@@ -197,7 +197,7 @@ class Joiner {
   std::map<Vertex, std::vector<Vertex>> copies_;     // by point afterwards, of the points concerned
   std::map<Vertex, Vertex> root_of_;                 // of vertices that are joined to others
   std::map<Vertex, std::vector<Halfedge>> leaving_;  // by root, before anything is joined
-  std::vector<Vertex> unsettled_;
+  std::vector<Vertex> maybe_split_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The account of a simplification: how many edges stand under which rule.
+// Counts the edges that a simplification left, by the rule that holds them.
 #pragma once
 
 #include <span>

@@ -96,11 +96,11 @@ std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& p
               "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
 }
 
-Text text_of(std::size_t before, std::size_t after, const Account& account) {
+Text text_of(std::size_t before, std::size_t after, const GoalReport& report) {
   const std::string a = std::to_string(before);
   Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
-  if (account.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
-  if (account.stopped == Stop::blocked)
+  if (report.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
+  if (report.stopped == Stop::blocked)
     return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも稜線削除できません）。"};
   return text + Text{".", "。"};
 }
@@ -157,26 +157,26 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
   const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
   Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh());
-  Account& account = result.account.emplace();
+  GoalReport& report = result.goal_report.emplace();
   if (!simplifier.run(progress)) {
-    account = {Stop::cancelled, false};
+    report = {Stop::cancelled, false};
     return result;
   }
   const std::size_t after = work.live().faces + input.quarantined;
   const bool has_number = values.has("faces") || values.has("ratio");
-  if (input.wants.account || !has_number || after > wanted) {
-    account.rules = find_remaining(work, simplifier, progress);
+  if (input.wants.edge_rules || !has_number || after > wanted) {
+    report.rules = find_remaining(work, simplifier, progress);
     if (progress.is_cancelled()) {
-      account = {Stop::cancelled, false};
+      report = {Stop::cancelled, false};
       return result;
     }
-    account.remaining = count_remaining(work, account.rules);
+    report.remaining = count_remaining(work, report.rules);
   }
   if (!has_number || after > wanted)
-    account.stopped = account.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? Stop::error : Stop::blocked;
-  account.is_reached = has_number ? after <= wanted : account.stopped == Stop::error;
-  account.error_max = simplifier.error_max();
-  result.text = text_of(before, after, account);
+    report.stopped = report.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? Stop::error : Stop::blocked;
+  report.is_reached = has_number ? after <= wanted : report.stopped == Stop::error;
+  report.error_max = simplifier.error_max();
+  result.text = text_of(before, after, report);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
   if (result.changed > 0 && is_flat) put_flat_normals(work);
   if (result.changed > 0) edit.replace(work.columns());

@@ -138,7 +138,7 @@ std::vector<AlgorithmRow> simplify_rows() {
            .solves = {},
            .run = simplify,
            .lineage = Lineage::told,
-           .accounts = true,
+           .has_goal = true,
            .accounts_for_edges = true}};
 }
 

@@ -80,7 +80,7 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   if ((result.fault = fault_of_smoothing(options))) return result;
   const smooth::Smoothed made = smooth::smoothed(mesh, options, shares_of(mesh, input.values), progress);
   if (made.is_cancelled) return result;
-  result.account.emplace();
+  result.goal_report.emplace();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
     const Vertex v(i);
     if (!mesh.is_alive(v) || point(mesh, v) != v || made.places[i] == mesh.position(v) || !is_finite(made.places[i]))
@@ -183,7 +183,7 @@ std::vector<AlgorithmRow> smoothing_rows() {
            .keeps_geometry = false,
            .solves = {},
            .run = smooth_mesh,
-           .accounts = true}};
+           .has_goal = true}};
 }
 
 }  // namespace ryosen

@@ -65,7 +65,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     result.fault = std::move(made.fault);
     return result;
   }
-  result.account.emplace();
+  result.goal_report.emplace();
   result.descent = std::move(made.descent);
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
   const std::string count = std::to_string(made.columns.live.faces);
@@ -152,7 +152,7 @@ std::vector<AlgorithmRow> subdivision_rows() {
            .solves = {},
            .run = subdivide_mesh,
            .lineage = Lineage::told,
-           .accounts = true}};
+           .has_goal = true}};
 }
 
 }  // namespace ryosen

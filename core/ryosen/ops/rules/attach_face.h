@@ -11,7 +11,7 @@ namespace ryosen {
 Vertex roomy_copy(const Mesh& mesh, Vertex v);
 
 // The face on these corners, as make_face allows it: on free sides where there are any, on new edges elsewhere. Its
-// points are to be settled then. Cost: the fans at its corners.
+// points are to be made manifold then. Cost: the fans at its corners.
 Face attach_face(Edit& edit, Sheets& sheets, std::span<const Vertex> corners);
 
 }  // namespace ryosen

@@ -68,7 +68,7 @@ class Raise {
     for (const Wall& wall : walls_) make_wall(wall);
     hold_halfedges();
     move_rest();
-    settle();
+    make_manifold();
     return sheets_.finish();
   }
 
@@ -232,7 +232,7 @@ class Raise {
   }
 
   // Points with several sectors, or an end without a wall, may have to be cut or joined otherwise.
-  void settle() {
+  void make_manifold() {
     std::vector<std::pair<Vertex, std::size_t>> by_point;
     for (std::size_t i = 0; i < sectors_.size(); ++i) by_point.emplace_back(point(m_, sectors_[i].from), i);
     std::sort(by_point.begin(), by_point.end());
@@ -253,7 +253,7 @@ class Raise {
     sort_unique(bare);
     std::reverse(bare.begin(), bare.end());
     sheets_.remove_vertices(bare);
-    if (!points.empty()) sheets_.settle(points);
+    if (!points.empty()) sheets_.make_manifold(points);
   }
 
   Edit& edit_;

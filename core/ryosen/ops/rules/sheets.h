@@ -46,12 +46,12 @@ std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
                                  const std::function<bool(Face)>& is_last);
 
-// What is known of a point that others are joined to, one after another: all around it is as settle() leaves it, but
-// for what is listed.
-struct SettledPoint {
-  Vertex at;                      // one of its copies; none: nothing is known
-  std::vector<Vertex> changed;    // vertices of it around which something else has changed since then
-  std::vector<Vertex> unsettled;  // vertices that may have several fans
+// What is known of a point that others are joined to, one after another: all around it is as make_manifold() leaves it,
+// but for what is listed.
+struct ManifoldPoint {
+  Vertex at;                        // one of its copies; none: nothing is known
+  std::vector<Vertex> changed;      // vertices of it around which something else has changed since then
+  std::vector<Vertex> maybe_split;  // vertices that may have several fans
   // The same of other points, whose copies have all been looked at: their vertices that may have several fans.
   std::unordered_map<Vertex, std::vector<Vertex>> beside;
   CopyRings* rings = nullptr;  // shared by all who do so
@@ -84,12 +84,12 @@ class Sheets {
   // edge; at all other edges the faces are cut apart, unless the boundary loop has exactly two halfedges. Where
   // anything was cut or joined, every vertex gets one fan. Points may be given by any live copy; dead vertices are
   // skipped. Returns the vertices around which it cut or joined, their copies among them.
-  std::vector<Vertex> settle(std::span<const Vertex> points);
-  // Whether settle() would find nothing to do there.
-  bool is_settled(std::span<const Vertex> points);
+  std::vector<Vertex> make_manifold(std::span<const Vertex> points);
+  // Whether make_manifold() would find nothing to do there.
+  bool is_manifold(std::span<const Vertex> points);
   // The same around a known point that these vertices have become copies of. Cost: what is around them and around what
   // is listed, which is kept.
-  void settle_joined(std::vector<Vertex> joined, SettledPoint& known);
+  void make_joined_manifold(std::vector<Vertex> joined, ManifoldPoint& known);
   // Deletes an isolated vertex. If it is the representative of its point, another copy takes over the number.
   void remove_vertex(Vertex v) { remove_vertices({&v, 1}); }
   // The same for several, given in descending order. Cost: the copies of their points, once for all calls.
@@ -115,7 +115,7 @@ class Sheets {
   void open_beside(std::span<const Halfedge> to_join, std::vector<Halfedge>& to_open);
   std::vector<Halfedge> sheets_to_join(std::span<const Vertex> vertices);
   std::vector<Halfedge> first_halves(std::span<const Halfedge> halves, Vertex at) const;
-  std::vector<Vertex> left_at(SettledPoint& known, std::span<const Vertex> touched);
+  std::vector<Vertex> left_at(ManifoldPoint& known, std::span<const Vertex> touched);
   void add_double_ends(std::span<const Vertex> vertices, std::vector<Vertex>& found);
   // Joins two edges with one face each, on opposite sides, into one.
   void close_pair(Halfedge h, Halfedge other);

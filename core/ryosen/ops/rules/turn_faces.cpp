@@ -22,7 +22,7 @@ class Turner {
     turn_faces();
     for (Vertex v : vertices) turn_around(v);
     for (Vertex v : vertices) hold_outside(edit_, v);
-    sheets_.settle(vertices);
+    sheets_.make_manifold(vertices);
     edit_.commit();
     return sheets_.finish();
   }

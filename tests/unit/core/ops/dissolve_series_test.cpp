@@ -64,7 +64,7 @@ void expect_same_as_one_by_one(const Mesh& start, Dice& dice) {
       op.apply(once);
       once.commit();
     }
-    series.settle();
+    series.finish();
     edit.commit();
   }
   EXPECT_EQ(many.hash(), single.hash());
@@ -112,7 +112,7 @@ std::uint64_t looks_at(const Polygons& faces, std::size_t points) {
       is_done = true;
     }
   }
-  series.settle();
+  series.finish();
   EXPECT_LT(mesh.live().faces, 5u) << "else nothing has grown";
   return series.looks();
 }
@@ -147,7 +147,7 @@ std::uint64_t looks_at_vertices(const Mesh& start) {
     series.apply(op);
     ++done;
   }
-  series.settle();
+  series.finish();
   edit.commit();
   EXPECT_GT(done, 0u);
   return series.looks();

@@ -4,7 +4,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

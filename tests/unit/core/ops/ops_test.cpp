@@ -7,7 +7,7 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/remedy.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen {

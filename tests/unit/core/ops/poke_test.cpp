@@ -8,7 +8,7 @@
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/remedy.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"
 

@@ -6,7 +6,7 @@
 
 #include "ryosen/analysis/figures.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/outlook/remedy.h"
+#include "ryosen/ops/preview/remedy.h"
 #include "ryosen/ops/rules/face_triangles.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

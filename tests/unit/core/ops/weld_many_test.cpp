@@ -183,7 +183,7 @@ std::uint64_t looks_of_faces_apart(std::uint32_t n) {
   Polygons faces;
   for (std::uint32_t i = 0; i < 3 * n; i += 3) faces.push_back({i, i + 1, i + 2});
   Mesh mesh = make_mesh(faces, 3 * n);
-  SettledPoint known;
+  ManifoldPoint known;
   Edit edit(mesh, nullptr);
   Vertex last(3 * n - 1);
   for (std::uint32_t i = 0; i + 3 < 3 * n; i += 3) {

@@ -3,7 +3,7 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "app/editor/texts/measure_text.h"

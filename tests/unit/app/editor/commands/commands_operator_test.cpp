@@ -5,7 +5,7 @@
 
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/commands.h"
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"

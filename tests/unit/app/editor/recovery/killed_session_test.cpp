@@ -19,7 +19,7 @@
 #include "app/cli/console.h"
 #include "app/cli/last_words.h"
 #include "app/cli/signals.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "tests/support/app/program.h"

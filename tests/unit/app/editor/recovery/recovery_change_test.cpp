@@ -7,7 +7,7 @@
 #include <fstream>
 #include <functional>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/io/file_state.h"
 #include "tests/unit/app/editor/recovery/recovery_fixture.h"

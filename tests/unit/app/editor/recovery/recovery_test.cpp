@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "ryosen/io/gzip.h"
 #include "tests/unit/app/editor/recovery/recovery_fixture.h"

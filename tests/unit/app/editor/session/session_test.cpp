@@ -6,8 +6,8 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"
-#include "app/editor/commands/lines/script.h"
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/script.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/keys.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/app/program.h"

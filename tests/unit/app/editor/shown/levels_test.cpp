@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "app/editor/commands/lines/words.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/algo/edge_rules.h"
@@ -181,23 +181,23 @@ TEST_F(LevelsTest, refuse_words_that_no_mesh_makes_right) {
 TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
   EXPECT_EQ(say("account").exit_code, ExitCode::refused);
   ASSERT_TRUE(say("simplify faces=100").done());
-  EXPECT_FALSE(session_.findings().account()) << "nobody has asked for it";
+  EXPECT_FALSE(session_.findings().left_edges()) << "nobody has asked for it";
   const std::uint64_t hash = session_.mesh().hash(), revision = session_.document().revision();
   ASSERT_TRUE(say("account").done());
   EXPECT_EQ(session_.mesh().hash(), hash);
   EXPECT_EQ(session_.document().revision(), revision);
   EXPECT_EQ(session_.document().position(), 1u);
-  const EdgeAccount* const account = session_.findings().account();
-  ASSERT_TRUE(account);
-  EXPECT_EQ(std::accumulate(account->counts.begin(), account->counts.end(), std::size_t{0}),
+  const LeftEdges* const left_edges = session_.findings().left_edges();
+  ASSERT_TRUE(left_edges);
+  EXPECT_EQ(std::accumulate(left_edges->counts.begin(), left_edges->counts.end(), std::size_t{0}),
             session_.mesh().live().edges);
   for (const EdgeRuleRow& rule : edge_rules) {
-    const std::size_t count = account->counts[static_cast<std::size_t>(rule.rule)];
+    const std::size_t count = left_edges->counts[static_cast<std::size_t>(rule.rule)];
     ASSERT_TRUE(say("account " + std::string(rule.id)).done());
     EXPECT_EQ(session_.selecting.selection.size(), count) << rule.id;
     for (const Element& e : session_.selecting.selection) EXPECT_EQ(e.kind, Element::Kind::edge);
   }
-  const std::string free = std::to_string(account->counts[static_cast<std::size_t>(EdgeRule::free)]);
+  const std::string free = std::to_string(left_edges->counts[static_cast<std::size_t>(EdgeRule::free)]);
   EXPECT_NE(say("account").sentence.en.find("free " + free), std::string::npos);
   ASSERT_TRUE(say("undo").done());
   EXPECT_EQ(say("account").exit_code, ExitCode::refused);
@@ -213,31 +213,31 @@ TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
 TEST_F(LevelsTest, account_is_made_at_once_where_its_panel_is_shown) {
   ASSERT_TRUE(say("panel levels on").done());
   ASSERT_TRUE(say("simplify faces=100").done());
-  EXPECT_TRUE(session_.findings().account());
+  EXPECT_TRUE(session_.findings().left_edges());
 }
 
 TEST_F(LevelsTest, account_of_a_level_is_that_of_the_simplification_to_it) {
   ASSERT_TRUE(say("levels max_turn=40").done());
   ASSERT_TRUE(say("levels at 200").done());
-  EXPECT_FALSE(session_.findings().account());
+  EXPECT_FALSE(session_.findings().left_edges());
   const Outcome of_level = say("account");
   ASSERT_TRUE(of_level.done()) << of_level.sentence.en;
   ASSERT_TRUE(session_.shown.levels()) << "they stay";
   EXPECT_LE(faces(), 200u) << "the level stays in the view";
-  ASSERT_TRUE(session_.findings().account());
-  const std::vector<std::uint8_t> rules = session_.findings().account()->rules;
+  ASSERT_TRUE(session_.findings().left_edges());
+  const std::vector<std::uint8_t> rules = session_.findings().left_edges()->rules;
   ASSERT_TRUE(say("account free").done());
   EXPECT_EQ(session_.selecting.selection.size(),
-            session_.findings().account()->counts[static_cast<std::size_t>(EdgeRule::free)]);
+            session_.findings().left_edges()->counts[static_cast<std::size_t>(EdgeRule::free)]);
   session_.view.gizmo_kind = GizmoKind::move;
   EXPECT_FALSE(session_.pointing.gizmo()) << "nothing of a level is moved";
   ASSERT_TRUE(say("levels at 300").done());
-  EXPECT_FALSE(session_.findings().account()) << "that is another mesh";
+  EXPECT_FALSE(session_.findings().left_edges()) << "that is another mesh";
   ASSERT_TRUE(say("levels at 200").done());
   ASSERT_TRUE(say("panel levels off").done());
   ASSERT_TRUE(say("levels keep").done());
   EXPECT_EQ(say("account").sentence.en, of_level.sentence.en);
-  EXPECT_EQ(session_.findings().account()->rules, rules);
+  EXPECT_EQ(session_.findings().left_edges()->rules, rules);
 }
 
 TEST_F(LevelsTest, account_survives_a_look_at_the_levels) {

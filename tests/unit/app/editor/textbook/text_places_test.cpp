@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "app/editor/commands/lines/script.h"
+#include "app/editor/commands/text/script.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"

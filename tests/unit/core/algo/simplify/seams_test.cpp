@@ -79,8 +79,8 @@ TEST(SimplifySeams, kept_they_hold_under_their_rule) {
     Journal journal;
     const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=4 seams=keep");
     EXPECT_EQ(mesh.live().faces, faces);
-    ASSERT_TRUE(result.account);
-    EXPECT_EQ(result.account->remaining[static_cast<std::size_t>(EdgeRule::seam)], edges);
+    ASSERT_TRUE(result.goal_report);
+    EXPECT_EQ(result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::seam)], edges);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(SimplifySeams, those_of_texture_stay) {
     Mesh made = mesh;
     const AlgorithmResult result = run_algorithm(made, journal, std::string("simplify ") + words);
     EXPECT_EQ(made.live().faces, 20u) << words;
-    EXPECT_EQ(result.account->remaining[static_cast<std::size_t>(EdgeRule::seam)], 30u) << words;
+    EXPECT_EQ(result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::seam)], 30u) << words;
   }
 }
 

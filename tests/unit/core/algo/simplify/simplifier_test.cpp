@@ -54,7 +54,7 @@ TEST(simplifier, blocks_no_edge_by_an_error_that_one_of_its_ends_does_not_have) 
   Mesh mesh = sheet(20, [](std::uint32_t x, std::uint32_t y) { return 0.3 * x + 0.7 * y; });
   const AlgorithmResult result = simplified(mesh, "error=0");
   EXPECT_EQ(count_of(result, EdgeRule::free), 0u);
-  EXPECT_EQ(result.account->stopped, Stop::error);
+  EXPECT_EQ(result.goal_report->stopped, Stop::error);
 }
 
 TEST(simplifier, takes_shares_as_they_are_meant) {
@@ -62,7 +62,7 @@ TEST(simplifier, takes_shares_as_they_are_meant) {
   simplified(hundred, "ratio=0.58 triangulate=on");
   EXPECT_EQ(hundred.live().faces, 58u) << "of a hundred triangles that its squares are cut into";
   const AlgorithmResult a = simplified(twice, "error=0.01 relative=on"), b = simplified(once, "error=1%");
-  EXPECT_EQ(*a.account->error_max, *b.account->error_max) << "a percentage is a share already";
+  EXPECT_EQ(*a.goal_report->error_max, *b.goal_report->error_max) << "a percentage is a share already";
 }
 
 // Two cones on one rough circle of n places.
@@ -365,7 +365,7 @@ TEST(simplifier, leaves_the_mesh_as_it_is_wherever_it_is_cancelled) {
     const std::string line = i % 2 ? "faces=3 effort=2" : "error=0.2 no_self_intersections=on";
     const ParameterValues values = *read_values(row.parameters, split_words(line)).values->on(mesh).values;
     const AlgorithmResult result = row.run(edit, {values}, cancelling);
-    if (result.account && result.account->stopped != Stop::cancelled) continue;
+    if (result.goal_report && result.goal_report->stopped != Stop::cancelled) continue;
     ++cancelled;
     EXPECT_EQ(result.changed, 0u);
     EXPECT_EQ(mesh.columns(), before);

@@ -72,32 +72,32 @@ TEST(simplify, of_a_flat_sheet_loses_nothing) {
   Mesh mesh = sheet(20, [](std::uint32_t, std::uint32_t) { return 3.0; });
   const AlgorithmResult result = simplified(mesh, "faces=2");
   EXPECT_EQ(mesh.live().faces, 2u);
-  EXPECT_TRUE(result.account->is_reached);
-  EXPECT_LT(*result.account->error_max, 1e-6);
+  EXPECT_TRUE(result.goal_report->is_reached);
+  EXPECT_LT(*result.goal_report->error_max, 1e-6);
   const Figures figures = compute_figures(mesh);
   EXPECT_NEAR(figures.area, 400, 1e-4) << "the corners are where they were";
 }
 
 TEST(simplify, reaches_a_number_a_ratio_or_an_error) {
   Mesh number = sheet(20, wave), ratio = number, error = number, relative = number, both = number;
-  EXPECT_TRUE(simplified(number, "faces=300").account->is_reached);
+  EXPECT_TRUE(simplified(number, "faces=300").goal_report->is_reached);
   EXPECT_EQ(number.live().faces / 2, 150u);
-  EXPECT_TRUE(simplified(ratio, "ratio=0.25").account->is_reached);
+  EXPECT_TRUE(simplified(ratio, "ratio=0.25").goal_report->is_reached);
   EXPECT_LE(ratio.live().faces, 200u);
   EXPECT_GE(ratio.live().faces, 198u);
   const AlgorithmResult by_error = simplified(error, "error=0.05");
-  EXPECT_EQ(by_error.account->stopped, Stop::error);
-  EXPECT_TRUE(by_error.account->is_reached) << "it is the only goal";
-  EXPECT_LE(*by_error.account->error_max, 0.05);
+  EXPECT_EQ(by_error.goal_report->stopped, Stop::error);
+  EXPECT_TRUE(by_error.goal_report->is_reached) << "it is the only goal";
+  EXPECT_LE(*by_error.goal_report->error_max, 0.05);
   EXPECT_GT(count_of(by_error, EdgeRule::error), 0u);
   EXPECT_EQ(count_of(by_error, EdgeRule::free), 0u);
   EXPECT_LT(error.live().faces, 800u);
   const AlgorithmResult by_share = simplified(relative, "error=0.05 relative=on");
-  EXPECT_GT(*by_share.account->error_max, 0.05) << "a share of a diagonal of 28";
+  EXPECT_GT(*by_share.goal_report->error_max, 0.05) << "a share of a diagonal of 28";
   EXPECT_LT(relative.live().faces, error.live().faces);
   const AlgorithmResult by_both = simplified(both, "faces=10 error=0.05");
-  EXPECT_EQ(by_both.account->stopped, Stop::error);
-  EXPECT_FALSE(by_both.account->is_reached);
+  EXPECT_EQ(by_both.goal_report->stopped, Stop::error);
+  EXPECT_FALSE(by_both.goal_report->is_reached);
   EXPECT_EQ(both.columns(), error.columns()) << "the error comes first";
 }
 
@@ -176,7 +176,7 @@ TEST(simplify, does_the_same_to_a_mesh_that_is_huge_tiny_or_far_away) {
   MeshColumns columns = before.columns();
   for (glm::dvec3& p : columns.positions) p += glm::dvec3(1e9, -1e9, 1e9);
   Mesh away{columns};
-  EXPECT_TRUE(simplified(away, "faces=60").account->is_reached);
+  EXPECT_TRUE(simplified(away, "faces=60").goal_report->is_reached);
   EXPECT_FALSE(check_invariants(away));
 }
 
@@ -194,10 +194,10 @@ TEST(simplify, turns_polygons_into_fewer_or_triangulates_them_first) {
   Mesh squares = make_mesh(torus_grid(10, 12)), triangles = squares;
   const AlgorithmResult kept = simplified(squares, "faces=60");
   EXPECT_FALSE(check_invariants(squares));
-  EXPECT_EQ(squares.live().faces <= 60, kept.account->is_reached);
+  EXPECT_EQ(squares.live().faces <= 60, kept.goal_report->is_reached);
   const AlgorithmResult cut = simplified(triangles, "faces=60 triangulate=on");
   EXPECT_FALSE(check_invariants(triangles));
-  EXPECT_TRUE(cut.account->is_reached);
+  EXPECT_TRUE(cut.goal_report->is_reached);
   for (std::uint32_t i = 0; i < triangles.face_slots(); ++i)
     EXPECT_TRUE(!triangles.is_alive(Face(i)) || is_triangle(triangles, triangles.halfedge(Face(i)))) << i;
 }
@@ -228,7 +228,7 @@ TEST(simplify, keeps_faces_apart_where_it_is_asked_to) {
   EXPECT_GT(find_self_intersections(free).count, 0u) << "or the test asks nothing";
   EXPECT_EQ(find_self_intersections(kept).count, 0u);
   EXPECT_LT(kept.live().faces, before.live().faces / 2);
-  EXPECT_TRUE(result.account->is_reached || count_of(result, EdgeRule::self_intersection) > 0);
+  EXPECT_TRUE(result.goal_report->is_reached || count_of(result, EdgeRule::self_intersection) > 0);
   EXPECT_TRUE(simplified(free, "faces=9 no_self_intersections=on").refused);
   Mesh squares = make_mesh(torus_grid(4, 5));
   EXPECT_TRUE(simplified(squares, "faces=9 no_self_intersections=on").refused);
@@ -254,7 +254,7 @@ TEST(simplify, keeps_seams_and_carries_values_along) {
   }
   Mesh mesh = from_indexed(source);
   const AlgorithmResult result = simplified(mesh, "faces=80");
-  EXPECT_TRUE(result.account->is_reached);
+  EXPECT_TRUE(result.goal_report->is_reached);
   EXPECT_FALSE(check_invariants(mesh));
   const CornerAttribute values = corner_attributes(mesh).front();
   const auto value = [&](Halfedge h) {
@@ -302,7 +302,7 @@ TEST(simplify, removes_parts_smaller_than_the_error_where_it_is_asked_to) {
   }
   const Mesh before = from_indexed(source);
   Mesh kept = before, removed = before, locked = before;
-  EXPECT_FALSE(simplified(kept, "faces=6 error=0.1").account->is_reached);
+  EXPECT_FALSE(simplified(kept, "faces=6 error=0.1").goal_report->is_reached);
   EXPECT_EQ(compute_figures(kept).components, 6u);
   simplified(removed, "faces=6 error=0.1 remove_small=on");
   EXPECT_EQ(compute_figures(removed).components, 2u) << "the ground and the large one";
@@ -321,7 +321,8 @@ TEST(simplify, refuses_values_with_a_sentence) {
     EXPECT_FALSE(read.sentence.en.empty() || read.sentence.ja.empty()) << line;
   }
   Mesh mesh = sheet(3, wave);
-  EXPECT_TRUE(simplified(mesh, "error=1e300").account->is_reached == false) << "nothing is left that the error holds";
+  EXPECT_TRUE(simplified(mesh, "error=1e300").goal_report->is_reached == false)
+      << "nothing is left that the error holds";
   EXPECT_EQ(simplified(mesh, "faces=1000000").changed, 0u);
 }
 

@@ -1,0 +1,203 @@
+#include "ryosen/algo/duplicate/duplicates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ryosen/algo/duplicate/part.h"
+#include "ryosen/algo/repair/join_points.h"
+#include "ryosen/algo/repair/point_merger.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
+
+namespace ryosen {
+
+namespace {
+
+Part part_meant(const Mesh& mesh, const ParameterValues& values) {
+  return part_of(mesh, values.has("elements") ? values.elements("elements") : all_elements(mesh));
+}
+
+AlgorithmResult result_of(const AddedPart& added) {
+  AlgorithmResult result;
+  result.changed = added.counts.vertices;
+  result.left = added.left_wires;
+  const std::string v = std::to_string(added.counts.vertices), e = std::to_string(added.counts.edges);
+  result.text = count_text(added.counts.faces, "# face were added", "# faces were added", "面 # を追加しました");
+  result.text.en = v + " vertices, " + e + " edges and " + result.text.en;
+  result.text.ja = "頂点 " + v + "、稜線 " + e + "、" + result.text.ja;
+  return result;
+}
+
+void end_sentence(AlgorithmResult& result) { result.text = result.text + Text{".", "。"}; }
+
+AlgorithmResult duplicate(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  Part part = part_meant(edit.mesh(), input.values);
+  AlgorithmResult result;
+  for (glm::dvec3& place : part.list.positions) place += input.values.place("by");
+  if (!progress.go_on(1, 2)) return result;
+  result = result_of(add_part(edit, std::move(part), true));
+  end_sentence(result);
+  return result;
+}
+
+// The faces run the other way round, so that their outside stays outside.
+void reflect(IndexedMesh& list, int axis, double at) {
+  for (glm::dvec3& place : list.positions) place[axis] = at - (place[axis] - at);
+  const auto turn = [&](std::vector<std::uint32_t>& values) {
+    if (values.empty()) return;
+    for (std::size_t f = 0; f < list.face_count(); ++f)
+      std::reverse(values.begin() + list.face_offsets[f], values.begin() + list.face_offsets[f + 1]);
+  };
+  turn(list.corners);
+  turn(list.texcoords.index);
+  list.normals = {};  // theirs would point elsewhere
+}
+
+// Of the points of a part those within a distance of the plane at which one gap ends.
+std::vector<Vertex> points_at_plane(const Mesh& mesh, const Part& part, int axis, double at, double distance) {
+  std::vector<Vertex> found;
+  for (const Vertex v : part.points) {
+    if (!(std::abs(mesh.position(v)[axis] - at) <= distance) || has_copies(mesh, v) || !mesh.is_boundary(v)) continue;
+    std::uint32_t gaps = 0;
+    bool has_wire = false;
+    for (const Halfedge h : outgoing(mesh, v)) {
+      gaps += mesh.is_outside(h);
+      has_wire = has_wire || mesh.is_wire(edge(h));
+    }
+    if (gaps == 1 && !has_wire) found.push_back(v);
+  }
+  return found;
+}
+
+// A point and its image become one where an edge of the boundary between two such closes, so that one fan comes out.
+std::size_t weld(Edit& edit, const std::vector<std::pair<Vertex, Vertex>>& pairs, int axis, double at) {
+  const Mesh& mesh = edit.mesh();
+  std::vector<Vertex> points;
+  for (const auto& [v, image] : pairs) points.insert(points.end(), {v, image});
+  const std::vector<Vertex> point_of = points_by_slot(mesh);
+  PointMerger merger(mesh, point_of, points);
+  std::vector<std::pair<Vertex, Vertex>> joined;
+  for (const auto& [v, image] : pairs)
+    if (merger.merge(v, image)) joined.emplace_back(v, image);
+  const auto has_partner = [&](const auto& pair) {
+    const auto is_joined = [&](Vertex v) {  // they are ascending
+      const auto at_v = std::lower_bound(joined.begin(), joined.end(), v,
+                                         [](const auto& other, Vertex wanted) { return other.first < wanted; });
+      return at_v != joined.end() && at_v->first == v;
+    };
+    for (const Halfedge h : outgoing(mesh, pair.first))
+      if (mesh.is_boundary(edge(h)) && is_joined(mesh.to(h))) return true;
+    return false;
+  };
+  for (std::size_t before = joined.size() + 1; before != joined.size();) {
+    before = joined.size();
+    std::vector<std::pair<Vertex, Vertex>> left;
+    std::copy_if(joined.begin(), joined.end(), std::back_inserter(left), has_partner);
+    joined = std::move(left);
+  }
+  std::vector<JoinedPoints> classes;
+  for (const auto& [v, image] : joined) {
+    glm::dvec3 place = mesh.position(v);
+    place[axis] = at;
+    classes.push_back({{v, image}, place});
+  }
+  if (!classes.empty()) join_points(edit, classes);
+  return classes.size();
+}
+
+AlgorithmResult mirror(Edit& edit, const AlgorithmInput& input, Progress& progress) {
+  const Mesh& mesh = edit.mesh();
+  const ParameterValues& values = input.values;
+  const int axis = values.choice("axis") == "x" ? 0 : values.choice("axis") == "y" ? 1 : 2;
+  const double at = values.place("about")[axis];
+  Part part = part_meant(mesh, values);
+  const bool welds = values.has("weld");
+  std::vector<Vertex> on_plane;
+  if (welds) on_plane = points_at_plane(mesh, part, axis, at, values.length("weld"));
+  const std::vector<Vertex> points = part.points;
+  reflect(part.list, axis, at);
+  if (!progress.go_on(1, 2)) return {};
+  const AddedPart added = add_part(edit, std::move(part), true);
+  AlgorithmResult result = result_of(added);
+  std::vector<std::pair<Vertex, Vertex>> pairs;
+  for (const Vertex v : on_plane) {
+    const auto number = std::lower_bound(points.begin(), points.end(), v) - points.begin();
+    const Vertex image(added.first.index + static_cast<std::uint32_t>(number));
+    if (!has_copies(mesh, image)) pairs.emplace_back(v, image);
+  }
+  if (welds) {
+    const std::size_t welded = weld(edit, pairs, axis, at);
+    result.text = result.text + count_text(welded, "; one vertex was welded at the plane",
+                                           "; # vertices were welded at the plane", "（面上で頂点 # 個を縫合）");
+  }
+  end_sentence(result);
+  return result;
+}
+
+ParameterRow elements() {
+  return {.id = "elements",
+          .kind = ParameterKind::elements,
+          .name_en = "Elements",
+          .name_ja = "対象",
+          .help_en = "faces, also by all of their vertices, edges and vertices; else all",
+          .help_ja = "面（全頂点の指定でも可）、稜線、頂点（省くとすべて）",
+          .is_worked_on = true};
+}
+
+}  // namespace
+
+std::vector<AlgorithmRow> duplicate_rows() {
+  return {
+      {.id = "duplicate",
+       .name_en = "Duplicate",
+       .name_ja = "複製",
+       .help_en = "adds a copy of elements as a part of its own",
+       .help_ja = "要素の複製を独立した部分として追加する",
+       .parameters = {elements(),
+                      {.id = "by",
+                       .kind = ParameterKind::place,
+                       .name_en = "By",
+                       .name_ja = "移動量",
+                       .help_en = "how far the copy lies from there",
+                       .help_ja = "複製をずらす量",
+                       .initial = "0,0,0"}},
+       .keeps_geometry = false,
+       .solves = {},
+       .run = duplicate,
+       .selects_added = true},
+      {.id = "mirror",
+       .name_en = "Mirror",
+       .name_ja = "鏡像",
+       .help_en = "adds the mirror image of elements, its faces turned so that outside stays outside",
+       .help_ja = "要素の鏡像を、面の表裏を保って追加する",
+       .parameters = {{.id = "axis",
+                       .kind = ParameterKind::choice,
+                       .name_en = "Axis",
+                       .name_ja = "軸",
+                       .help_en = "the direction across the plane",
+                       .help_ja = "鏡の面に垂直な軸",
+                       .initial = "x",
+                       .choices = {{"x", "X", "X"}, {"y", "Y", "Y"}, {"z", "Z", "Z"}}},
+                      {.id = "about",
+                       .kind = ParameterKind::place,
+                       .name_en = "About",
+                       .name_ja = "通る点",
+                       .help_en = "a point of the plane",
+                       .help_ja = "鏡の面が通る点",
+                       .initial = "0,0,0"},
+                      {.id = "weld",
+                       .kind = ParameterKind::length,
+                       .name_en = "Weld",
+                       .name_ja = "縫合距離",
+                       .help_en = "boundary vertices as near to the plane are shared with the image; else none",
+                       .help_ja = "面からこの距離以内の境界頂点を鏡像と共有する（省くと共有しない）"},
+                      elements()},
+       .keeps_geometry = false,
+       .solves = {},
+       .run = mirror,
+       .selects_added = true},
+  };
+}
+
+}  // namespace ryosen

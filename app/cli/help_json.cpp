@@ -74,6 +74,27 @@ std::string contract_line(const Json& command, const std::vector<PrintedObject>&
   return line_of(json);
 }
 
+std::vector<Json> places_of(const OpLine& line) {
+  constexpr const char *kinds[] = {"vertex", "edge", "face", "number", "position", "word"},  // by OpValueKind
+      *needs[] = {"required", "optional", "list"};                                           // by OpParameter::Need
+  std::vector<Json> places;
+  for (std::size_t i = 0; i < line.all_lists().size(); ++i)
+    for (const OpParameter& parameter : line.lists[i]) {
+      Record<place_shape> place;
+      place["list"] = i;
+      place["need"] = needs[static_cast<std::size_t>(parameter.need)];
+      place["values"] = Json::array();
+      for (const OpValue& value : std::span(parameter.values).first(parameter.count())) {
+        Record<value_shape> json;
+        json["kind"] = kinds[static_cast<std::size_t>(value.kind)];
+        json["called"] = value.called;
+        place["values"].push_back(std::move(json).json());
+      }
+      places.push_back(std::move(place).json());
+    }
+  return places;
+}
+
 std::string list_line(const IdList& list) {
   Record<list_shape> json;
   json["list"] = list.id;
@@ -82,6 +103,8 @@ std::string list_line(const IdList& list) {
   for (const IdEntry& row : list.entries()) {
     Record<entry_shape> entry;
     entry["id"] = row.id;
+    if (row.syntax) entry["syntax"] = *row.syntax;
+    if (row.line) entry["places"] = places_of(*row.line);
     if (!row.severities.empty()) entry["severities"] = row.severities;
     entry.put(row.text);
     json["entries"].push_back(std::move(entry).json());

@@ -14,6 +14,7 @@
 #include "ryosen/base/reasons.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/ops/parameters/op_line.h"
 #include "ryosen/scene/highlights/colour_maps.h"
 #include "ryosen/scene/highlights/highlight_table.h"
 #include "ryosen/textbook/forms/all.h"
@@ -66,7 +67,14 @@ std::vector<IdEntry> entries_of() {
     const auto& row = row_at(at);
     if constexpr (!std::is_null_pointer_v<decltype(is_wanted)>)
       if (!is_wanted(row)) continue;
-    all.push_back({std::string(row.id), {std::string(row.*en), std::string(row.*ja)}, severities_of(row)});
+    IdEntry& entry = all.emplace_back(
+        IdEntry{std::string(row.id), {std::string(row.*en), std::string(row.*ja)}, severities_of(row)});
+    if constexpr (requires { syntax_of(row.line); }) {
+      entry.syntax = syntax_of(row.line);
+      entry.line = &row.line;
+    } else if constexpr (requires { row.syntax; }) {
+      entry.syntax = std::string(row.syntax);
+    }
   }
   return all;
 }

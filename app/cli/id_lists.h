@@ -1,6 +1,7 @@
 // The tables of the product whose ids are printed as values.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "app/cli/contract/shape.h"
 #include "ryosen/base/message.h"
+#include "ryosen/ops/parameters/op_parameter.h"
 
 namespace ryosen::cli {
 
@@ -15,6 +17,8 @@ struct IdEntry {
   std::string id;
   Text text;
   std::vector<std::string_view> severities;  // with which it occurs; empty where it has none
+  std::optional<std::string> syntax = {};    // of its arguments, where it may have some
+  const OpLine* line = nullptr;              // of an operator
 };
 
 struct IdList {

@@ -10,6 +10,7 @@
 
 #include "app/cli/exit_codes.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/algorithm_call.h"
 #include "tests/support/app/contract.h"
 
@@ -334,6 +335,48 @@ TEST(contract, names_what_every_command_prints) {
   std::vector<std::string> known;
   for (const Json& line : run_program({"help", "--json"}).lines()) known.push_back(line["command"]);
   EXPECT_EQ(commands, known);
+}
+
+// The names in a syntax: "fN [fM ...] [DISTANCE|X,Y,Z]" has fN, fM, DISTANCE and X,Y,Z.
+std::vector<std::string> names_in(std::string syntax) {
+  std::vector<std::string> names;
+  for (char& c : syntax)
+    if (c == '[' || c == ']' || c == '|') c = ' ';
+  std::istringstream words(syntax);
+  for (std::string word; words >> word;)
+    if (word != "...") names.push_back(word);
+  return names;
+}
+
+TEST(contract, operators_tell_the_places_of_their_lines) {
+  std::size_t operators = 0;
+  for (const Json& line : run_program({"help", "json", "--json"}).lines()) {
+    if (line.value("list", Json()) != "operators") continue;
+    for (const Json& entry : line["entries"]) {
+      const std::string syntax = entry["syntax"];
+      std::vector<std::string> left = names_in(syntax);
+      std::ranges::reverse(left);
+      std::size_t list = 0, optional = 0;
+      for (const Json& place : entry["places"]) {
+        EXPECT_GE(place["list"], list) << syntax;
+        list = place["list"];
+        for (const Json& value : place["values"]) {
+          ASSERT_FALSE(left.empty()) << syntax << " lacks " << value;
+          EXPECT_EQ(value["called"], left.back()) << syntax;
+          EXPECT_EQ(value["called"] == "X,Y,Z", value["kind"] == "position") << syntax;
+          EXPECT_EQ(value["called"] == "fN", value["kind"] == "face") << syntax;
+          left.pop_back();
+        }
+        if (place["need"] == "list" && !left.empty() && (left.back() == "fM" || left.back() == "C-D")) left.pop_back();
+        optional += place["need"] == "optional";
+      }
+      EXPECT_TRUE(left.empty()) << syntax << " has a name that no place has";
+      const auto brackets = static_cast<std::size_t>(std::ranges::count(syntax, '['));
+      EXPECT_EQ(optional, brackets - (syntax.find(" ...]") != std::string::npos)) << syntax;
+      ++operators;
+    }
+  }
+  EXPECT_EQ(operators, ryosen::all_ops().size());
 }
 
 TEST(contract, the_readme_names_every_exit_code) {

@@ -63,8 +63,28 @@ inline constexpr JsonKey contract_keys[] = {
 inline constexpr Shape contract_shape{"contract", "help json: one per command.", "help json：コマンドごとに一行。",
                                       contract_keys};
 
+inline constexpr JsonKey value_keys[] = {
+    {"kind", "string", "An element, a number, a position X,Y,Z, or this word.", "要素、数、座標 X,Y,Z、またはこの語。",
+     words("vertex edge face number position word")},
+    {"called", "string", "Its name in the syntax; of a word itself.", "構文での名前。語ならその語。"},
+};
+inline constexpr Shape value_shape{"value", "A value that an operator takes.", "操作が取る値。", value_keys};
+
+inline constexpr JsonKey place_keys[] = {
+    {"list", "integer", "Which of the operator's alternative lists it belongs to, from 0.",
+     "操作の選べる並びのうち何番目に属するか（0 から）。"},
+    {"need", "string", "Whether a line needs it; a list takes one value or more.",
+     "必要か省略できるか。list は一つ以上の値を取る。", words("required optional list")},
+    {"values", "array of object", "What it may be: one of these.", "取りうる値（いずれか）。", objects(value_shape)},
+};
+inline constexpr Shape place_shape{"place", "A place in the line of an operator.", "操作の行の一か所。", place_keys};
+
 inline constexpr JsonKey entry_keys[] = {
     {"id", "string", "The id.", "識別子。"},
+    {"syntax", "string", "Of what takes arguments: how they are written. Absent for other entries.",
+     "引数を取るものの書き方。ほかの項目にはない。", optional()},
+    {"places", "array of object", "Of an operator: the places of its line. Absent for other entries.",
+     "操作の行の各所。ほかの項目にはない。", optional(objects(place_shape))},
     {"severities", "array of string", "With which severities it occurs; absent where there are none.",
      "重大さ。ないものにはない。", optional()},
     {"en", "string", "What it means, in English.", "意味（英語）。"},

@@ -27,11 +27,11 @@ namespace ryosen {
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
   bool quits = false;
-  std::filesystem::path opens;  // empty: an empty mesh
-  std::string command{};        // where not empty, the one that does it, in place of the above
-  std::string asks_again{};     // the id of the panel that opens again where that fails; empty for none
-  bool awaits_name = false;     // of the file to save to: it goes on once that is saved
-  bool reads_again() const;     // what is in the file of the mesh
+  std::filesystem::path opens{};  // empty: an empty mesh
+  std::string command{};          // where not empty, the one that does it, in place of the above
+  std::string asks_again{};       // the id of the panel that opens again where that fails; empty for none
+  bool awaits_name = false;       // of the file to save to: it goes on once that is saved
+  bool reads_again() const;       // what is in the file of the mesh
 };
 
 // A line that was sent while a frame is laid out, and how many further ones come before it is carried out.

@@ -14,8 +14,8 @@ namespace ryosen {
 //        \ f /                 \ f /
 //         v'                    \ /
 //     A        B      =>     A   v   B
-//         v''                   / \
-//        / g \                 / g \
+//         v''                   / \        A, B: holes
+//        / g \                 / g \       f, g: fans of faces
 //
 // The vertices may also be two points at one place, as detaching leaves them. A loop stays whole where an edge of it
 // has no or several faces, or a part would have fewer than three sides. Returns the vertices that two points have

@@ -25,10 +25,10 @@ enum class PickMode { vertex, edge, face, halfedge };
 inline constexpr double pick_radius_px = 6;
 
 struct Picked {
-  Element element;         // of the requested kind
-  Halfedge halfedge;       // for an edge: the half of the face under the pointer, or of a face at the edge
+  Element element = {};    // of the requested kind
+  Halfedge halfedge = {};  // for an edge: the half of the face under the pointer, or of a face at the edge
   double along = 0.5;      // for an edge: parameter of the point nearest to the pointer, 0 at from(halfedge)
-  Face face;               // the face under the pointer, or none
+  Face face = {};          // the face under the pointer, or none
   glm::dvec3 place{0};     // on the element, in mesh space
   double distance_px = 0;  // from the pointer, 0 for a face
 };

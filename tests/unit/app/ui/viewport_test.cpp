@@ -112,7 +112,7 @@ TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
 
 // A small edit, an undo, a movement by hand that ends or is given up, or something hidden.
 void change_a_little(Session& session, std::mt19937& random) {
-  const unsigned kind = random() % 10;
+  const auto kind = random() % 10;
   if (kind < 7) {
     session.run(random_line(session, random));
     return;
@@ -125,7 +125,7 @@ void change_a_little(Session& session, std::mt19937& random) {
     return;
   }
   if (!session.run("gesture move").done()) return;
-  session.gesturing.follow({100.0 + random() % 120, 80.0 + random() % 80}, {});
+  session.gesturing.follow({100 + static_cast<int>(random() % 120), 80 + static_cast<int>(random() % 80)}, {});
   session.run(kind == 8 ? "key Enter" : "key Escape");
 }
 

@@ -163,8 +163,9 @@ TEST(touching_holes, of_random_faces_leave_no_boundary) {
     for (int seed = 0; seed < seeds; ++seed) {
       std::mt19937 random(static_cast<unsigned>(seed));
       std::vector<std::uint32_t> gone;
-      const auto faces = static_cast<unsigned>(whole.live().faces);
-      for (unsigned i = 0, n = 2 + random() % std::min(6u, faces / 3); i < n; ++i) gone.push_back(random() % faces);
+      const std::size_t faces = whole.live().faces;
+      for (std::size_t i = 0, n = 2 + random() % std::min<std::size_t>(6, faces / 3); i < n; ++i)
+        gone.push_back(static_cast<std::uint32_t>(random() % faces));
       Mesh mesh = without(whole, gone);
       if (has_island(mesh)) continue;
       fill_holes_of(mesh);

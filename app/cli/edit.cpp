@@ -90,8 +90,8 @@ class EditRun {
     // Warnings name elements of the document, as before the operator.
     if (const auto call = call_of(step.line.text); call && session_.shown.response(call->effect) != Response::keep)
       session_.shown.end();
-    const Parsed<AnyOp> parsed =
-        find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : Parsed<AnyOp>();
+    const ParsedOp parsed =
+        find_op(split_words(step.line.text)[0]) ? parse_line(session_.mesh(), step.line.text) : ParsedOp();
     if (parsed.op && console_.json)
       step.warnings = to_json(session_.mesh(), session_.document().preview(*parsed.op).warnings);
     step.outcome = session_.run(step.line.text);
@@ -125,7 +125,7 @@ class EditRun {
     if (std::find(saved_.begin(), saved_.end(), path) == saved_.end()) saved_.push_back(path);
   }
 
-  void describe_refusal(Step& step, const Parsed<AnyOp>& parsed) {
+  void describe_refusal(Step& step, const ParsedOp& parsed) {
     step.reasons = to_json(session_.mesh(), step.outcome.reasons);
     std::vector<std::string_view> rules;
     for (const Reason& reason : step.outcome.reasons) rules.push_back(text_of(reason.rule).id);

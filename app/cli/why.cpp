@@ -48,7 +48,7 @@ class Why {
     const std::vector<std::string_view> words = split_words(line);
     const OpInfo* const info = find_op(words[0]);
     const auto arguments = std::span(words).subspan(1);
-    const Parsed<AnyOp> parsed = parse_op(mesh_, info->id, arguments);
+    const ParsedOp parsed = parse_op(mesh_, info->id, arguments);
     const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
     return answer(*info, edge, parsed, arguments);
   }
@@ -79,7 +79,7 @@ class Why {
     std::string edge, arguments, line;
   };
 
-  ExitCode answer(const OpInfo& info, const std::string& edge, const Parsed<AnyOp>& parsed,
+  ExitCode answer(const OpInfo& info, const std::string& edge, const ParsedOp& parsed,
                   std::span<const std::string_view> arguments) {
     std::string words = edge;
     if (edge.empty())

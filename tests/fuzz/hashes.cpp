@@ -104,7 +104,7 @@ void hash_script(const std::string& name, const std::filesystem::path& path) {
   Mesh mesh;
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    const ParsedOp parsed = parse_line(mesh, line);
     if (parsed.op) expect(commit(mesh, *parsed.op), path.string() + ": " + line);
   }
   print(name, mesh.hash());

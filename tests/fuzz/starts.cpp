@@ -23,7 +23,7 @@ Start from_faces(const Polygons& faces) { return from_list(indexed(faces)); }
 
 void run(Mesh& mesh, std::initializer_list<std::string_view> lines) {
   for (std::string_view line : lines) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    const ParsedOp parsed = parse_line(mesh, line);
     expect(parsed.op && check(mesh, *parsed.op).legal(), "the start line " + std::string(line));
     Edit edit(mesh, nullptr);
     apply(edit, *parsed.op);

@@ -100,7 +100,7 @@ std::vector<AnyOp> all_ops_on(const Mesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     if (mesh.is_alive(Vertex(i)) && point(mesh, Vertex(i)) == Vertex(i)) points.push_back(name_of(mesh, Vertex(i)));
   const auto add_line = [&](std::string_view id, std::vector<std::string_view> arguments) {
-    const Parsed<AnyOp> parsed = parse_op(mesh, id, arguments);
+    const ParsedOp parsed = parse_op(mesh, id, arguments);
     if (parsed.op) ops.push_back(*parsed.op);
   };
   for (const OpInfo& info : all_ops()) {
@@ -240,14 +240,14 @@ TEST(every_element, a_named_remedy_helps) {
       if (remedy.empty()) continue;
       Journal journal;
       for (const std::string& step : remedy) {
-        const Parsed<AnyOp> parsed = parse_line(mesh, step);
+        const ParsedOp parsed = parse_line(mesh, step);
         ASSERT_TRUE(parsed.op) << step;
         ASSERT_TRUE(check(mesh, *parsed.op).legal()) << step;
         Edit edit(mesh, &journal);
         apply(edit, *parsed.op);
         edit.commit();
       }
-      const Parsed<AnyOp> again = parse_line(mesh, line);
+      const ParsedOp again = parse_line(mesh, line);
       ASSERT_TRUE(again.op) << line;
       EXPECT_TRUE(check(mesh, *again.op).legal()) << line << " seed " << seed;
       while (journal.can_undo()) journal.undo(mesh);

@@ -190,7 +190,7 @@ bool is_final(const RuleText& text) {
 // Applies what find_remedy() says; whether the operator is legal then.
 bool is_remedied(const Instance& instance) {
   Mesh mesh = instance.mesh;
-  const Parsed<AnyOp> named = parse_line(mesh, command_of(mesh, instance.op));
+  const ParsedOp named = parse_line(mesh, command_of(mesh, instance.op));
   if (!named.op || check(mesh, *named.op).legal()) return false;
   // Corners in two faces have no line of their own; this is the one that is spoken of from here on.
   const std::string line = command_of(mesh, *named.op);
@@ -198,10 +198,10 @@ bool is_remedied(const Instance& instance) {
   EXPECT_EQ(mesh.columns(), instance.mesh.columns()) << line;
   if (steps.empty()) return false;
   for (const std::string& step : steps) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, step);
+    const ParsedOp parsed = parse_line(mesh, step);
     EXPECT_TRUE(parsed.op && try_apply(mesh, nullptr, *parsed.op)) << step << " against " << line;
   }
-  const Parsed<AnyOp> again = parse_line(mesh, line);
+  const ParsedOp again = parse_line(mesh, line);
   EXPECT_TRUE(again.op && check(mesh, *again.op).legal()) << line << " after " << steps.back();
   return true;
 }

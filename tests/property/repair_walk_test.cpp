@@ -87,7 +87,7 @@ TEST(repair_walk, one_face_after_the_other_goes_and_comes_back) {
       for (Vertex v : vertices_around(mesh, f)) line += " v" + std::to_string(point(mesh, v).index);
       apply_and_prove(mesh, Delete{f});
       if (testing::Test::HasFailure()) return;
-      const Parsed<AnyOp> again = parse_line(mesh, line);
+      const ParsedOp again = parse_line(mesh, line);
       if (again.op && check(mesh, *again.op).legal()) {
         Mesh copy = mesh;
         apply_and_prove(copy, *again.op);
@@ -295,7 +295,7 @@ TEST(repair_walk, among_wires_bridges_rings_and_several_fans) {
     for (int step = 0; step < 60; ++step) {
       const bool is_euler = dice.one_in(2);
       const std::string line = is_euler ? random_euler_line(mesh, dice) : random_line(mesh, dice);
-      const Parsed<AnyOp> op = parse_line(mesh, line);
+      const ParsedOp op = parse_line(mesh, line);
       if (!op.op || !check(mesh, *op.op).legal()) continue;
       story += line + "\n";
       ++done[std::string(info_of(*op.op).id)];

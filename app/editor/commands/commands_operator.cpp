@@ -22,7 +22,7 @@ bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0
 
 Outcome apply(Document& document, const Frontend& frontend, const std::string& called, Words arguments,
               std::string_view whole) {
-  const Parsed<AnyOp> parsed = parse_op(document.mesh(), called, arguments);
+  const ParsedOp parsed = parse_op(document.mesh(), called, arguments);
   if (!parsed.op) return no_element(document, called + std::string(whole), parsed.error, parsed.sentence);
   Outcome outcome = document.apply(*parsed.op, frontend.is_strict);
   if (outcome.done()) outcome.performed = document.history().back().command;

@@ -26,7 +26,7 @@ Outcome expect_verdict(Document& document, std::string_view line, bool legal) {
   };
   const std::vector<std::string_view> words = split_words(line);
   if (!find_op(words[0])) return in_expect(not_an_operator(words[0]));
-  const Parsed<AnyOp> parsed = parse_line(document.mesh(), line);
+  const ParsedOp parsed = parse_line(document.mesh(), line);
   if (!parsed.op) {
     const Outcome other = no_element(document, line, parsed.error, parsed.sentence);
     if (other.kind != Outcome::Kind::refused) return in_expect(other.sentence);

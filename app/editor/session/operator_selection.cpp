@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t few = 64;  // with more, nobody waits for what each of them would say
 
 Offer offer_of(const Mesh& mesh, const std::string& line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   if (!parsed.op) return {false, {parsed.sentence}};
   const Verdict verdict = check(mesh, *parsed.op);
   return {verdict.legal(), describe_first(mesh, verdict.reasons)};

@@ -93,7 +93,7 @@ Outcome Gesturing::begin_extrusion() {
   for (const std::string& name : names) line += name + " ";
   names.push_back("0");
   const std::vector<std::string_view> arguments(names.begin(), names.end());
-  const Parsed<AnyOp> extrusion = parse_op(mesh(), id, arguments);
+  const ParsedOp extrusion = parse_op(mesh(), id, arguments);
   if (!extrusion.op) return no_element(session_.document(), line + "0", extrusion.error, extrusion.sentence);
   const ColumnLengths before = mesh().lengths();
   const Outcome outcome = session_.shown.try_out(ShownBy::gesture, *extrusion.op);

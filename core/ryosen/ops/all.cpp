@@ -47,8 +47,8 @@ const OpInfo* find_op(std::string_view id) {
   return nullptr;
 }
 
-Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments) {
-  Parsed<AnyOp> out;
+ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments) {
+  ParsedOp out;
   [[maybe_unused]] const bool known = visit_op(
       id,
       [&]<class Op>(std::type_identity<Op>) {
@@ -77,7 +77,7 @@ std::vector<std::string_view> split_words(std::string_view line) {
   return words;
 }
 
-Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
+ParsedOp parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty() || !find_op(words[0]))
     return {std::nullopt, NameError::malformed, not_understood(line, {"an operator", "演算子を"})};
@@ -86,7 +86,7 @@ Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line) {
 
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
   // Reading may say more precisely what is wrong, if it gets that far without elements.
-  Parsed<AnyOp> parsed = parse_op(Mesh(), id, arguments);
+  ParsedOp parsed = parse_op(Mesh(), id, arguments);
   if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
   const OpLine& line = find_op(id)->line;
   const std::optional<std::size_t> place = first_misfit(line, op_words(arguments));

@@ -3,11 +3,13 @@
 // random arguments for the tests (tests/support/core/random_ops.cpp).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "ryosen/mesh/names.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/delete.h"
 #include "ryosen/ops/detach.h"
@@ -58,10 +60,16 @@ void add_ids(const OpInfo& info, std::vector<std::string>& ids);
 // By id or by one of its aliases.
 const OpInfo* find_op(std::string_view id);
 
+// An operator from a line, or why the line is none.
+struct ParsedOp {
+  std::optional<AnyOp> op;
+  NameError error = NameError::none;
+  Text sentence;
+};
 // Parses the arguments of a script line for the operator with this id. The id must be in the list.
-Parsed<AnyOp> parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
+ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
 // The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
-Parsed<AnyOp> parse_line(const Mesh& mesh, std::string_view line);
+ParsedOp parse_line(const Mesh& mesh, std::string_view line);
 std::vector<std::string_view> split_words(std::string_view line);
 // The fault of the arguments of the operator with this id, on any mesh; none if that depends on the mesh.
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments);

@@ -148,7 +148,7 @@ class Calls {
     const std::vector<Halfedge> at = asked_at(mesh(), e);
     if (subjects_.is_done(at)) return ++result_.done, true;
     if (const Rule* const rule = subjects_.refused(at)) return refuse(e, *rule), true;
-    Parsed<AnyOp> parsed = read(e, with);
+    ParsedOp parsed = read(e, with);
     if (!parsed.op) {
       result_.error = parsed.error;
       result_.sentence = parsed.sentence;
@@ -207,7 +207,7 @@ class Calls {
   void finish() { series_->finish(); }
 
  private:
-  Parsed<AnyOp> read(const Element& e, const Element* with) const {
+  ParsedOp read(const Element& e, const Element* with) const {
     const std::string name = with ? name_of_one(e) : quick_name(mesh(), *series_, e),
                       first = with ? name_of_one(*with) : "";
     std::vector<std::string_view> words;

@@ -106,14 +106,6 @@ struct OpTarget {
   double snapped_along() const;
 };
 
-// A parsed operator, or the parse error.
-template <class Op>
-struct Parsed {
-  std::optional<Op> op;
-  NameError error = NameError::none;
-  Text sentence;
-};
-
 // What an operator did. `changed` holds the faces whose corners changed, including new ones.
 struct OpEffect {
   std::vector<Element> created;

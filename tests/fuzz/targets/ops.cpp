@@ -94,7 +94,7 @@ class Session {
 
   // The line that the log would hold must do the same on another machine.
   void expect_replay(const std::string& line, std::uint64_t hash) {
-    const Parsed<AnyOp> parsed = parse_line(mesh_, line);
+    const ParsedOp parsed = parse_line(mesh_, line);
     expect(parsed.op.has_value(), "the logged line is not read: " + line + ": " + parsed.sentence.en);
     expect(check(mesh_, *parsed.op).legal(), "the logged line is refused: " + line);
     Edit edit(mesh_, &journal_);

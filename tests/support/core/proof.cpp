@@ -108,7 +108,7 @@ bool has_bridges(const Mesh& mesh) {
 }  // namespace
 
 AnyOp op_of(const Mesh& mesh, const std::string& line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   EXPECT_TRUE(parsed.op) << line << ": " << parsed.sentence.en;
   return parsed.op.value_or(AnyOp());
 }
@@ -121,7 +121,7 @@ std::string rules_against(const Mesh& mesh, const std::string& line) {
 }
 
 NameError parse_error(const Mesh& mesh, const std::string& line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   EXPECT_FALSE(parsed.op) << line;
   EXPECT_FALSE(parsed.sentence.en.empty() || parsed.sentence.ja.empty()) << line;
   return parsed.error;

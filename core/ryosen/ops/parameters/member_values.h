@@ -16,10 +16,10 @@ namespace ryosen::parameters {
 
 template <auto Member>
 struct Access;
-template <class Op_, class Value_, Value_ Op_::*Member>
+template <class Operator, class Type, Type Operator::*Member>
 struct Access<Member> {
-  using Op = Op_;
-  using Value = Value_;
+  using Op = Operator;
+  using Value = Type;
   static Value& of(void* op) { return static_cast<Op*>(op)->*Member; }
   static const Value& of(const void* op) { return static_cast<const Op*>(op)->*Member; }
 };

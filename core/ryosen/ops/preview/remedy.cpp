@@ -134,9 +134,9 @@ struct Question {
 
   // The operator on the current mesh; none if a name no longer exists or the two lines mean different elements.
   std::optional<AnyOp> in(const Mesh& mesh) const {
-    const Parsed<AnyOp> asked = parse_line(mesh, line);
+    const ParsedOp asked = parse_line(mesh, line);
     if (!asked.op || line == plain) return asked.op;
-    const Parsed<AnyOp> named = parse_line(mesh, plain);
+    const ParsedOp named = parse_line(mesh, plain);
     return named.op && command_of(mesh, *named.op) == command_of(mesh, *asked.op) ? asked.op : std::nullopt;
   }
 
@@ -263,7 +263,7 @@ bool RemedySearch::is_beside_misoriented_edge(const Reason& reason) {
 }
 
 std::vector<std::string> RemedySearch::find(const std::string& line) {
-  const Parsed<AnyOp> asked = parse_line(mesh_, line);
+  const ParsedOp asked = parse_line(mesh_, line);
   if (!asked.op || reaches_further(mesh_, *asked.op, most_reached)) return {};
   const Verdict verdict = check(mesh_, *asked.op);
   if (verdict.legal() || verdict.has(Rule::deleted)) return {};

@@ -102,7 +102,7 @@ class ListingPlay {
   // The kernel's operator, and in which faces the two results differ.
   std::unique_ptr<Sequence> beside_kernel(const std::string& line) && {
     Step step{{"Ryosen: " + line, "Ryosen：" + line}, {}, {}, {}, {}};
-    const Parsed<AnyOp> parsed = parse_line(mesh_, line);
+    const ParsedOp parsed = parse_line(mesh_, line);
     if (!parsed.op) {
       step.caption = step.caption + Text{": ", "："} + parsed.sentence;
     } else if (const Verdict verdict = check(mesh_, *parsed.op); !verdict.legal()) {

@@ -29,7 +29,7 @@ class ScriptPlay {
     if (!info)
       return fault_of_line(line, {"a script that is played holds operators and 'expect'.",
                                   "再生できるスクリプトの行は操作と expect だけです。"});
-    const Parsed<AnyOp> parsed = parse_line(mesh_, line);
+    const ParsedOp parsed = parse_line(mesh_, line);
     if (!parsed.op && !was_there(line, parsed.error)) return fault_of_line(line, parsed.sentence);
     Step step{{line + ": " + std::string(info->name_en), line + "：" + std::string(info->name_ja)},
               {},

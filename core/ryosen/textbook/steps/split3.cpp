@@ -251,7 +251,7 @@ class SplitPlay {
 
   void split_kernel(Side side) {
     const std::string line = "split " + std::to_string(side.first) + "-" + std::to_string(side.second);
-    const Parsed<AnyOp> parsed = parse_line(mesh_, line);
+    const ParsedOp parsed = parse_line(mesh_, line);
     Step step{{"Ryosen: " + line, "Ryosen：" + line}, {}, {}, {}, {}};
     const bool is_legal = parsed.op && check(mesh_, *parsed.op).legal();
     if (!is_legal) {

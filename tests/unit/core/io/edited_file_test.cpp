@@ -75,7 +75,7 @@ MeshFile after_lines(const MeshFile& source, std::initializer_list<const char*> 
   const FileTables tables = file_tables(source.mesh);
   Mesh mesh = from_indexed(source.mesh);
   for (const char* line : lines) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    const ParsedOp parsed = parse_line(mesh, line);
     EXPECT_TRUE(parsed.op && check(mesh, *parsed.op).legal()) << line << " " << parsed.sentence.en;
     if (!parsed.op) continue;
     Edit edit(mesh, nullptr);

@@ -88,7 +88,7 @@ TEST(collapse_check, names_each_pair_of_duplicates) {
 }
 
 void do_line(Mesh& mesh, std::string_view line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   ASSERT_TRUE(parsed.op) << line << ": " << parsed.sentence.en;
   ASSERT_TRUE(check(mesh, *parsed.op).legal()) << line;
   Edit edit(mesh, nullptr);

@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 
 void apply_line(Mesh& mesh, std::string_view op, std::vector<std::string_view> arguments) {
-  const Parsed<AnyOp> parsed = parse_op(mesh, op, arguments);
+  const ParsedOp parsed = parse_op(mesh, op, arguments);
   ASSERT_TRUE(parsed.op && check(mesh, *parsed.op).legal()) << op;
   Edit edit(mesh, nullptr);
   apply(edit, *parsed.op);

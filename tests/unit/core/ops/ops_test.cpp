@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 AnyOp parse(const Mesh& mesh, std::string_view id, std::vector<std::string_view> arguments) {
-  const Parsed<AnyOp> parsed = parse_op(mesh, id, arguments);
+  const ParsedOp parsed = parse_op(mesh, id, arguments);
   EXPECT_TRUE(parsed.op) << parsed.sentence.en;
   return *parsed.op;
 }

@@ -73,7 +73,7 @@ TEST(reverse, rings_turn_with_their_faces) {
 
 TEST(reverse, bridges_turn_with_their_face) {
   Mesh mesh = mesh_of_exercise("cube_with_hole");
-  const Parsed<AnyOp> bridge = parse_line(mesh, "unite_ring 0 8");
+  const ParsedOp bridge = parse_line(mesh, "unite_ring 0 8");
   ASSERT_TRUE(bridge.op) << bridge.sentence.en;
   apply_and_prove(mesh, *bridge.op);
   EXPECT_EQ(apply_and_prove(mesh, "reverse f0"), Change());

@@ -107,7 +107,7 @@ TEST(figures, torus_has_the_radii_of_the_text) {
 }
 
 Verdict verdict(const Mesh& mesh, const std::string& line) {
-  const Parsed<AnyOp> op = parse_line(mesh, line);
+  const ParsedOp op = parse_line(mesh, line);
   EXPECT_TRUE(op.op) << line;
   return check(mesh, *op.op);
 }

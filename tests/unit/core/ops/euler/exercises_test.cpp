@@ -19,11 +19,11 @@ struct Exercise {
 class Builder {
  public:
   void step(const std::string& line) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    const ParsedOp parsed = parse_line(mesh, line);
     ASSERT_TRUE(parsed.op) << line << ": " << parsed.sentence.en;
     const Verdict verdict = check(mesh, *parsed.op);
     ASSERT_TRUE(verdict.legal()) << line << ": " << text_of(verdict.reasons[0].rule).en;
-    const Parsed<AnyOp> again = parse_line(mesh, command_of(mesh, *parsed.op));
+    const ParsedOp again = parse_line(mesh, command_of(mesh, *parsed.op));
     ASSERT_TRUE(again.op) << command_of(mesh, *parsed.op) << ": " << again.sentence.en;
     EXPECT_EQ(command_of(mesh, *again.op), command_of(mesh, *parsed.op));
     Edit edit(mesh, &journal);

@@ -21,7 +21,7 @@ TEST(make_edge, a_hub_of_many_wires) {
     for (std::uint32_t i = 1; i <= wires; ++i) {
       const std::string tip = std::to_string(i), before = std::to_string(i - 1);
       const std::string line = "make_edge v0 v" + tip + (i > 2 ? " " + before + "-0" : "");
-      const Parsed<AnyOp> parsed = parse_line(mesh, line);
+      const ParsedOp parsed = parse_line(mesh, line);
       ASSERT_TRUE(parsed.op) << line << ": " << parsed.sentence.en;
       ASSERT_TRUE(check(mesh, *parsed.op).legal()) << line;
       ASSERT_EQ(command_of(mesh, *parsed.op), line);
@@ -39,7 +39,7 @@ TEST(make_edge, a_named_corner_must_lie_at_a_gap_of_its_vertex) {
   Mesh mesh;
   for (const char* line : {"make_vertex 0,0,0", "make_vertex 1,0,0", "make_vertex 0,1,0", "make_vertex 5,0,0",
                            "make_edge 0 1", "make_edge 1 2", "make_edge 2 0", "make_loop 0-1", "make_edge 0 3 2-0"}) {
-    const Parsed<AnyOp> parsed = parse_line(mesh, line);
+    const ParsedOp parsed = parse_line(mesh, line);
     if (!parsed.op || !check(mesh, *parsed.op).legal()) {
       EXPECT_STREQ(line, "make_edge 0 3 2-0");
       EXPECT_NE(parsed.sentence.en.find("'2-0' is not a halfedge that arrives at v0"), std::string::npos);

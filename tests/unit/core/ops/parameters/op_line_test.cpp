@@ -72,7 +72,7 @@ TEST(OpLine, says_what_comes_next) {
 
 TEST(OpLine, extrude_edges_takes_edges_by_their_slots) {
   const Mesh mesh = make_mesh(tetrahedron());
-  const Parsed<AnyOp> parsed = parse_line(mesh, "extrude_edges 0-1 h4 e5 -2");
+  const ParsedOp parsed = parse_line(mesh, "extrude_edges 0-1 h4 e5 -2");
   ASSERT_TRUE(parsed.op) << parsed.sentence.en;
   const auto& extrude = std::get<ExtrudeEdges>(*parsed.op);
   EXPECT_EQ(extrude.edges.size(), 3u);
@@ -89,7 +89,7 @@ TEST(OpLine, reads_back_as_the_operator_it_was_printed_for) {
     for (std::size_t place = 0; place < all_ops().size(); ++place) {
       const AnyOp op = random_op(mesh, place, dice);
       const std::string line = command_of(mesh, op);
-      const Parsed<AnyOp> parsed = parse_line(mesh, line);
+      const ParsedOp parsed = parse_line(mesh, line);
       if (!parsed.op) {  // no line splits a vertex at no neighbour
         EXPECT_FALSE(check(mesh, op).legal()) << seed << " " << line << ": " << parsed.sentence.en;
         continue;
@@ -132,7 +132,7 @@ TEST(OpLine, every_operator_reads_its_own_lines_and_no_line_that_does_not_fit) {
         std::vector<std::string_view> arguments;
         for (int n = dice.below(4); n > 0; --n) arguments.push_back(words[dice.below(static_cast<int>(words.size()))]);
         const bool fits = !fault_of_arguments(op.id, arguments);
-        const Parsed<AnyOp> parsed = parse_op(mesh, op.id, arguments);
+        const ParsedOp parsed = parse_op(mesh, op.id, arguments);
         fitting += fits;
         understood += parsed.op.has_value();
         std::string all(op.id);

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 void apply_line(Mesh& mesh, const std::string& line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   ASSERT_TRUE(parsed.op) << line;
   Edit edit(mesh, nullptr);
   apply(edit, *parsed.op);
@@ -21,14 +21,14 @@ void apply_line(Mesh& mesh, const std::string& line) {
 void expect_remedy_works(Polygons faces, const std::string& line) {
   Mesh mesh = make_mesh(faces);
   const MeshColumns before = mesh.columns();
-  const Parsed<AnyOp> op = parse_line(mesh, line);
+  const ParsedOp op = parse_line(mesh, line);
   ASSERT_TRUE(op.op);
   ASSERT_FALSE(check(mesh, *op.op).legal());
   const std::vector<std::string> remedy = find_remedy(mesh, *op.op);
   EXPECT_EQ(mesh.columns(), before);
   ASSERT_FALSE(remedy.empty()) << line;
   for (const std::string& step : remedy) apply_line(mesh, step);
-  const Parsed<AnyOp> again = parse_line(mesh, line);
+  const ParsedOp again = parse_line(mesh, line);
   ASSERT_TRUE(again.op);
   EXPECT_TRUE(check(mesh, *again.op).legal()) << line << " after " << remedy[0];
 }
@@ -98,13 +98,13 @@ TEST(remedy, speaks_of_the_same_edge_when_it_is_named_by_its_slot) {
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     Mesh trial = mesh;
     const std::string line = "swap h" + std::to_string(i);
-    const Parsed<AnyOp> asked = parse_line(trial, line);
+    const ParsedOp asked = parse_line(trial, line);
     if (!asked.op) continue;
     const std::string plain = command_of(trial, *asked.op);
     const std::vector<std::string> remedy = RemedySearch(trial).find(line);
     if (remedy.empty()) continue;
     for (const std::string& step : remedy) apply_line(trial, step);
-    const Parsed<AnyOp> named = parse_line(trial, plain), again = parse_line(trial, line);
+    const ParsedOp named = parse_line(trial, plain), again = parse_line(trial, line);
     ASSERT_TRUE(named.op && again.op) << line;
     EXPECT_EQ(command_of(trial, *named.op), command_of(trial, *again.op)) << line;
   }

@@ -24,7 +24,7 @@ Camera square_camera() {
 }
 
 void run(Mesh& mesh, Journal& journal, Picker& picker, const std::string& line) {
-  const Parsed<AnyOp> parsed = parse_line(mesh, line);
+  const ParsedOp parsed = parse_line(mesh, line);
   ASSERT_TRUE(parsed.op) << line;
   ASSERT_TRUE(check(mesh, *parsed.op).legal()) << line;
   {

@@ -268,7 +268,7 @@ TEST(relation_steps, after_every_deletion_every_form_finds_what_the_faces_say) {
     for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) lines.push_back("delete e" + std::to_string(i));
     for (const std::string& line : lines) {
       if (!is_long_run() && asked++ % 3 != 0) continue;  // of each mesh others
-      const Parsed<AnyOp> op = parse_line(mesh, line);
+      const ParsedOp op = parse_line(mesh, line);
       Mesh after = mesh;
       if (!op.op || !try_apply(after, nullptr, *op.op)) continue;
       ++deletions;

@@ -7,8 +7,8 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
 #include "app/cli/progress_line.h"
-#include "app/ui/growth_plots.h"
 #include "app/ui/plot_picture.h"
+#include "app/ui/textbook/growth_plots.h"
 #include "ryosen/textbook/forms/growth/meshes.h"
 
 namespace ryosen::cli {

@@ -1,4 +1,4 @@
-#include "app/ui/growth_plots.h"
+#include "app/ui/textbook/growth_plots.h"
 
 namespace ryosen {
 

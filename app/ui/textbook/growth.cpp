@@ -1,7 +1,7 @@
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/textbook/growth_work.h"
-#include "app/ui/growth_plots.h"
 #include "app/ui/panels.h"
+#include "app/ui/textbook/growth_plots.h"
 #include "app/ui/widgets.h"
 #include "ryosen/mesh/mesh.h"
 

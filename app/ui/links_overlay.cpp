@@ -1,5 +1,5 @@
 // The arrows of links, as they are drawn.
-#include "app/editor/session/session.h"
+#include "app/editor/labels/drawn_links.h"
 #include "app/ui/overlays.h"
 #include "ryosen/base/enum_table.h"
 
@@ -35,10 +35,10 @@ constexpr std::uint32_t boundary_dark = 0x2BD9A0, boundary_light = 0x00785A;
 
 }  // namespace
 
-Overlay links_overlay(Session& session, Theme theme) {
+Overlay links_overlay(std::span<const LinkArrow> arrows, Theme theme) {
   Overlay overlay;
   const bool is_dark = theme == Theme::dark;
-  for (const LinkArrow& arrow : session.view.links.of(session)) {
+  for (const LinkArrow& arrow : arrows) {
     const LinkLooks& looks = link_looks[static_cast<std::size_t>(arrow.role)];
     std::uint32_t colour = is_dark ? looks.dark : looks.light;
     if (arrow.role == LinkRole::all && arrow.is_boundary) colour = is_dark ? boundary_dark : boundary_light;

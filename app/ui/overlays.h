@@ -19,6 +19,7 @@ class Selecting;
 class Gesturing;
 class Session;
 class Shown;
+struct LinkArrow;
 struct SeenMesh;
 struct ViewState;
 struct Layout;
@@ -47,8 +48,7 @@ Overlay question_overlay(const Session& session, Theme theme);
 Overlay left_edges_overlay(const Findings& findings, const Layout& layout, Theme theme);
 // The colour of a rule, as 0xRRGGBB.
 std::uint32_t colour_of(EdgeRule rule, Theme theme);
-// The links of the selected element, or all halfedges, as arrows.
-Overlay links_overlay(Session& session, Theme theme);
+Overlay links_overlay(std::span<const LinkArrow> arrows, Theme theme);
 // Without a tool the element itself; with one, green with the ghost of the result, or red with the witnesses.
 Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& selecting, const Gesturing& gesturing,
                       Theme theme);

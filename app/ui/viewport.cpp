@@ -399,12 +399,12 @@ void Viewport::follow_overlays(Session& session) {
       session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().left_edges() : nullptr;
   const std::pair<std::uint64_t, std::uint64_t> drawn(left_edges ? left_edges->serial : 0,
                                                       left_edges ? left_edges->revision : 0);
-  if (selection_stale_ || account_ != drawn)
+  if (selection_stale_ || left_edges_ != drawn)
     renderer_->set_overlay(Layer::left_edges, left_edges_overlay(session.findings(), session.layout, settings_.theme));
-  account_ = drawn;
+  left_edges_ = drawn;
   selection_stale_ = false;
   selection_ = session.selecting.selection.stamp();
-  renderer_->set_overlay(Layer::links, links_overlay(session, settings_.theme));
+  renderer_->set_overlay(Layer::links, links_overlay(session.view.links.of(session), settings_.theme));
   renderer_->set_overlay(
       Layer::hover, hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, settings_.theme));
   renderer_->set_overlay(Layer::handles,

@@ -122,12 +122,12 @@ class Viewport {
   bool highlights_stale_ = true;            // all of them
   bool selection_stale_ = true;
   bool draws_links_ = false;
-  std::uint64_t selection_ = 0;                        // by its stamp
-  std::vector<Elements> measures_;                     // as they were drawn
-  IndexSet selected_faces_;                            // as they were drawn
-  std::pair<std::uint64_t, std::uint64_t> account_{};  // the document and the revision of that which was drawn
-  std::optional<Element> asked_;                       // that was drawn as what a question is about
-  std::pair<std::uint64_t, std::size_t> step_{};       // the player that was drawn, by its serial number, and how far
+  std::uint64_t selection_ = 0;                           // by its stamp
+  std::vector<Elements> measures_;                        // as they were drawn
+  IndexSet selected_faces_;                               // as they were drawn
+  std::pair<std::uint64_t, std::uint64_t> left_edges_{};  // the document and the revision of that which was drawn
+  std::optional<Element> asked_;                          // that was drawn as what a question is about
+  std::pair<std::uint64_t, std::size_t> step_{};  // the player that was drawn, by its serial number, and how far
 };
 
 }  // namespace ryosen

@@ -1,5 +1,5 @@
-// The table of rules: why an operator is refused or warned about, and the remedy, in both languages. Its rows stand in
-// rules.def.
+// The table of rules: why an operator is refused or warned about, and the remedy, in both languages. To add one, write
+// a value here and a row in reasons.cpp.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,52 @@
 
 namespace ryosen {
 
+// In the order of their reasons in a verdict.
 enum class Rule : std::uint8_t {
-#define RYOSEN_RULE(id, severity, operators, en, ja, remedy_en, remedy_ja) id,
-#include "ryosen/base/rules.def"
-#undef RYOSEN_RULE
+  deleted,
+  copies,
+  isolated_apex,
+  vanishes,
+  closes_hole,
+  common_neighbour,
+  common_face,
+  inner_edge,
+  duplicate_face,
+  boundary,
+  edge_exists,
+  corner_twice,
+  loses_duplicate,
+  same_apex,
+  oriented,
+  has_edges,
+  has_face,
+  same_vertex,
+  no_gap,
+  loop,
+  two_edges,
+  no_bridge,
+  same_loop,
+  different_loops,
+  different_faces,
+  same_face,
+  one_fan,
+  detached,
+  wire,
+  same_edge,
+  has_rings,
+  triangulated,
+  nothing_between,
+  joins_fans,
+  lone_edge,
+  pinch,
+  normal_turns,
+  degenerate,
+  seam,
+  intersects,
+  outside_edge,
+  same_place,
+  leaves_face,
+  shape_unseen,
 };
 
 enum class RuleSeverity : std::uint8_t { refuse, warn };
@@ -23,7 +65,10 @@ struct RuleText {
   std::string_view operators;  // ids, separated by spaces; empty: all operators
   std::string_view en;         // one sentence; the witnesses are appended
   std::string_view ja;
-  std::string_view remedy_en;  // what would make it legal, or why nothing would
+  // What would make it legal, or why nothing would. A remedy that does not begin with "never", "nothing" or "choose
+  // two" is looked for on the mesh (ryosen/ops/preview/remedy_candidates.cpp), and a test applies it to an example of
+  // the rule.
+  std::string_view remedy_en;
   std::string_view remedy_ja;
 };
 

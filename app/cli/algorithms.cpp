@@ -144,7 +144,7 @@ class AlgorithmRun {
     json["faces_after"] = after_.figures.faces;
     json["stopped"] = id_of(goal_report()->stopped);
     json["remaining"] = Json::object();
-    for (const EdgeRuleRow& row : edge_rules) {
+    for (const EdgeRuleRow& row : edge_rule_table()) {
       const auto i = static_cast<std::size_t>(row.rule);
       const std::vector<std::size_t>& counts = goal_report()->remaining;
       json["remaining"][std::string(row.id)] = !counts.empty()              ? counts[i]

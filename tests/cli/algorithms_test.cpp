@@ -142,7 +142,7 @@ TEST_F(Algorithms, with_a_goal_account_for_their_end) {
   EXPECT_EQ(reached.line()["faces_before"], 6);
   EXPECT_EQ(reached.line()["faces_after"], 6);
   EXPECT_TRUE(reached.line()["error_max"].is_null());
-  EXPECT_EQ(reached.line()["remaining"].size(), edge_rules.size());
+  EXPECT_EQ(reached.line()["remaining"].size(), edge_rule_table().size());
   EXPECT_EQ(reached.line()["remaining"]["free"], 12);
   EXPECT_EQ(short_of.exit_code, 1);
   EXPECT_EQ(short_of.line()["stopped"], "blocked");

@@ -21,9 +21,9 @@ class Simplify : public testing::Test {
   }
   // What the account says adds up, and what is said of the output is what `check` says of it.
   void expect_accounts(const Json& line, const std::string& output) {
-    ASSERT_EQ(line["remaining"].size(), edge_rules.size());
+    ASSERT_EQ(line["remaining"].size(), edge_rule_table().size());
     std::size_t sum = 0;
-    for (const EdgeRuleRow& rule : edge_rules) sum += line["remaining"][std::string(rule.id)].get<std::size_t>();
+    for (const EdgeRuleRow& rule : edge_rule_table()) sum += line["remaining"][std::string(rule.id)].get<std::size_t>();
     EXPECT_EQ(sum, line["edges"].get<std::size_t>());
     const Json checked = run_program({"check", output, "--fail-on", "none", "--json"}).line();
     EXPECT_EQ(checked["faces"], line["faces_after"]);

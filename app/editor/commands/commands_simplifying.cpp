@@ -83,7 +83,7 @@ Outcome go_to_level(Shown& shown, std::size_t faces) {
 }
 
 const EdgeRuleRow* find_rule(std::string_view id) {
-  for (const EdgeRuleRow& row : edge_rules)
+  for (const EdgeRuleRow& row : edge_rule_table())
     if (row.id == id) return &row;
   return nullptr;
 }
@@ -130,7 +130,7 @@ Outcome run_levels(Session& session, Words arguments, std::string_view) {
 
 std::string account_syntax() {
   std::string syntax;
-  for (const EdgeRuleRow& row : edge_rules) syntax.append(syntax.empty() ? "[" : "|").append(row.id);
+  for (const EdgeRuleRow& row : edge_rule_table()) syntax.append(syntax.empty() ? "[" : "|").append(row.id);
   return syntax + "]";
 }
 
@@ -153,7 +153,7 @@ Outcome run_account(Session& session, Words arguments, std::string_view) {
     select_under(session.selecting, *left_edges, find_rule(arguments[0])->rule);
     return outcome;
   }
-  for (const EdgeRuleRow& row : edge_rules) {
+  for (const EdgeRuleRow& row : edge_rule_table()) {
     const std::size_t count = left_edges->counts[static_cast<std::size_t>(row.rule)];
     if (count == 0) continue;
     const std::string number = std::to_string(count);

@@ -126,7 +126,7 @@ class Inspector {
   void tell_rule(Edge e) {
     const LeftEdges* const left_edges = context_.findings().left_edges();
     if (!left_edges || left_edges->rules[e.index] == no_rule) return;
-    const EdgeRuleRow& rule = edge_rules[left_edges->rules[e.index]];
+    const EdgeRuleRow& rule = edge_rule_table()[left_edges->rules[e.index]];
     labelled(context_, context_.text("left by", "残る理由"), context_.text(rule.name_en.data(), rule.name_ja.data()));
     dim_text(context_, context_.text(rule.en.data(), rule.ja.data()));
   }

@@ -88,7 +88,7 @@ void draw_levels(PanelContext& context) {
   ImGui::Separator();
   dim_text(context, context.text("What holds the edges that are left", "残った稜線とその理由"));
   const std::vector<std::size_t> counts = left_edges->counts;
-  for (const EdgeRuleRow& rule : edge_rules)
+  for (const EdgeRuleRow& rule : edge_rule_table())
     if (const std::size_t count = counts[static_cast<std::size_t>(rule.rule)]; count > 0)
       draw_rule(context, rule, count);
 }

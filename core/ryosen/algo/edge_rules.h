@@ -34,29 +34,9 @@ struct EdgeRuleRow {
   std::string_view en, ja;            // in a sentence
 };
 
-inline constexpr std::array edge_rules{
-    EdgeRuleRow{EdgeRule::structure, "structure", "Structure", "構造", "The mesh would no longer be sound.",
-                "メッシュの構造が壊れる。"},
-    EdgeRuleRow{EdgeRule::seam, "seam", "Seam", "シーム", "It would move a seam of texture or normals that is to stay.",
-                "固定されたシーム（テクスチャや法線の境目）が動く。"},
-    EdgeRuleRow{EdgeRule::boundary, "boundary", "Boundary", "境界", "It would move a boundary that is to stay.",
-                "固定された境界が動く。"},
-    EdgeRuleRow{EdgeRule::normal, "normal", "Normal", "法線", "A face would turn too far.", "面の向きが変わりすぎる。"},
-    EdgeRuleRow{EdgeRule::angle, "angle", "Angle", "角", "A face would get too small an angle.",
-                "面の角が小さくなりすぎる。"},
-    EdgeRuleRow{EdgeRule::error, "error", "Error", "誤差", "The surface would move farther than is allowed.",
-                "許容誤差を超える。"},
-    EdgeRuleRow{EdgeRule::selection, "selection", "Selection", "選択", "It is not among the elements that may change.",
-                "変更できる要素に含まれない。"},
-    EdgeRuleRow{EdgeRule::self_intersection, "self_intersection", "Self-intersection", "自己交差",
-                "Faces would meet that did not.", "面が新たに交わる。"},
-    EdgeRuleRow{EdgeRule::free, "free", "Free", "制約なし", "Nothing holds it: the goal was reached before.",
-                "制約なし（先に目標に達した）。"},
-};
-
-static_assert(rows_are_in_order(edge_rules, &EdgeRuleRow::rule));
-
-constexpr std::span<const EdgeRuleRow> edge_rule_table() { return edge_rules; }
+// In the order of EdgeRule.
+std::span<const EdgeRuleRow> edge_rule_table();
+inline const EdgeRuleRow& row_of(EdgeRule rule) { return edge_rule_table()[static_cast<std::size_t>(rule)]; }
 
 struct StopRow {
   Stop stop;

@@ -22,7 +22,7 @@ inline AlgorithmResult run_wish(Edit& edit, const AlgorithmInput& input, Progres
   result.goal_report->stopped = wanted >= faces ? Stop::goal : Stop::blocked;
   if (values.flag("measured")) result.goal_report->error_max = 0.25;
   if (input.wants.edge_rules && wanted < faces) {
-    result.goal_report->remaining.assign(edge_rules.size(), 0);
+    result.goal_report->remaining.assign(edge_rule_table().size(), 0);
     result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::structure)] = edit.mesh().live().edges;
   }
   for (std::size_t i = wanted; i < faces; ++i) edit.add_vertex({0, 0, static_cast<double>(i)});

@@ -58,7 +58,7 @@ std::vector<std::uint8_t> find_remaining(const Mesh& mesh, const Simplifier& sim
 }
 
 std::vector<std::size_t> count_remaining(const Mesh& mesh, std::span<const std::uint8_t> rules) {
-  std::vector<std::size_t> counts(edge_rules.size());
+  std::vector<std::size_t> counts(edge_rule_table().size());
   for (const std::uint8_t rule : rules)
     if (rule != no_rule) ++counts[rule];
   const std::vector<Sheet> sheets = sheets_of(mesh, rules);

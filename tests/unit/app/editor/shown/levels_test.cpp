@@ -191,7 +191,7 @@ TEST_F(LevelsTest, account_of_a_simplification_is_there_until_the_next_change) {
   ASSERT_TRUE(left_edges);
   EXPECT_EQ(std::accumulate(left_edges->counts.begin(), left_edges->counts.end(), std::size_t{0}),
             session_.mesh().live().edges);
-  for (const EdgeRuleRow& rule : edge_rules) {
+  for (const EdgeRuleRow& rule : edge_rule_table()) {
     const std::size_t count = left_edges->counts[static_cast<std::size_t>(rule.rule)];
     ASSERT_TRUE(say("account " + std::string(rule.id)).done());
     EXPECT_EQ(session_.selecting.selection.size(), count) << rule.id;

@@ -19,10 +19,11 @@ struct WindowOptions {
 // Document::open if the file cannot be read; then no window appears, or where that takes long one that says what is
 // read, and closes.
 //
-// Preferences, the layout of the panels and the recent files are kept in the user's folder (editor/user_files.h).
+// Preferences, the layout of the panels and the recent files are kept in the user's folder
+// (app/editor/preferences/user_files.h).
 //
-// Every edit is recorded for crash recovery (see editor/autosave.h); at the start, once the file is read, recoverable
-// sessions are offered.
+// Every edit is recorded for crash recovery (app/editor/recovery/autosave.h); at the start, once the file is read,
+// recoverable sessions are offered.
 //
 // With RYOSEN_FRAME_LOG=FILE in the environment a line of FILE says that a file is being read, and each presented frame
 // appends a line to FILE: its number, the pixels drawn, the time taken, and the state of the document. Both name the

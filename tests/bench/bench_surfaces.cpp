@@ -1,7 +1,6 @@
 // Subdivision and remeshing against CGAL's in one run: milliseconds, their ratio, and the ratio to reach.
-//   bench_surfaces [WORD...]   only the rows whose name holds one of the words, "growth" for how all of it grows with
-//   the
-//                              faces. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
+//   bench_surfaces [WORD...]   only the rows whose name holds one of the words, "growth" for how all of it grows
+//                              with the faces. RYOSEN_DRAGON=FILE.ply.gz adds the dragon.
 // Both sides run in turn; a ratio is the median of the ratios of turns.
 #include <algorithm>
 #include <chrono>

@@ -1,4 +1,4 @@
-#include "app/cli/form_growth.h"
+#include "app/cli/textbook/form_growth.h"
 
 #include <algorithm>
 

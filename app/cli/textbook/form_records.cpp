@@ -1,4 +1,4 @@
-#include "app/cli/form_records.h"
+#include "app/cli/textbook/form_records.h"
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/forms.h"

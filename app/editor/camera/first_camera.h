@@ -1,4 +1,4 @@
-// From where a mesh is looked at that was just opened.
+// The camera of a mesh that was just opened.
 #pragma once
 
 #include "ryosen/mesh/mesh.h"

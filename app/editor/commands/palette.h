@@ -20,8 +20,8 @@ struct PaletteEntry {
   std::string syntax;
 };
 
-// One for each line that the tables of commands and what they name, operators, algorithms, switches, views, selectors,
-// panels, colour maps and keys have.
+// All entries: one per row of the tables of commands, operators, algorithms, switches, views, selectors, panels, colour
+// maps and keys.
 std::vector<PaletteEntry> palette_entries();
 
 // The entries in which each word of what was typed is found, in either language, without regard to case; best first:
@@ -29,7 +29,7 @@ std::vector<PaletteEntry> palette_entries();
 // first. Where a command with arguments is typed: its own, and those that go on as it was typed.
 std::vector<PaletteEntry> find_in_palette(std::string_view typed);
 
-// What a help says beyond its beginning, which is the name.
+// The help without the name that it begins with.
 std::string beyond_name(const std::string& help, const std::string& name);
 
 // What choosing an entry comes to.

@@ -11,9 +11,8 @@
 //   split 3-7                    an edit, as the log of the session has it
 //   # saving /home/me/out.obj    from here on that file may be another, until it is said to be saved
 //   # saved /home/me/out.obj     nothing is unsaved at this point, and this is the document's file
-//   # unsaved 1 2                what the file does not hold: 1 edit, and 2 of its edits are undone; said where it is
-//   not
-//                                one edit more than before
+//   # unsaved 1 2                what the file does not hold: 1 edit, and 2 of its edits are undone; said where it
+//                                is not one edit more than before
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ struct AlgorithmInput {
   std::size_t quarantined = 0;            // faces of the file that reading could not connect
   std::span<const Vertex> on_lines = {};  // vertices that lines of the file use, which are not isolated; ascending
   AlgorithmWants wants = {};
-  std::optional<bool> holds_floats = {};  // whether the file's coordinates are of type float; none: it has no such type
+  std::optional<bool> holds_floats = {};  // whether the file stores float coordinates; none where it has no such type
 };
 
 // What an algorithm left for one reason.
@@ -64,7 +64,7 @@ struct GoalReport {
 
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
-  std::size_t left = 0;            // what the algorithm is for, but what it had to leave as it is
+  std::size_t left = 0;            // how many places it should have treated and could not
   Text text;                       // a sentence with the numbers
   bool drops_quarantined = false;  // the quarantined faces are to be forgotten
   bool has_normals = false;        // it gave the corners normals, which are those of the surface as it is now
@@ -93,8 +93,8 @@ struct AlgorithmRow {
   // One that is required has no initial value. A repair requires its first one at most (`--kinds ID=NUMBER`), and none
   // where it keeps geometry.
   std::vector<ParameterRow> parameters;
-  // With its initial values all places that are finite stay, and the faces on them, but for cuts where places lie on
-  // their edges: `ryosen repair` does it unless others are named.
+  // With its initial values it moves no finite place and removes no face, but may cut faces whose edges hold a place:
+  // `ryosen repair` does it unless others are named.
   bool keeps_geometry;
   std::vector<ProblemKind> solves;  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.

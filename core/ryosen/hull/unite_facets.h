@@ -1,4 +1,4 @@
-// From the triangles of a hull to its true facets.
+// Unites coplanar triangles of a hull into facets.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// A row of the table of file formats (format_table.cpp): all facts about a format. A small one to begin from is txt.
+// A row of the table of file formats (format_table.cpp): all facts about a format. A small one to begin from is txt;
+// one that is only read is xyz.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +31,9 @@ struct Format {
   // its name, else the first row that may be.
   Likeness (*sniff)(std::string_view head, std::uint64_t size);
   Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
-  // Serialises the file; what a file in this encoding can represent. Both null if the format is read-only.
+  // Serialises the file; null where the format is read-only.
   std::string (*write)(const MeshFile& file, Encoding encoding) = nullptr;
+  // What a file in this encoding can hold; null where the format is read-only.
   Holds (*holds)(Encoding encoding) = nullptr;
   std::vector<FormatVariant> variants = {};  // empty if there is only one encoding; else the default first
   bool shares_name = false;                  // files with this extension are often not meshes; see may_be_mesh

@@ -1,4 +1,4 @@
-// Of which elements those come that an algorithm makes of them.
+// The elements that new elements come from.
 #pragma once
 
 #include <optional>

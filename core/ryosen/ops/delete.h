@@ -1,8 +1,8 @@
 // Delete: removes faces, with the edges and vertices that nothing else uses.
 //
 //        o-----o-----o               o-----o
-//        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or the
-//        wire; |     |     |      =>       |     |        delete vN: the vertex with all faces and wires there
+//        |  f  |     |               |     |        delete fN: the face; delete A-B: the faces at the edge, or
+//        |     |     |      =>       |     |        the wire; delete vN: the vertex with all faces and wires there
 //        o-----o-----o               o-----o
 //
 // polygon list: the faces are removed, and a wire that is named or has a named end. Vertices that thereby lose their
@@ -45,7 +45,7 @@ struct Deletion {
 };
 
 // Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points, or where it is one
-// of several in a row, which share what they know (rules/settled_points.h), what is near the faces.
+// of several in a row, which share what they know (rules/manifold_points.h), what is near the faces.
 void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, ManifoldPoints* known = nullptr);
 
 }  // namespace ryosen

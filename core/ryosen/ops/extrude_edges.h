@@ -9,10 +9,10 @@
 //            d       e              d       e
 //
 // polygon list: each point that ends a named edge gets a new point t. Each named edge, once however it is named,
-// appends
-//               the quad (b, a, ta, tb), where a -> b is a side of a face there; a wire a - b appends (a, b, tb, ta),
-//               and its pair is removed. An edge that may run either way, a wire or one with a face on both sides, runs
-//               on from the other one where two alone meet; else as it is named, or along the face on its left.
+//               appends the quad (b, a, ta, tb), where a -> b is a side of a face there; a wire a - b appends (a, b,
+//               tb, ta), and its pair is removed. An edge that may run either way, a wire or one with a face on both
+//               sides, runs on from the other one where two alone meet; else as it is named, or along the face on its
+//               left.
 // needs: no bridge.
 // changes: with e edges between p points, on points, V + p, E + e + p, F + e. B, S and G follow from the Euler-Poincare
 //          formula: along open chains of a boundary, as it runs, all three stay.

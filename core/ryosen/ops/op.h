@@ -4,8 +4,8 @@
 //   static const OpInfo info;                              its row, with the parameters of its line
 //   static Op at(const Mesh&, const OpTarget&);           what a click on the target does
 //   Verdict check(const Mesh&) const;                      every broken rule, pure
-//   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; only asked when the check is
-//   legal OpEffect apply(Edit&) const;                           the check must be legal
+//   std::vector<Reason> warnings(const Mesh&) const;       what is legal but doubtful; asked only of what is legal
+//   OpEffect apply(Edit&) const;                           the check must be legal
 // at and check also accept elements that are none, deleted or out of range, as an undo may leave them, and so does the
 // printing of its line. One that acts on a single vertex, halfedge or face gets at and warnings from a base (below).
 //

@@ -1,4 +1,4 @@
-// Many calls of one operator, one after another: what the row of an operator may do at less cost than call by call.
+// A series of calls of one operator, which may cost less than the calls one by one.
 #pragma once
 
 #include <memory>
@@ -8,20 +8,20 @@
 
 namespace ryosen {
 
-// Says and does the same as check(), warnings() and apply() of each call in its turn. In between nothing else changes
-// the mesh, and numbers of faces and vertices may be others until finish().
+// Judges and applies each call in turn, with the results of check(), warnings() and apply(). Nothing else may change
+// the mesh in between, and faces and vertices may have other numbers until finish().
 class OpSeries {
  public:
   virtual ~OpSeries() = default;
-  // The first rule that it breaks.
+  // The first rule that the call breaks.
   virtual std::optional<Rule> broken_rule(const AnyOp& op) = 0;
-  // The first warning about a legal one.
+  // The first warning about a legal call.
   virtual std::optional<Rule> doubt(const AnyOp& op) = 0;
-  // The one that was asked about last, which is legal.
+  // Applies the call that was judged last, which is legal.
   virtual void apply(const AnyOp& op) = 0;
-  // The number that a vertex goes by, where it has the slot of another one until finish().
+  // The number of the vertex in this slot, until finish() gives it one.
   virtual Vertex number(Vertex slot) const { return slot; }
-  // After the last call.
+  // Called after the last call.
   virtual void finish() {}
 };
 

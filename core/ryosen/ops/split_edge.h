@@ -12,9 +12,8 @@
 //               part with A keeps the old number; new faces are numbered starting with the one left of A-B.
 // needs: the triangles to be cut have different third points; the edge is no bridge.
 // changes: V + 1, E + 1 + k, F + k with k = triangles at the edge, counted on points. A non-manifold or misoriented
-// edge
-//          is split in all its faces at once, and the new point has one copy per face.
-// at a place that is not on the edge values are blended as at the point of the edge that is nearest to it.
+//          edge is split in all its faces at once, and the new point has one copy per face. At a place off the edge
+//          values are blended as at the edge's nearest point.
 // inverse: collapse m-b end.
 #pragma once
 

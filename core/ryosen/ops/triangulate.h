@@ -1,9 +1,10 @@
 // Triangulate: cuts a face, or every face, into triangles.
 //
 //        d-------c                d-------c
-//        |       |                |  f' / |       the triangle at the face's first side keeps the number, the others
-//        get |   f   |       =>       |   /   |       the next ones |       |                | /  f  | a-------b
-//        a-------b
+//        |       |                |  f' / |       the triangle at the face's first side keeps the number,
+//        |   f   |       =>       |   /   |       the others get the next ones
+//        |       |                | /  f  |
+//        a-------b                a-------b
 //
 // polygon list: a face of n corners and h rings becomes n + 2h - 2 triangles on its corners: the drawn ones if no new
 //               side is already an edge, else others (face_triangles.h).

@@ -28,8 +28,7 @@ std::string random_recipe(std::uint64_t seed);
 //  - sound columns, and those that reading gives
 //  - no more findings of a kind that must_not_grow, but for duplicates by the pockets that closed
 //  - no step is refused by its guard (guard.h): the repairs themselves judge what is sound
-//  - running it again changes nothing; not asked of a format that says that it loses lines or points, which use
-//  vertices
+//  - running it again changes nothing; not asked of a format that loses lines or points, which use vertices
 std::vector<std::string> broken_rules(MeshFile file, const std::string& kinds,
                                       const std::vector<std::string>& formats = {"obj", "ply", "off"});
 

@@ -1,4 +1,4 @@
-// How lines end that are not carried out.
+// Outcomes of lines that are not carried out.
 #pragma once
 
 #include <string>

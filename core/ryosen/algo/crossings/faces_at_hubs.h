@@ -1,10 +1,8 @@
 // The faces at a vertex of many faces, or at two of them, found by the directions in which they lie from there.
 //
-//      \ | /       Around a hub all faces have their tip at one place, and at an edge between two hubs all lie along
-//      it, like
-//     -- X --      pages on a spine. Boxes part neither. Seen from a hub a face lies between the directions of its
-//     other
-//      / | \       corners, and seen along a spine a page lies in one direction.
+//      \ | /       Around a hub all faces have their tip at one place, and at an edge between two hubs all lie
+//     -- X --      along it, like pages on a spine. Boxes part neither. Seen from a hub a face lies between the
+//      / | \       directions of its other corners, and seen along a spine a page lies in one direction.
 //        Y
 #pragma once
 

@@ -1,10 +1,8 @@
 // Points that slide along the curve that a boundary was: each towards the middle of its neighbours, by the way on the
 // curve.
 //
-//      held --- p --------- q --- held          the curve is the chain of edges between points that are held, or a
-//      whole
-//           t=0   ->   <-                        loop; where a point is on it is told by the length t from its
-//           beginning
+//      held --- p --------- q --- held          the curve is the chain of edges between points that are held, or
+//           t=0   ->   <-                        a whole loop; the length t from its beginning tells where a point is
 #pragma once
 
 #include <cstdint>

@@ -2,8 +2,7 @@
 //
 //          j             uniform: 1 for each neighbour
 //         /|\            cotangent: (cot a + cot b) / 2, but not below 0 [Desbrun99]; a polygon counts by its
-//         triangles,
-//        a | b           so that the ends of a diagonal are neighbours too
+//        | a | b           triangles, so that the ends of a diagonal are neighbours too
 //         \|/
 //          i
 #pragma once

@@ -2,9 +2,8 @@
 //
 //   laplace    p + s (mean - p)                                       s: the strength, at most 1
 //   implicit   the p' with p' - s (mean' - p') = p [Desbrun99]        any strength; see implicit_step.h
-//   taubin     laplace with s, then with 1 / (k - 1 / s), which is negative [Taubin95]: what varies slowly (below the
-//   pass
-//              band k) neither shrinks nor grows
+//   taubin     laplace with s, then with 1 / (k - 1 / s), which is negative [Taubin95]: what varies slowly
+//              (below the pass band k) neither shrinks nor grows
 //
 // Weights: laplacian.h; those of the cotangents are formed again before each step. A share of less than 1 lowers the
 // strength. Points with copies or several fans, and ends of wires, stay; so do points without a finite place and those

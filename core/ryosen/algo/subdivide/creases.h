@@ -1,9 +1,8 @@
 // What a subdivision keeps sharp: creases and corners of one level, and the rules at them.
 //
-//    smooth: no sharp edge, or one that ends here (a dart)        sharpness s of an edge [DeRose98]: it is sharp for s
-//    crease: two sharp edges, along which a curve runs            steps and smooth from then on; infinite on a
-//    boundary. corner: three or more, or named; never moves                 Where s falls below 1, both rules are
-//    blended.
+//    smooth: no sharp edge, or one that ends here (a dart)     sharpness s of an edge [DeRose98]: it is sharp for s
+//    crease: two sharp edges, along which a curve runs         steps and smooth from then on; infinite on a
+//    corner: three or more, or named; never moves              boundary. Where s falls below 1, both rules are blended.
 #pragma once
 
 #include <array>

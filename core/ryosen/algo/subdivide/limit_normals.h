@@ -16,10 +16,9 @@ namespace ryosen::subdivide {
 //   smooth  Loop, sqrt(3): sum of cos(2 pi i / n) p_i and of sin(2 pi i / n) p_i
 //           Catmull-Clark: a cos(2 pi i / n) p_i + (cos(2 pi i / n) + cos(2 pi (i + 1) / n)) q_i, and with sines, where
 //           a = 1 + cos(2 pi / n) + cos(pi / n) sqrt(2 (9 + cos(2 pi / n))), q_i across the quad between p_i and p_i+1
-//   crease  on each side of it, p_1 to p_k from sharp edge to sharp edge: p_k - p_1, and across it weights sin((i - 1)
-//   t),
-//           t = pi / (k - 1), within and such ones for p_1, p_k and v that it is a left eigenvector; for k = 2 p_1 - 2
-//           v + p_2
+//   crease  on each side of it, p_1 to p_k from sharp edge to sharp edge: p_k - p_1, and across it weights
+//           sin((i - 1) t), t = pi / (k - 1), within and such ones for p_1, p_k and v that it is a left eigenvector;
+//           for k = 2 p_1 - 2 v + p_2
 //   corner  in each sector between sharp edges p_1 - v and p_k - v
 //   dart    that of the faces around after many steps
 //   creases and boundaries of the sqrt(3) scheme: the mean of the normals of the faces around, weighted by their angles

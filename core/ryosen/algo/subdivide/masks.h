@@ -31,8 +31,7 @@ Places loop_limit(const Mesh& mesh, const Creases& creases);
 //      o---o            f        face: the mean f of its corners
 //      | f |         a--x--b     edge: (a + b + f + g) / 4
 //      o---o            g        vertex of valence n: (Q + 2 R + (n - 3) v) / n, Q the mean of the faces, R of the
-//      middles
-//                                of the edges
+//                                middles of the edges
 //   limit, of a mesh of quads: (n n v + 4 sum of the neighbours + sum of the vertices across the quads) / (n (n + 5))
 void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::vector<std::uint32_t>& centre_of,
                           Places& places);

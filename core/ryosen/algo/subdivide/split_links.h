@@ -1,14 +1,11 @@
 // The links of a mesh whose every edge is cut in two, by index arithmetic.
 //
-//           v                   Old vertices keep their numbers; the new vertex of edge e is V + e, the centre of the
-//           k-th
-//          /|\                  living face V + E + k. Halfedge h becomes first_half(h), from its start to the new
-//          vertex,
-//         / | \                 and second_half(h); the two edges are 2 e and 2 e + 1.
+//           v                   Old vertices keep their numbers; the new vertex of edge e is V + e, the centre of
+//          /|\                  the k-th living face V + E + k. Halfedge h becomes first_half(h), from its start
+//         / | \                 to the new vertex, and second_half(h); the two edges are 2 e and 2 e + 1.
 //        m--+--m'               into_four: a triangle becomes four, of which the middle one keeps the number.
-//         \ | /                 into_quads: a polygon becomes a quad per corner around its centre, of which the first
-//         one
-//           c                   keeps the number.
+//         \ | /                 into_quads: a polygon becomes a quad per corner around its centre, of which the
+//           c                   first one keeps the number.
 //
 // Edges are all alive and faces have no rings; dead vertices and faces keep their slots. Cost: one pass over the
 // halfedges in the order of memory, on several threads.

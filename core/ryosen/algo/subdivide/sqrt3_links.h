@@ -2,9 +2,8 @@
 // edges are swapped.
 //
 //        o                 o
-//       / \               /|\             An edge that is kept (a boundary, a crease) is not swapped; by every second
-//       step
-//      / c \      =>     c-+-c            it is cut in three, x and y, and its triangle gets no centre:
+//       / \               /|\             An edge that is kept (a boundary, a crease) is not swapped; by every
+//      / c \      =>     c-+-c            second step it is cut in three, x and y, and its triangle gets no centre:
 //     o-----o             \|/
 //                          o              p           p
 //                                        / \    =>   / \                                                   .
@@ -37,7 +36,7 @@ class Sqrt3Numbers {
   // The two vertices on a cut edge in the direction of h, and its three parts.
   Vertex third(Halfedge h, unsigned i) const;
   Halfedge part(Halfedge h, unsigned i) const;
-  // What the triangle of h has as its apex: the centre, or the nearest new vertex on the cut side. h itself is not cut.
+  // The apex of h's triangle: the centre, or the nearest new vertex on the cut side. h itself is not cut.
   Vertex apex(Halfedge h) const;
   // From apex(h) to where h begins, and from where h ends to apex(h).
   Halfedge before(Halfedge h) const;
@@ -65,7 +64,7 @@ class Sqrt3Numbers {
   std::vector<std::uint32_t> other_;   // per halfedge: those with a face that are not its first
 };
 
-// As link_split does.
+// Writes the links into `out`; see link_split().
 void link_sqrt3(const Mesh& mesh, const Sqrt3Numbers& numbers, MeshColumns& out);
 
 }  // namespace ryosen::subdivide

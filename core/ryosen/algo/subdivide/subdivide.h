@@ -39,9 +39,10 @@ struct Subdivided {
   std::optional<Text> fault = {};  // why there is no result: a clause
 };
 
-// Elements keep their numbers, new ones come behind them. The result is the same for any number of threads, and after
-// an affine map of the mesh that map of the result, but for rounding and where faces with rings are cut. Where it would
-// take more memory than there is it throws std::bad_alloc before it begins. O(size of the result).
+// Subdivides the mesh. Old elements keep their numbers, new ones come behind them. The result is the same for any
+// number of threads, and after an affine map of the mesh that map of the result, but for rounding and where faces with
+// rings are cut. Where it would take more memory than there is it throws std::bad_alloc before it begins. O(size of the
+// result).
 Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress);
 
 }  // namespace ryosen::subdivide

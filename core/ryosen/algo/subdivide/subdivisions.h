@@ -1,4 +1,4 @@
-// The row of subdivision in the table of algorithms.
+// The rows of subdivision in the table of algorithms.
 #pragma once
 
 #include <vector>

@@ -30,7 +30,7 @@ struct FormFigures {
 
 struct PairingFigures {
   const PairingMethod* method = nullptr;
-  std::size_t faces = 0, all_faces = 0;  // number of (first) faces paired, and of all faces
+  std::size_t faces = 0, all_faces = 0;  // the faces that were paired, the first ones, and all faces
   double steps_of_all = 1;               // steps for all faces divided by the steps measured
   double seconds = 0;                    // the fastest of up to three runs
 

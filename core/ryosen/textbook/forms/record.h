@@ -19,10 +19,10 @@ namespace ryosen::forms {
 struct Field {
   std::string_view key;   // Ryosen's word, the same in every form
   std::string_view word;  // the source text's
-  bool is_list = false;   // of links; places are one of a vertex, or several
+  bool is_list = false;   // whether it holds a list of links; places are one of a vertex, or several
   std::vector<Element> links;
   std::vector<glm::dvec3> places;
-  // What is stored, link by link; nullopt for none. Other than the number linked to where the form codes it.
+  // The stored value of each link; nullopt for none. Differs from the link's number where the form codes it.
   std::vector<std::optional<std::int64_t>> stored;
 };
 using Fields = std::vector<Field>;

@@ -1,9 +1,8 @@
 // The edge split of the source texts on triangles whose halfedges are numbered 3i, 3i+1, 3i+2 by their face i.
 //
-//          v1                     v1            the triangle left of the halfedge v3 -> v0 becomes (v0, v1, new), the
-//          one
-//        / a  \                 / | \           on its right, if any, (v2, v0, new); (v1, v3, new) and then, if there
-//      v3 ---> v0     =>      v3-new-v0         were two, (v3, v2, new) come last
+//          v1                     v1            the triangle left of the halfedge v3 -> v0 becomes (v0, v1,
+//        / a  \                 / | \           new), the one on its right, if any, (v2, v0, new); (v1, v3, new)
+//      v3 ---> v0     =>      v3-new-v0         and then, if there were two, (v3, v2, new) come last
 //        \ b  /                 \ | /
 //          v2                     v2
 #pragma once

@@ -41,7 +41,7 @@ struct HullStep {
   // A made element and the one beside it, which stays or is made too, where they lie in one plane, or line: one facet,
   // or edge, of the hull.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> united = {};
-  std::uint32_t witness = no_index;               // of on_face the element, of equal the vertex
+  std::uint32_t witness = no_index;               // the element a point lies on, or the vertex it equals
   std::vector<DcelChange> changes = {};           // in the order in which they were written
   std::size_t half_edge_rows = 0, face_rows = 0;  // how many rows these tables had before it
 };
@@ -64,15 +64,15 @@ inline void take_back(const HullStep& step, forms::DcelRecords& records) {
 // between. Points must outlive it.
 class HullSteps {
  public:
-  // Not finite points are left out. `seed`: of the random order.
+  // Skips points that are not finite. `seed` sets the random order.
   HullSteps(std::span<const glm::dvec3> points, HullOrder order, std::uint64_t seed = 0);
   ~HullSteps();
   HullSteps(HullSteps&&) noexcept;
   HullSteps& operator=(HullSteps&&) noexcept;
-  // One that goes on from the same state. Cost: O(points).
+  // A second builder at the same state. Cost: O(points).
   HullSteps copy() const;
 
-  // Of all points; below 2 there is no step.
+  // The dimension of all points; below 2 there are no steps.
   int dimension() const;
   // One for the first points and one for each further one.
   std::size_t step_count() const;

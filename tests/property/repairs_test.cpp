@@ -6,11 +6,11 @@
 #include <limits>
 #include <set>
 
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/give_places.h"
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/algo/repair/pockets.h"
-#include "ryosen/algo/repair/repairs.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"

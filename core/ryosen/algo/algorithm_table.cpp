@@ -2,16 +2,7 @@
 
 #include <cassert>
 
-#include "ryosen/algo/convex_hull/hull_rows.h"
-#include "ryosen/algo/convex_hull/point_cloud.h"
-#include "ryosen/algo/duplicate/duplicates.h"
-#include "ryosen/algo/primitives/primitives.h"
-#include "ryosen/algo/remesh/remeshings.h"
-#include "ryosen/algo/repair/repairs.h"
-#include "ryosen/algo/simplify/simplify.h"
-#include "ryosen/algo/smooth/smoothings.h"
-#include "ryosen/algo/subdivide/subdivisions.h"
-#include "ryosen/algo/transform/transforms.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 namespace ryosen {
 

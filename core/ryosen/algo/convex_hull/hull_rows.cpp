@@ -1,4 +1,4 @@
-#include "ryosen/algo/convex_hull/hull_rows.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/duplicate/part.h"
 #include "ryosen/hull/hull_extent.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/orient_faces.h"
-#include "ryosen/algo/repair/repairs.h"
 #include "ryosen/algo/repair/weld_points.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/place_order.h"

@@ -4,9 +4,9 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/repair/guard.h"
 #include "ryosen/algo/repair/loose_pieces.h"
-#include "ryosen/algo/repair/repairs.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/repair/near_points.h"
-#include "ryosen/algo/repair/repairs.h"
 
 namespace ryosen {
 

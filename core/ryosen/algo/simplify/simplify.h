@@ -23,6 +23,4 @@ struct BuiltLevels {
 };
 BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress& progress);
 
-std::vector<AlgorithmRow> simplify_rows();
-
 }  // namespace ryosen

@@ -1,3 +1,4 @@
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/simplify/simplify.h"
 
 namespace ryosen {

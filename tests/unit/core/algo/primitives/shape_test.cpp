@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "ryosen/algo/primitives/primitives.h"
+#include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/invariants.h"

@@ -1,4 +1,4 @@
-#include "ryosen/algo/transform/transforms.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/algo/transform/point_transform.h"

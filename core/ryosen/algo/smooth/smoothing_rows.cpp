@@ -1,4 +1,4 @@
-#include "ryosen/algo/smooth/smoothings.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/smooth/smooth.h"
 #include "ryosen/algo/transform/moved_points.h"

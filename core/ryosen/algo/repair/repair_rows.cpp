@@ -1,4 +1,4 @@
-#include "ryosen/algo/repair/repairs.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/proposals.h"
 #include "ryosen/algo/repair/detach_nonmanifold.h"

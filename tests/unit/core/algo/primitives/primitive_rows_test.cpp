@@ -1,5 +1,5 @@
 // Every primitive over several values, by oracles on the polygon list alone.
-#include "ryosen/algo/primitives/primitives.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include <gtest/gtest.h>
 

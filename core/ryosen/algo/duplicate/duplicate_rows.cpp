@@ -1,4 +1,4 @@
-#include "ryosen/algo/duplicate/duplicates.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ryosen/algo/convex_hull/point_cloud.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/base/count_text.h"
 #include "ryosen/geometry/is_finite.h"

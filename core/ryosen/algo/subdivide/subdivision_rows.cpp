@@ -1,4 +1,4 @@
-#include "ryosen/algo/subdivide/subdivisions.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include <array>
 

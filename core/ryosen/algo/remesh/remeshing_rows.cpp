@@ -1,4 +1,4 @@
-#include "ryosen/algo/remesh/remeshings.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include <cmath>
 #include <numbers>

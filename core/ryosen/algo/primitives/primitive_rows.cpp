@@ -1,4 +1,4 @@
-#include "ryosen/algo/primitives/primitives.h"
+#include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/primitives/grid.h"
 #include "ryosen/algo/primitives/platonic.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/give_places.h"
 #include "ryosen/algo/repair/guard.h"

@@ -1,7 +1,7 @@
 // Repair: cuts the surface apart at non-manifold points.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // Repair: fills holes with patches, flat ones in the plane of the rim or fair ones that continue the surface.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // Repair: turns faces so that neighbours agree and the surface looks outwards.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

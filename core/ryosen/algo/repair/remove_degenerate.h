@@ -1,7 +1,7 @@
 // Repair: removes faces without area.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // Repairs that remove redundant elements: duplicate faces, isolated vertices.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -1,7 +1,7 @@
 // Repair: puts vertices into the edges that they lie on.
 #pragma once
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/repair/near_points.h"
 
 namespace ryosen {

@@ -1,5 +1,5 @@
 // Duplicates and mirror images of elements.
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/algorithm.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/findings.h"
-#include "app/editor/session/framing.h"
+#include "app/editor/session/session_camera.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"

@@ -7,7 +7,7 @@
 #include "app/editor/commands/text/outcomes.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
-#include "app/editor/session/framing.h"
+#include "app/editor/session/session_camera.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
 #include "ryosen/document/document.h"

@@ -7,7 +7,7 @@
 #include "ryosen/indexed/fans.h"
 #include "ryosen/indexed/link_regular.h"
 #include "ryosen/indexed/pair_corners.h"
-#include "ryosen/indexed/unfold_bridges.h"
+#include "ryosen/indexed/split_bridges.h"
 
 namespace ryosen {
 
@@ -81,7 +81,7 @@ Mesh from_indexed(IndexedMesh source) {
   CornerPairing pairing;
   const auto faces = static_cast<std::uint32_t>(source.face_count());
   const std::uint32_t empty_faces = count_empty_faces(source);
-  const std::vector<std::uint32_t> face_of_ring = unfold_bridges(source);
+  const std::vector<std::uint32_t> face_of_ring = split_bridges(source);
   c.vertex_halfedge.assign(source.positions.size(), Halfedge());
   c.face_halfedge.assign(source.face_count(), dead_halfedge);
   c.file_vertices = static_cast<std::uint32_t>(source.positions.size());

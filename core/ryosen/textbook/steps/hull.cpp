@@ -5,7 +5,7 @@
 #include "ryosen/hull/projection.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/textbook/steps/hull_sequence.h"
-#include "ryosen/textbook/steps/play_texts.h"
+#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 
 namespace ryosen::steps {

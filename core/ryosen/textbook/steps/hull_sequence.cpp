@@ -5,7 +5,7 @@
 
 #include "ryosen/mesh/names.h"
 #include "ryosen/textbook/steps/hull_kernel.h"
-#include "ryosen/textbook/steps/play_texts.h"
+#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/sources.h"
 
 namespace ryosen::steps {

@@ -10,7 +10,7 @@
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/steps/mesh_rows.h"
-#include "ryosen/textbook/steps/play_texts.h"
+#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 

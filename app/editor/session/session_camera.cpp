@@ -1,4 +1,4 @@
-#include "app/editor/session/framing.h"
+#include "app/editor/session/session_camera.h"
 
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"

@@ -1,4 +1,4 @@
-// What the players share: faults of arguments, and lists of elements in captions.
+// The parts that players of steps share: sentences, marks, and what they offer for a selection.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "ryosen/indexed/unfold_bridges.h"
+#include "ryosen/indexed/split_bridges.h"
 
 #include <cmath>
 #include <utility>
@@ -52,7 +52,7 @@ void reorder(std::vector<std::uint32_t>& values, const std::vector<std::uint32_t
 
 }  // namespace
 
-std::vector<std::uint32_t> unfold_bridges(IndexedMesh& source) {
+std::vector<std::uint32_t> split_bridges(IndexedMesh& source) {
   std::vector<std::uint32_t> face_of_ring, order, offsets{0};
   if (source.bridged.empty()) return face_of_ring;
   Loops rings;

@@ -79,6 +79,7 @@ class Editor {
   }
 
   void run() {
+    begun_ = Clock::now();
     offer_recovery();
     while (!gui_.wants_quit()) {
       std::optional<Clock::duration> next;
@@ -111,8 +112,9 @@ class Editor {
   // Not while a file is read: that has a dialog of its own.
   void offer_recovery() {
     // Why the folder cannot be read is said to whoever asks for the list.
-    if (list_lost_sessions(session_.lost) && !session_.lost.empty())
-      session_.layout.show(panel_opened_by(PanelOpener::lost_sessions), true);
+    if (!list_lost_sessions(session_.lost) || session_.lost.empty()) return;
+    session_.layout.show(panel_opened_by(PanelOpener::lost_sessions), true);
+    has_offered_ = true;
   }
 
   // True when there is something to say about it.
@@ -128,10 +130,12 @@ class Editor {
     if (now - looked_at_disk_ < looks_at_disk_after) return;
     looked_at_disk_ = now;
     session_.look_at_disk();
+    // A process that is killed holds its edits until it is gone.
+    if (!has_offered_ && now - begun_ < offers_recovery_for) offer_recovery();
   }
 
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::seconds looks_at_disk_after{2};
+  static constexpr std::chrono::seconds looks_at_disk_after{2}, offers_recovery_for{15};
   static constexpr std::chrono::milliseconds patience{300};
   static constexpr int settling_frames = 3;  // a panel may need this many to settle its size
   static constexpr int most_frames = 20;     // that are drawn before it is seen what the hand does meanwhile
@@ -355,7 +359,8 @@ class Editor {
   bool is_working_ = false, is_cancelled_ = false;
   std::vector<std::string> let_go_at_work_;  // keys
   Clock::time_point work_began_;
-  Clock::time_point looked_at_disk_;
+  Clock::time_point looked_at_disk_, begun_;
+  bool has_offered_ = false;  // to recover what a crash left
   Clock::time_point last_frame_ = Clock::now();
 };
 

@@ -1,5 +1,8 @@
 // A window that is killed, and what another program does to its file meanwhile: that survives, and the edits come back.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -70,6 +73,29 @@ TEST_F(KilledWindow, leaves_its_edits_and_no_save_replaces_what_another_program_
     quit();
     fs::remove(folder_.at("mine.off"));
   }
+}
+
+// A process that was killed holds its script for a moment; here the test does.
+TEST_F(KilledWindow, is_offered_once_its_process_is_gone) {
+  edit_and_die(folder_.write("torus.off", test::read_file(test::asset("torus.off"))));
+  std::vector<int> held;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(state_.path())) {
+    if (!entry.is_regular_file()) continue;
+    held.push_back(::open(entry.path().c_str(), O_RDWR | O_CLOEXEC));
+    ASSERT_EQ(::flock(held.back(), LOCK_EX | LOCK_NB), 0) << entry.path();
+  }
+  ASSERT_FALSE(held.empty());
+  open(test::asset("cube.obj"));
+  EXPECT_EQ(last().panel, "-");
+  for (const int file : held) ::close(file);
+  ASSERT_TRUE(shows([](const test::Frame& frame) { return frame.panel == "recover"; })) << "nothing was offered";
+  xdotool("mousemove 640 400 key Escape");
+  ASSERT_TRUE(shows([](const test::Frame& frame) { return frame.panel == "-"; }));
+  say("recover 1");
+  ASSERT_TRUE(shows([&](const test::Frame& frame) { return frame.vertices == vertices_; }));
+  xdotool("mousemove 640 400 key ctrl+s");
+  ASSERT_TRUE(says("save"));
+  quit();
 }
 
 TEST_F(KilledWindow, watches_its_file_from_the_recovery_on) {

@@ -84,6 +84,18 @@ TEST_F(RecoverPanelTest, comes_back_with_the_choices_where_the_file_changes_mean
   EXPECT_EQ(laid_.session.mesh().hash(), hash_);
 }
 
+// The other program's mesh lacks what the edit is about: the whole reason stands in the panel.
+TEST_F(RecoverPanelTest, says_why_an_edit_cannot_be_done_again) {
+  files_.write("a.off", "OFF 4 1 0 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 3\n");
+  open_panel();
+  EXPECT_EQ(count("cannotbedoneagain"), 0u);
+  press(as_is);
+  EXPECT_EQ(laid_.session.layout.open_panel, "recover");
+  EXPECT_GT(count("cannotbedoneagain"), 0u);
+  press(as_was);
+  EXPECT_EQ(laid_.session.mesh().hash(), hash_);
+}
+
 TEST_F(RecoverPanelTest, has_one_choice_where_the_file_is_gone) {
   std::filesystem::remove(file_);
   open_panel();

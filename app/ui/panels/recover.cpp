@@ -51,8 +51,18 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
 }
 
 // What a crash left unsaved.
-void draw_recover(PanelContext& context) {
+class RecoverPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override;
+  ImVec2 size() const override { return {560, 300}; }
+
+ private:
+  bool has_chosen_ = false;  // where that failed, the reason stands in the panel
+};
+
+void RecoverPanel::draw(PanelContext& context) {
   // Where the folder cannot be read, the command says why.
+  if (context.state.last.kind == Outcome::Kind::done) has_chosen_ = false;
   if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session.lost)) context.run("recover list");
   const std::vector<LostSession>& lost = context.session.lost;
   dim_text(context,
@@ -62,10 +72,13 @@ void draw_recover(PanelContext& context) {
   std::string chosen;
   for (std::size_t n = 0; n < lost.size(); ++n)
     if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
+  if (has_chosen_ && context.state.last.kind != Outcome::Kind::done)
+    coloured_text(context.colours().refused, context.state.last.sentence.in(context.language()).c_str());
   ImGui::EndChild();
   const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
   if (closes) context.run("panel none");
   if (chosen.empty()) return;
+  has_chosen_ = true;
   if (call_of(chosen)->effect == Effect::replaces) {
     const std::string own(panel_opened_by(PanelOpener::lost_sessions).id);
     return context.leave({.command = chosen, .asks_again = own});
@@ -76,6 +89,6 @@ void draw_recover(PanelContext& context) {
 
 }  // namespace
 
-std::unique_ptr<Panel> make_recover_panel() { return panel_of(draw_recover, {560, 300}); }
+std::unique_ptr<Panel> make_recover_panel() { return std::make_unique<RecoverPanel>(); }
 
 }  // namespace ryosen

@@ -139,8 +139,9 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
 }
 
 const std::uint64_t seeds = seed_count(600, 1500);
-// One on which a repair once did more when it was run twice: a hole that it opened led on.
-constexpr std::uint64_t kept_seed = 17220;
+// Seeds that long runs failed on: a hole that a repair opened led on when it was run again; two faces back to back, at
+// sides of which further faces meet, became duplicates.
+constexpr std::uint64_t kept_seeds[] = {17220, 10491};
 
 class Repairs : public testing::Test {
  protected:
@@ -149,7 +150,7 @@ class Repairs : public testing::Test {
     std::size_t changed = 0;
     const std::uint64_t last = seed_count(1500, 50000);
     for (std::uint64_t run = 0; run <= last && !HasFailure(); ++run) {
-      const std::uint64_t seed = run == 0 ? kept_seed : run;
+      const std::uint64_t seed = run < std::size(kept_seeds) ? kept_seeds[run] : run;
       SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
       Mesh mesh = mesh_on_grid(seed);
       const Mesh before = mesh;

@@ -49,7 +49,8 @@ class Welding {
     PointMerger merger(m_, point_of_, points_to_merge());
     merger_ = &merger;
     const std::vector<Halfedge> across = pair_at_places(m_, place_by_slot()).across;
-    for (const auto& [f, g] : find_pockets(m_, across)) merger.let_be_pocket(f, g);
+    for (const auto& [f, g] : find_pockets(m_, across))
+      if (would_close(f, across)) merger.let_be_pocket(f, g);
     const std::vector<SidePair> all = pairs(across);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!progress.go_on(i, all.size())) return welded;
@@ -72,6 +73,18 @@ class Welding {
   }
 
  private:
+  // Whether each side of a pocket's face is joined to the other face, or can be by welding an end of it. A side on the
+  // same points as the other is cut from it where more faces meet, and stays so.
+  bool would_close(Face f, const std::vector<Halfedge>& across) const {
+    for (const Halfedge h : halfedges_around(m_, f)) {
+      const Halfedge other = across[h.index];
+      if (twin(h) != other && point_of_[m_.from(h).index] == point_of_[m_.to(other).index] &&
+          point_of_[m_.to(h).index] == point_of_[m_.from(other).index])
+        return false;
+    }
+    return true;
+  }
+
   std::vector<Vertex> place_by_slot() const {
     std::vector<Vertex> place(m_.vertex_slots());
     for (std::uint32_t i = 0; i < place.size(); ++i)

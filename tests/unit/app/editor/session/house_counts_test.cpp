@@ -145,14 +145,14 @@ TEST(house_counts, parameters_of_the_type_session) {
         if (!is_longer && end > at + type.size() && (text[end] == ',' || text[end] == ')')) ++parameters;
       }
     }
-  EXPECT_EQ(parameters, 145u);
+  EXPECT_EQ(parameters, 143u);
 }
 
 TEST(house_counts, lines_of_sources_that_reach_the_session) {
   std::size_t lines = 0;
   for (const std::string& file : files_of_app(".cpp"))
     if (included_by(file).contains(std::string(session_header))) lines += lines_of(file);
-  EXPECT_EQ(lines, 9496u);
+  EXPECT_EQ(lines, 9464u);
 }
 
 // Other files ask it (shown.h).

@@ -7,6 +7,7 @@
 #include "ryosen/analysis/figures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "tests/support/core/recipe_checks.h"
+#include "tests/support/core/shapes.h"
 #include "tests/support/core/solids.h"
 
 namespace ryosen::test {
@@ -66,6 +67,21 @@ TEST(pockets, are_pairs_of_faces_joined_at_all_their_sides) {
   EXPECT_TRUE(pockets_of(from_indexed(tetrahedron.indexed())).empty());
   const auto found = pockets_of(from_indexed(built_of({{a, b, c}, {c, b, a}}).indexed()));
   EXPECT_EQ(found, (std::vector<std::pair<Face, Face>>{{Face(0), Face(1)}}));
+}
+
+// Further faces meet at their sides, which stay cut apart: the two would be duplicates and no pocket.
+TEST(pockets, do_not_close_where_a_side_stays_cut) {
+  for (const std::uint32_t further : {1u, 2u}) {
+    // A quadrilateral back to back, whose last corners are two points at one place; the further faces run along a-b.
+    Polygons faces{{0, 1, 2, 3}, {4, 2, 1, 0}};
+    for (std::uint32_t i = 0; i < further; ++i) faces.push_back({0, 1, 5 + i});
+    IndexedMesh list = indexed(faces, 7);
+    list.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 1, 2}};
+    const Mesh mesh = from_indexed(std::move(list));
+    ASSERT_EQ(compute_figures(mesh)[ProblemKind::duplicate_face], 0u);
+    const RecipeResult result = *run_recipe(mesh, recipe_of("weld_equal").steps, {});
+    EXPECT_EQ(compute_figures(result.mesh)[ProblemKind::duplicate_face], pockets_of(result.mesh).size()) << further;
+  }
 }
 
 // Faces near each other are no faces back to back.

@@ -65,9 +65,13 @@ void expect_rules_on_files(const fs::path& folder, std::uintmax_t most_bytes, st
 }
 
 TEST(recipes, keep_the_rules_on_random_soups) {
-  const std::uint64_t last = seed_count(250, 50000);
-  for (std::uint64_t seed = 1; seed <= last && !HasFailure(); ++seed)
+  // Seeds that long runs failed on: a pocket whose sides stay cut apart, and loops whose parts depended on numbers.
+  std::vector<std::uint64_t> seeds{10491, 12518, 32634, 16122, 17056, 23261};
+  for (std::uint64_t seed = 1; seed <= seed_count(250, 50000); ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
+    if (HasFailure()) break;
     expect_rules(random_soup(seed), recipe_for(seed), "soup of seed " + std::to_string(seed));
+  }
 }
 
 TEST(recipes, keep_the_rules_on_the_assets) {

@@ -17,29 +17,53 @@ struct Part {
   Halfedge last, first;  // sides of a part: its twofold place is between them
 };
 
+using Place = std::array<double, 3>;
+
+// Where the least rotation of a cycle begins: the same place wherever the list begins. O(n).
+std::size_t least_rotation(const std::vector<Place>& cycle) {
+  const std::size_t n = cycle.size();
+  std::size_t i = 0, j = 1, same = 0;
+  while (i < n && j < n && same < n) {
+    const Place &a = cycle[(i + same) % n], &b = cycle[(j + same) % n];
+    if (a == b) {
+      ++same;
+      continue;
+    }
+    (b < a ? i : j) += same + 1;
+    if (i == j) ++j;
+    same = 0;
+  }
+  return std::min(i, j);
+}
+
 // The parts that are cut off one after another; what is left at the end is a part too. None where the loop stays whole.
-std::vector<Part> parts_of(const Mesh& m, const std::vector<Halfedge>& sides) {
+std::vector<Part> parts_of(const Mesh& m, std::vector<Halfedge> sides) {
   constexpr std::size_t fewest_sides = 3;
-  std::vector<Part> parts;
-  std::vector<Halfedge> open;
-  std::map<std::array<double, 3>, std::size_t> index_in_open;  // by place
-  const auto place_of = [&](Halfedge h) {
+  std::vector<Place> places;
+  for (const Halfedge h : sides) {
     const glm::dvec3 place = m.position(m.from(h)) + 0.0;  // one zero
-    return std::array{place.x, place.y, place.z};
-  };
+    places.push_back({place.x, place.y, place.z});
+  }
+  // The parts may depend on where the walk begins, and numbers of sides on how a file is written.
+  const auto begin = static_cast<std::ptrdiff_t>(least_rotation(places));
+  std::rotate(sides.begin(), sides.begin() + begin, sides.end());
+  std::rotate(places.begin(), places.begin() + begin, places.end());
   const auto are_one = [&](Vertex v, Vertex w) {
     return point(m, v) == point(m, w) || (!has_copies(m, v) && !has_copies(m, w));
   };
-  for (const Halfedge h : sides) {
-    if (const auto at = index_in_open.find(place_of(h)); at != index_in_open.end()) {
+  std::vector<Part> parts;
+  std::vector<std::size_t> open;
+  std::map<Place, std::size_t> index_in_open;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (const auto at = index_in_open.find(places[i]); at != index_in_open.end()) {
       const std::size_t first = at->second;
-      if (open.size() - first < fewest_sides || !are_one(m.from(open[first]), m.from(h))) return {};
-      parts.push_back({open.back(), open[first]});
-      for (std::size_t i = first; i < open.size(); ++i) index_in_open.erase(place_of(open[i]));
+      if (open.size() - first < fewest_sides || !are_one(m.from(sides[open[first]]), m.from(sides[i]))) return {};
+      parts.push_back({sides[open.back()], sides[open[first]]});
+      for (std::size_t k = first; k < open.size(); ++k) index_in_open.erase(places[open[k]]);
       open.resize(first);
     }
-    index_in_open[place_of(h)] = open.size();
-    open.push_back(h);
+    index_in_open[places[i]] = open.size();
+    open.push_back(i);
   }
   return open.size() < fewest_sides ? std::vector<Part>() : parts;
 }

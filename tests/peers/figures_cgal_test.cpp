@@ -37,14 +37,14 @@ std::optional<Peer> peer_of(const IndexedMesh& mesh) {
   return peer;
 }
 
-struct Named {
+struct NamedMesh {
   std::string name;
   IndexedMesh mesh;
 };
 
 // Every mesh there is that is manifold and one-sided nowhere, with nothing set aside.
-std::vector<Named> clean_meshes() {
-  std::vector<Named> meshes;
+std::vector<NamedMesh> clean_meshes() {
+  std::vector<NamedMesh> meshes;
   for (const char* folder : {RYOSEN_SOURCE_DIR "/assets", RYOSEN_SHARED_DIR "/meshes"}) {
     if (!std::filesystem::exists(folder)) continue;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -90,7 +90,7 @@ std::vector<FacePair> peer_pairs(const Peer& peer) {
 
 TEST(figures_against_cgal, of_clean_meshes) {
   std::size_t closed = 0, open = 0;
-  for (const Named& clean : clean_meshes()) {
+  for (const NamedMesh& clean : clean_meshes()) {
     SCOPED_TRACE(clean.name);
     const std::optional<Peer> peer = peer_of(clean.mesh);
     ASSERT_TRUE(peer.has_value());
@@ -125,7 +125,7 @@ TEST(figures_against_cgal, of_clean_meshes) {
 
 TEST(self_intersections_against_cgal, of_meshes_with_vertices_out_of_place) {
   std::size_t meshes = 0, pairs = 0;
-  for (const Named& clean : clean_meshes()) {
+  for (const NamedMesh& clean : clean_meshes()) {
     if (!is_triangular(clean.mesh)) continue;
     const double length = mean_edge_length(clean.mesh);
     const bool is_small = clean.mesh.face_count() < 1000;

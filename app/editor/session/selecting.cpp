@@ -6,6 +6,7 @@
 #include "app/editor/session/asking.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/mesh/slot_ranges.h"
 

@@ -9,6 +9,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/document/findings.h"
+#include "app/editor/document/repair_trials.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/algorithm_preview.h"

@@ -75,7 +75,7 @@ class AlgorithmRun {
   }
 
  private:
-  // Of one with a goal; by repair none does.
+  // The report of an algorithm with a goal, which no repair has; null for others.
   const GoalReport* goal_report() const {
     const std::optional<GoalReport>& given = calls_.front().result.goal_report;
     return !by_repair_ && given ? &*given : nullptr;

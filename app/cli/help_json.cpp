@@ -7,6 +7,7 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/id_lists.h"
 #include "app/cli/subcommand_table.h"
+#include "ryosen/base/enum_table.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/ops/all.h"
 
@@ -75,8 +76,10 @@ std::string contract_line(const Json& command, const std::vector<PrintedObject>&
 }
 
 std::vector<Json> places_of(const OpLine& line) {
-  constexpr const char *kinds[] = {"vertex", "edge", "face", "number", "position", "word"},  // by OpValueKind
-      *needs[] = {"required", "optional", "list"};                                           // by OpParameter::Need
+  // By OpValueKind and by OpParameter::Need.
+  constexpr const char* kinds[] = {"vertex", "edge", "face", "number", "position", "word"};
+  constexpr const char* needs[] = {"required", "optional", "list"};
+  static_assert(std::size(kinds) == enum_count<OpValueKind> && std::size(needs) == enum_count<OpParameter::Need>);
   std::vector<Json> places;
   for (std::size_t i = 0; i < line.all_lists().size(); ++i)
     for (const OpParameter& parameter : line.lists[i]) {

@@ -90,7 +90,7 @@ inline constexpr Shape algorithm_shape{"algorithm", "One line.", "一行。", al
 inline constexpr Shape result_distance_shape{"result_distance", "Both directions together, as distance prints them.",
                                              "両方向を合わせた距離（distance と同じ）。", distance_figure_keys};
 
-// Of one with a goal.
+// The keys of an algorithm with a goal.
 inline constexpr JsonKey goal_keys[] = {
     {"faces_before", "integer", "The faces of the input, as in check.", "入力の面数（check と同じ）。"},
     {"faces_after", "integer", "The same as faces.", "faces と同じ。"},

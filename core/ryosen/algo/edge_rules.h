@@ -36,7 +36,6 @@ struct EdgeRuleRow {
 
 // In the order of EdgeRule.
 std::span<const EdgeRuleRow> edge_rule_table();
-inline const EdgeRuleRow& row_of(EdgeRule rule) { return edge_rule_table()[static_cast<std::size_t>(rule)]; }
 
 struct StopRow {
   Stop stop;

@@ -18,26 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string hex(std::uint64_t number) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(number));
-  return digits;
-}
-
 fs::path whole(const fs::path& path) {
   std::error_code ignored;
   return path.empty() ? path : fs::absolute(path, ignored);
 }
 
-// The known state of the document's file, with a hash of its content while the file is still in that state.
 std::string file_remark(const Document& document) {
   const FileState& known = document.known_file();
-  if (!known.is_known()) return {};
-  const auto is_as_known = [&] { return document.change_on_disk() == FileState::Change::none; };
-  std::optional<std::uint64_t> content;
-  if (is_as_known()) content = content_hash(document.path());
-  if (content && !is_as_known()) content.reset();
-  return "# file " + known.text() + (content ? " " + hex(*content) : std::string()) + "\n";
+  return known.is_known() ? "# file " + known.text() + "\n" : std::string();
 }
 
 std::string original_remark(const fs::path& path) { return "# original " + file_argument(path.string()) + "\n"; }
@@ -144,7 +132,7 @@ std::optional<Text> Autosave::open_script(const Document& document, const std::v
   Result<OwnedScript> script = OwnedScript::create(folder_);
   if (!script) return give_up(script.failure().message.text);
   script_ = std::move(script).value();
-  std::string text = "# ryosen session 1\n# mesh " + hex(start_.hash) + "\n";
+  std::string text = "# ryosen session 1\n# mesh " + hash_text(start_.hash) + "\n";
   text += start_.file.empty() ? "new\n" : "open " + file_argument(start_.file.string()) + "\n";
   std::optional<Text> warning;
   if (start_.original.empty())

@@ -72,18 +72,6 @@ Failure unreadable_folder(const fs::path& folder, int error) {
        "保存していない編集を置くフォルダ " + folder.string() + " を読めません：" + reason.ja + "。"});
 }
 
-// "BYTES SECONDS NANOSECONDS [HASH]"
-void read_file_remark(std::string_view words, LostSession& lost) {
-  std::size_t end = 0;
-  for (int i = 0; i < 3 && end != words.npos; ++i) end = words.find(' ', end + (i > 0));
-  lost.known = FileState::from_text(words.substr(0, end));
-  lost.content.reset();
-  std::uint64_t content = 0;
-  const std::string_view hash = end == words.npos ? std::string_view() : words.substr(end + 1);
-  const auto [behind, error] = std::from_chars(hash.data(), hash.data() + hash.size(), content, 16);
-  if (error == std::errc() && behind == hash.data() + hash.size()) lost.content = content;
-}
-
 // Whether there is a copy of what the session began with.
 bool has_original(const LostSession& lost) {
   std::error_code ignored;
@@ -238,11 +226,7 @@ bool can_be_as_is(const LostSession& lost) {
   return lost.saved_edits == 0 && !lost.file.empty() && lost.file == lost.start.file && fs::exists(lost.file, ignored);
 }
 
-FileState::Change change_of_file(const LostSession& lost) {
-  const FileState::Change change = lost.known.since(lost.file);
-  if (change == FileState::Change::gone || !lost.content) return change;
-  return content_hash(lost.file) == lost.content ? FileState::Change::none : FileState::Change::changed;
-}
+FileState::Change change_of_file(const LostSession& lost) { return lost.known.since(lost.file); }
 
 Text told_change(const LostSession& lost, FileState::Change change) {
   const std::string file = lost.file.string();
@@ -269,13 +253,12 @@ std::optional<LostSession> read_lost_session(std::string_view script) {
     } else if (const auto original = remark(line, "original")) {
       lost.start.original = file_name(*original);
     } else if (const auto state = remark(line, "file")) {
-      read_file_remark(*state, lost);
+      lost.known = FileState::from_text(*state);
     } else if (remark(line, "saving")) {
       lost.was_saving = true;
     } else if (const auto saved = remark(line, "saved")) {
       lost.file = file_name(*saved);
       lost.known = {};
-      lost.content.reset();
       lost.was_saving = false;
       lost.saved_edits = lost.edits.size();
       lost.unsaved = {};

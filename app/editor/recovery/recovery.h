@@ -7,7 +7,7 @@
 //   open /home/me/in.obj         what the session began with; or: new
 //   # original PATH              the content of that file, as the session read it, is in PATH
 //   # file 84 1764316800 5 0123456789abcdef    what the document's file was like when the edits that follow were made:
-//                                FileState::text(), and content_hash() where that is known
+//                                FileState::text()
 //   split 3-7                    an edit, as the log of the session has it
 //   # saving /home/me/out.obj    from here on that file may be another, until it is said to be saved
 //   # saved /home/me/out.obj     nothing is unsaved at this point, and this is the document's file
@@ -49,7 +49,6 @@ struct LostSession {
   std::size_t saved_edits = 0;    // number of them before the last save
   Document::Unsaved unsaved;
   FileState known;                                     // what the document's file was like when the edits were made
-  std::optional<std::uint64_t> content;                // its content_hash() then
   bool was_saving = false;                             // it ended while it saved
   FileState::Change change = FileState::Change::none;  // of that file since, as it was listed
   std::size_t whole_bytes = 0;                         // size of the complete lines; an incomplete last line follows

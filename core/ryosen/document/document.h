@@ -114,8 +114,9 @@ class Document {
   // If arguments name a quarantined face: the sentence about it.
   std::optional<Text> quarantine_text(std::span<const std::string_view> arguments) const;
 
-  // Whether the file is another one than was read or saved; never where the document has none.
-  FileState::Change change_on_disk() const { return on_disk_.since(path_); }
+  // Whether the file is another one than was read or saved; never where the document has none. Reads it once for each
+  // change of its times.
+  FileState::Change change_on_disk() { return on_disk_.follow(path_); }
   // The state of the file when it was last read or saved.
   const FileState& known_file() const { return on_disk_; }
   void know_file_as(FileState state) { on_disk_ = state; }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdio>
 #include <cstring>
 #include <vector>
 
@@ -39,31 +40,50 @@ std::optional<std::size_t> read_piece(int descriptor, std::vector<char>& piece) 
 std::optional<FileState::Seen> FileState::look(const std::filesystem::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return Seen{status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+  return Seen{status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec,
+              Status{static_cast<std::int64_t>(status.st_ino), status.st_ctim.tv_sec, status.st_ctim.tv_nsec}};
 }
 
 FileState FileState::of(const std::filesystem::path& path) {
   FileState state;
   state.seen_ = look(path);
+  if (state.seen_) state.content_ = content_hash(path);
+  if (state.seen_ != look(path)) state.content_.reset();  // it may be that of a later state
   return state;
 }
 
 FileState FileState::of_none_that_is() {
   FileState state;
-  state.seen_ = Seen{-1, 0, 0};
+  state.seen_ = Seen{-1, 0, 0, {}};
   return state;
 }
 
-FileState::Change FileState::since(const std::filesystem::path& path) const {
+FileState::Change FileState::change_to(const std::optional<Seen>& now, const std::filesystem::path& path) const {
   if (!seen_) return Change::none;
-  const std::optional<Seen> now = look(path);
   if (!now) return Change::gone;
-  return *now == *seen_ ? Change::none : Change::changed;
+  if (now == seen_) return Change::none;
+  if (now->bytes != seen_->bytes) return Change::changed;
+  if (content_) return content_hash(path) == content_ ? Change::none : Change::changed;
+  const bool has_same_time = now->seconds == seen_->seconds && now->nanoseconds == seen_->nanoseconds;
+  return has_same_time && !seen_->status ? Change::none : Change::changed;
+}
+
+FileState::Change FileState::since(const std::filesystem::path& path) const { return change_to(look(path), path); }
+
+FileState::Change FileState::follow(const std::filesystem::path& path) {
+  const std::optional<Seen> now = look(path);
+  if (now && now == other_) return Change::changed;
+  const Change change = change_to(now, path);
+  other_ = change == Change::changed ? now : std::nullopt;
+  if (change == Change::none && seen_) seen_ = now;
+  return change;
 }
 
 std::string FileState::text() const {
   if (!seen_) return {};
-  return std::to_string(seen_->bytes) + " " + std::to_string(seen_->seconds) + " " + std::to_string(seen_->nanoseconds);
+  std::string text =
+      std::to_string(seen_->bytes) + " " + std::to_string(seen_->seconds) + " " + std::to_string(seen_->nanoseconds);
+  return content_ ? text + " " + hash_text(*content_) : text;
 }
 
 FileState FileState::from_text(std::string_view text) {
@@ -73,14 +93,18 @@ FileState FileState::from_text(std::string_view text) {
   bool is_right = true;
   const auto read = [&](auto& value) {
     const auto [behind, error] = std::from_chars(at, end, value);
-    is_right = is_right && error == std::errc();
-    at = behind != end && *behind == ' ' ? behind + 1 : behind;
+    is_right = is_right && error == std::errc() && (behind == end || *behind == ' ');
+    at = behind == end ? end : behind + 1;
   };
   read(seen.bytes);
   read(seen.seconds);
   read(seen.nanoseconds);
   FileState state;
-  if (is_right && at == end && !text.ends_with(' ')) state.seen_ = seen;
+  if (!is_right) return state;
+  state.seen_ = seen;
+  std::uint64_t content = 0;
+  const auto [behind, error] = std::from_chars(at, end, content, 16);
+  if (error == std::errc() && behind == end) state.content_ = content;
   return state;
 }
 
@@ -101,6 +125,12 @@ std::optional<std::uint64_t> content_hash(const std::filesystem::path& path) {
     if (*size < piece.size()) return mixed(hash, all);
   }
   return std::nullopt;
+}
+
+std::string hash_text(std::uint64_t hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
 }
 
 }  // namespace ryosen

@@ -15,35 +15,49 @@ class FileState {
 
   // Of no file, which never changes.
   FileState() = default;
-  // Of a file as it is now. Pipes, devices and what cannot be looked at are no file.
+  // State of a file now: its length, times and content. Pipes, devices and what cannot be looked at are no file.
+  // O(bytes).
   static FileState of(const std::filesystem::path& path);
-
-  // By length and time of the last change; a file that was only moved there is told as changed too. One system call.
-  Change since(const std::filesystem::path& path) const;
   // A state that no file is in: every file has changed since, and one that is not there is gone.
   static FileState of_none_that_is();
+
+  // Compares the content where anything but it differs, so that a copy of the same bytes is no change. Without a known
+  // content the length and the times decide. One system call, O(bytes) where the times differ.
+  Change since(const std::filesystem::path& path) const;
+  // As since(), to be asked again and again: reads a file once for each change of its times.
+  Change follow(const std::filesystem::path& path);
   // Whether it is of a file.
   bool is_known() const { return seen_.has_value(); }
 
-  // "BYTES SECONDS NANOSECONDS", to be read by another process; empty for no file.
+  // "BYTES SECONDS NANOSECONDS [HASH]", to be read by another process; empty for no file.
   std::string text() const;
-  // Inverse of text(); of no file where it is something else.
+  // Inverse of text(); of no file where the numbers are something else, without a content where the hash is.
   static FileState from_text(std::string_view text);
 
-  friend bool operator==(const FileState&, const FileState&) = default;
-
  private:
+  // What the system keeps for a file. No program can set the time of the last change of its status.
+  struct Status {
+    std::int64_t number, seconds, nanoseconds;
+    friend bool operator==(const Status&, const Status&) = default;
+  };
   struct Seen {
-    std::int64_t bytes, seconds, nanoseconds;
+    std::int64_t bytes, seconds, nanoseconds;  // length, time of the last change of the content as programs set it
+    std::optional<Status> status;              // none where it comes from a text
     friend bool operator==(const Seen&, const Seen&) = default;
   };
   static std::optional<Seen> look(const std::filesystem::path& path);
+  Change change_to(const std::optional<Seen>& now, const std::filesystem::path& path) const;
 
   std::optional<Seen> seen_;
+  std::optional<std::uint64_t> content_;  // content_hash()
+  std::optional<Seen> other_;             // last state that follow() found to have another content
 };
 
 // A 64-bit hash of the content of a regular file, to tell whether it is the same again. None where it cannot be read.
 // O(bytes), a piece of it in memory at a time.
 std::optional<std::uint64_t> content_hash(const std::filesystem::path& path);
+
+// A hash in 16 hexadecimal digits.
+std::string hash_text(std::uint64_t hash);
 
 }  // namespace ryosen

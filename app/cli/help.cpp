@@ -5,9 +5,9 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/help_json.h"
+#include "app/cli/help_topics.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/commands/text/script.h"
-#include "app/editor/textbook/text_places.h"
 
 namespace ryosen::cli {
 
@@ -72,28 +72,6 @@ std::string json_line_of(const Subcommand& command) {
   for (const Flag& flag : command.flags) json["flags"].push_back(to_json(flag));
   json.put(command.en, command.ja);
   return line_of(json);
-}
-
-// A line of three parts for each place.
-void show_text_places(const Console& console) {
-  for (const TextPlace& place : text_places()) {
-    if (console.json) {
-      Record<text_place_shape> json;
-      json["text"] = place.text;
-      Record<sentence_shape> name, where;
-      name.put(place.place_en, place.place_ja);
-      where.put(place.where_en, place.where_ja);
-      json["place"] = std::move(name).json();
-      json["commands"] = place.lines.empty() ? Json() : Json(place.lines);
-      json["where"] = std::move(where).json();
-      console.print(line_of(json));
-      continue;
-    }
-    std::string text =
-        std::string(place.text) + "  " + std::string(console.text(place.place_en, place.place_ja)) + "\n";
-    if (!place.lines.empty()) text.append("     ").append(place.lines) += "\n";
-    console.print(text + "     " + std::string(console.text(place.where_en, place.where_ja)) + "\n");
-  }
 }
 
 }  // namespace

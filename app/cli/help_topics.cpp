@@ -6,23 +6,14 @@
 #include "app/cli/columns.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/recovery/recovery.h"
-#include "app/editor/textbook/exercises.h"
-#include "app/editor/textbook/practice.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/scene/highlights/colour_maps.h"
 #include "ryosen/scene/highlights/highlight_table.h"
-#include "ryosen/textbook/forms/all.h"
-#include "ryosen/textbook/forms/pairing.h"
-#include "ryosen/textbook/steps/all.h"
 
 namespace ryosen::cli {
 
 namespace {
-
-std::string_view choose(Language language, std::string_view en, std::string_view ja) {
-  return language == Language::japanese ? ja : en;
-}
 
 std::string_view help_of(const OpInfo& op, Language language) { return choose(language, op.help_en, op.help_ja); }
 
@@ -102,48 +93,6 @@ std::string maps_topic(Language language) {
   for (const ColourMap& map : colour_maps())
     rows.add(std::string(map.id), choose(language, map.legend_en, map.legend_ja));
   return std::string(choose(language, "Maps:\n", "項目：\n")) + rows.text();
-}
-
-std::string forms_topic(Language language) {
-  Columns rows, methods;
-  for (const forms::FormRow& row : forms::all_forms())
-    rows.add(std::string(row.id), std::string(choose(language, row.en, row.ja)) + " (" +
-                                      std::string(choose(language, row.source_en, row.source_ja)) + ")");
-  for (const PairingMethod& method : pairing_methods())
-    methods.add(std::string(method.id), choose(language, method.en, method.ja));
-  return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
-         std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
-         methods.text();
-}
-
-std::string steps_topic(Language language) {
-  Columns rows;
-  for (const steps::StepsRow& row : steps::all_steps())
-    rows.add(steps::call_of(row), choose(language, row.help_en, row.help_ja));
-  return std::string(choose(language, "WHAT is one of these; S is one of ", "WHAT は次のどれか。S は ")) +
-         built_in_script_ids() +
-         std::string(choose(language, ",\nwhich need no FILE, or the name of a script:\n",
-                            "（FILE は不要）、\nまたはスクリプトのファイル名：\n")) +
-         rows.text();
-}
-
-std::string practice_topic(Language language) {
-  Columns kinds, answers;
-  for (const QuestionKindRow& row : question_kinds()) kinds.add(std::string(row.id), choose(language, row.en, row.ja));
-  constexpr struct {
-    const char *word, *en, *ja;
-  } words[] = {{"h3, v4, f0, e2", "an element by its slot", "要素（スロット名）"},
-               {"1-2", "a halfedge or an edge by its ends", "半稜線または稜線（両端の頂点）"},
-               {"6", "a number", "数"},
-               {"none", "for a link that leads nowhere", "行き先のないリンク"},
-               {"yes", "where an operator may be done", "操作が可能なとき"},
-               {"RULE", "one of the rules that forbid it, as `ryosen why` says them",
-                "操作を禁じる規則（ryosen why が示すもの）のどれか"}};
-  for (const auto& [word, en, ja] : words) answers.add(word, choose(language, en, ja));
-  return std::string(choose(language, "Kinds of questions:\n", "問題の種類：\n")) + kinds.text() +
-         std::string(choose(language, "WORD is one of these:\n", "WORD は次のどれか：\n")) + answers.text() +
-         std::string(choose(language, "Exit code 1 where an answer is wrong. In the window: Help > Practice.\n",
-                            "答えが違えば終了コード 1。画面では「ヘルプ」の「練習問題」です。\n"));
 }
 
 std::string recovery_topic(Language language) {

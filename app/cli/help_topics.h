@@ -2,11 +2,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "app/cli/console.h"
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen::cli {
+
+inline std::string_view choose(Language language, std::string_view en, std::string_view ja) {
+  return language == Language::japanese ? ja : en;
+}
 
 // The kinds of problems that `check` knows.
 std::string problem_kinds_topic(Language language);
@@ -24,11 +30,14 @@ std::string operators_topic(Language language);
 std::string recovery_topic(Language language);
 // What the mesh can be coloured and measured by.
 std::string maps_topic(Language language);
-// The forms of the source texts and the ways to pair halfedges.
+// Of the source texts, in textbook/help_topics.cpp:
+// The forms and the ways to pair halfedges.
 std::string forms_topic(Language language);
 // What can be played step by step.
 std::string steps_topic(Language language);
 // Kinds of questions of `practice`, and what answers them.
 std::string practice_topic(Language language);
+// Each place of the texts and where it is shown, in lines of three parts.
+void show_text_places(const Console& console);
 
 }  // namespace ryosen::cli

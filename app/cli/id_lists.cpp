@@ -17,9 +17,6 @@
 #include "ryosen/ops/parameters/op_line.h"
 #include "ryosen/scene/highlights/colour_maps.h"
 #include "ryosen/scene/highlights/highlight_table.h"
-#include "ryosen/textbook/forms/all.h"
-#include "ryosen/textbook/forms/pairing.h"
-#include "ryosen/textbook/steps/all.h"
 
 namespace ryosen::cli {
 
@@ -112,22 +109,18 @@ constexpr std::array lists{
     IdList{Ids::mesh_kinds, "mesh_kinds", "What a mesh is", "メッシュの種類",
            entries_of<mesh_kind_table, &MeshKindRow::name_en, &MeshKindRow::name_ja>},
     IdList{Ids::formats, "formats", "File formats", "ファイル形式", format_entries},
-    IdList{Ids::forms, "forms", "Representations of the source texts", "テキストの形状表現",
-           entries_of<forms::all_forms, &forms::FormRow::en, &forms::FormRow::ja>},
+    IdList{Ids::forms, "forms", "Representations of the source texts", "テキストの形状表現", form_entries},
     IdList{Ids::maps, "maps", "Numbers of elements", "要素ごとの値",
            entries_of<colour_maps, &ColourMap::legend_en, &ColourMap::legend_ja>},
     IdList{Ids::relations, "relations", "Queries of elements around an element", "隣接要素の問い合わせ",
-           entries_of<forms::relations, &forms::RelationRow::en, &forms::RelationRow::ja>},
-    IdList{Ids::pairings, "pairings", "Ways to pair the halfedges", "半稜線の対を見つける方法",
-           entries_of<pairing_methods, &PairingMethod::en, &PairingMethod::ja>},
+           relation_entries},
+    IdList{Ids::pairings, "pairings", "Ways to pair the halfedges", "半稜線の対を見つける方法", pairing_entries},
     IdList{Ids::subcommands, "subcommands", "Commands of the program", "プログラムのコマンド",
            entries_of<subcommands, &Subcommand::en, &Subcommand::ja>},
     IdList{Ids::edge_rules, "edge_rules", "Why an algorithm left an edge", "アルゴリズムが稜線を残した理由",
            entries_of<edge_rule_table, &EdgeRuleRow::en, &EdgeRuleRow::ja>},
-    IdList{Ids::steps, "steps", "What is played step by step", "一手ずつ再生できるもの",
-           entries_of<steps::all_steps, &steps::StepsRow::help_en, &steps::StepsRow::help_ja>},
-    IdList{Ids::roles, "roles", "Parts that elements take in a step", "手順での要素の役割",
-           entries_of<steps::roles, &steps::RoleRow::en, &steps::RoleRow::ja>},
+    IdList{Ids::steps, "steps", "What is played step by step", "一手ずつ再生できるもの", steps_entries},
+    IdList{Ids::roles, "roles", "Parts that elements take in a step", "手順での要素の役割", role_entries},
 };
 
 static_assert(rows_are_in_order(lists, &IdList::ids));

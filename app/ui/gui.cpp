@@ -10,7 +10,7 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {
@@ -216,7 +216,7 @@ void Gui::frame(Session& session, Size window, double seconds) {
       state_.waiting.push_back(std::move(waiting));
     else
       context(session).run_from(waiting.line, waiting.asks_again);
-  if (!std::exchange(state_.wants_records, false) && !state_.records.rest()) state_.waits_for_work = true;
+  if (!rest_records(state_)) state_.waits_for_work = true;
 }
 
 // Whatever panels are shown; they and the view are to show the same step.

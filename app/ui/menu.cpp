@@ -8,7 +8,7 @@
 #include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/menu_bar.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/shown.h"
 #include "app/ui/menu_entries.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

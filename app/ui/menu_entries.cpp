@@ -12,7 +12,6 @@
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/shown.h"
-#include "app/editor/textbook/exercises.h"
 #include "app/ui/panels.h"
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
@@ -216,19 +215,15 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
-// What the textbooks build or do step by step, as their scripts play it. In no menu within the menu: beside this one
-// there is no room for names that long in a narrow window.
-void script_items(PanelContext& context, const char* title, std::span<const ExerciseScript> scripts) {
-  ImGui::Separator();
-  ImGui::TextColored(context.colours().dim, "%s", title);
-  for (const ExerciseScript& script : scripts)
-    item(context, name_of_exercise(script).in(context.language()).c_str(), "steps script " + std::string(script.id));
-}
-
+// What the textbooks build or do step by step. In no menu within the menu: beside this one there is no room for names
+// that long in a narrow window.
 void draw_help_menu(PanelContext& context) {
   panel_items(context, PanelMenu::help);
-  script_items(context, context.text("Exercises", "演習"), exercise_scripts());
-  script_items(context, context.text("Figures 2 to 7 of text 002", "テキスト 002 の図 2〜7"), figure_scripts());
+  for (const OfferedCalls& offered : textbook_calls()) {
+    ImGui::Separator();
+    ImGui::TextColored(context.colours().dim, "%s", offered.title.in(context.language()).c_str());
+    for (const auto& [name, line] : offered.calls) item(context, name.in(context.language()).c_str(), line);
+  }
 }
 
 // In the order of menu_bar.

@@ -14,7 +14,6 @@
 #include "app/editor/input/view/navigation.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/owners.h"
-#include "app/editor/textbook/record_book.h"
 #include "app/ui/fonts.h"
 #include "app/ui/style.h"
 #include "app/ui/texts.h"
@@ -23,6 +22,8 @@
 #include "ryosen/scene/view/view_settings.h"
 
 namespace ryosen {
+
+class RecordBook;
 
 // What waits for the answer to "there are changes that are not saved".
 struct PendingLeave {
@@ -67,14 +68,14 @@ struct GuiState {
   std::optional<PendingLeave> pending;
   bool is_tight = false;  // the column that is drawn is too long for its window: what says nothing may be left out
   float saved_px = 0;     // that its panels have saved by that
-  bool asks_to_be_seen = false;  // the panel that is drawn: its column is to scroll to it
-  bool asks_for_key = false;     // a panel waits for the next key
-  std::string asked_key;         // the chord that came
-  bool shows_japanese = false;   // a panel has Japanese words to show, whatever the language
-  bool waits_for_work = false;   // a panel draws what is found in the background, when it is there
-  RecordBook records;            // of all forms, for the panels that show them
-  bool wants_records = false;    // one of them is drawn in this frame
-  std::string begun_command;     // what the command window takes into its field when it is open
+  bool asks_to_be_seen = false;         // the panel that is drawn: its column is to scroll to it
+  bool asks_for_key = false;            // a panel waits for the next key
+  std::string asked_key;                // the chord that came
+  bool shows_japanese = false;          // a panel has Japanese words to show, whatever the language
+  bool waits_for_work = false;          // a panel draws what is found in the background, when it is there
+  std::shared_ptr<RecordBook> records;  // of all forms; null until a panel shows them
+  bool wants_records = false;           // one of those is drawn in this frame
+  std::string begun_command;            // what the command window takes into its field when it is open
   std::map<std::string_view, std::string> selector_values;  // what stands in the fields of the menu, by id
 
   // A panel may need this many frames to open, to settle its size, or to close.
@@ -158,9 +159,9 @@ std::unique_ptr<Panel> panel_of_lines(void (*draw)(PanelContext& context), float
 // One of each, in the order of panel_list() as it stands in panels.def.
 std::vector<std::unique_ptr<Panel>> make_panels();
 
-// The forms of the mesh as it is, built in the background, where there are many faces when a button is pressed. Null
-// while they are not there: it has drawn why not.
-const RecordBook* records_of_mesh(PanelContext& context);
+// Gives back the forms of the source texts that no panel of the frame has drawn. Call it again in the next frame while
+// it returns false.
+bool rest_records(GuiState& state);
 
 // The parts around the columns.
 void draw_menu(PanelContext& context);

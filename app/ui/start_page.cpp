@@ -8,8 +8,6 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/exercises.h"
-#include "app/editor/textbook/figures.h"
 #include "app/ui/widgets.h"
 #include "ryosen/algo/algorithm_table.h"
 
@@ -22,12 +20,6 @@ constexpr std::array<std::pair<std::string_view, int>, 5> taken_keys{{{"Up", ImG
                                                                       {"Left", ImGuiKey_LeftArrow},
                                                                       {"Right", ImGuiKey_RightArrow},
                                                                       {"Enter", ImGuiKey_Enter}}};
-
-void heading(PanelContext& context, const char* text) {
-  ImGui::PushFont(context.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-}
 
 // The drag that does this in the preset, alone if there is one.
 std::string drag_for(const PanelContext& context, DragAction action) {
@@ -65,6 +57,12 @@ void draw_hints(PanelContext& context) {
 }
 
 }  // namespace
+
+void StartPage::heading(PanelContext& context, const char* text) {
+  ImGui::PushFont(context.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
 
 bool StartPage::takes(std::string_view chord) {
   return std::any_of(taken_keys.begin(), taken_keys.end(), [&](const auto& key) { return key.first == chord; });
@@ -135,36 +133,6 @@ void StartPage::draw_shapes(PanelContext& context) {
     if (!std::exchange(is_first, false) && fits) ImGui::SameLine();
     entry(context, name, line_of(row, ParameterValues()), false);
     tip(context.text(row.help_en, row.help_ja));
-  }
-}
-
-void StartPage::draw_exercises(PanelContext& context) {
-  heading(context, context.text("An exercise, step by step", "演習（一手ずつ）"));
-  for (const ExerciseScript& exercise : exercise_scripts()) {
-    entry(context, name_of_exercise(exercise).in(context.language()), "exercise " + std::string(exercise.id), true);
-    tip(context.text("Builds it from nothing by Euler operators; undo goes back through the steps.",
-                     "オイラー操作で空から組み立てます。「元に戻す」で一手ずつ戻れます。"));
-  }
-}
-
-// A line for each text, and as many more as it needs.
-void StartPage::draw_figures(PanelContext& context) {
-  heading(context, context.text("A figure of the source texts", "テキストの図"));
-  const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  std::string_view text_before;
-  for (const Figure& figure : figures()) {
-    const std::string_view text = figure.id.substr(0, figure.id.find('-'));
-    const std::string name(figure.id.substr(text.size() + 1));
-    if (text != text_before) {
-      ImGui::AlignTextToFramePadding();
-      dim_text(context, std::string(text).c_str());
-      text_before = text;
-    }
-    const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end) ImGui::SameLine();
-    entry(context, name, "figure " + std::string(figure.id), false);
-    tip(std::string(context.text(figure.name_en, figure.name_ja)) + "\n" +
-        context.text(figure.found_en, figure.found_ja));
   }
 }
 

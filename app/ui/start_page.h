@@ -42,8 +42,9 @@ class StartPage {
   void draw_beginnings(PanelContext& context, std::size_t most_recent);
   void draw_recent(PanelContext& context, std::size_t most);
   void draw_shapes(PanelContext& context);
-  void draw_exercises(PanelContext& context);
+  void draw_exercises(PanelContext& context);  // this and the next: textbook/offered.cpp
   void draw_figures(PanelContext& context);
+  static void heading(PanelContext& context, const char* text);
   void look_for_recent(const std::vector<std::string>& files);
   // An entry as wide as there is room, or as its name.
   void entry(PanelContext& context, const std::string& name, const std::string& line, bool fills);

@@ -7,7 +7,7 @@
 
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 #include "app/editor/views/compared.h"
 #include "app/editor/views/seen_mesh.h"
 #include "app/ui/axes_overlay.h"

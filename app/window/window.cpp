@@ -12,7 +12,6 @@
 #include "app/editor/preferences/view_switches.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
 #include "app/ui/gui.h"
 #include "app/ui/viewport.h"
 #include "app/ui/window_input.h"

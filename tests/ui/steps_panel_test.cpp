@@ -54,7 +54,7 @@ TEST_F(StepsPanelTest, no_gap_stands_where_no_cell_changes) {
   int without = 0;
   for (std::size_t i = 1; i <= session.shown.player()->size() && without < 3; ++i) {
     ASSERT_TRUE(say("steps at " + std::to_string(i)).done());
-    const steps::Step& step = *session.shown.player()->step();
+    const steps::Step& step = *steps_player(session.shown)->step();
     if (!step.rows.empty() || !step.source || step.marks.empty()) continue;
     ++without;
     const test::DrawnText drawn(gui);
@@ -252,7 +252,7 @@ TEST_F(StepsPanelTest, the_words_of_a_step_have_lines_that_fit) {
       EXPECT_LT(scale * (7.8 * static_cast<double>(label.text.size()) + label.shift_px.x), session.view.size.width)
           << label.text;
     }
-    EXPECT_NE(all.find(session.shown.player()->step()->caption.en), std::string::npos) << all;
+    EXPECT_NE(all.find(steps_player(session.shown)->step()->caption.en), std::string::npos) << all;
   }
 }
 
@@ -262,7 +262,7 @@ TEST_F(StepsPanelTest, a_halfedge_is_an_arrow_in_its_face_and_not_its_edge) {
   while (session.shown.player()->position() < session.shown.player()->size()) {
     ASSERT_TRUE(session.run("steps forward").done());
     std::size_t marked = 0;
-    for (const steps::Mark& mark : session.shown.player()->step()->marks)
+    for (const steps::Mark& mark : steps_player(session.shown)->step()->marks)
       marked += mark.element.kind == Element::Kind::halfedge ? 1 : 0;
     std::size_t drawn = 0;
     for (const Line& line :

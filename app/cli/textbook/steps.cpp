@@ -162,7 +162,7 @@ std::optional<Failure> draw_step(std::unique_ptr<Document> document, const std::
   const Outcome begun = begin_playing(session.document(), session.view, session.framing, session.shown, words);
   if (!begun.done()) return make_failure(begun.exit_code, code_of(begun), begun.sentence);
   session.shown.go_to_step(at);
-  if (const steps::Step* const step = session.shown.player()->step(); step && !step->marks.empty())
+  if (const steps::Step* const step = steps_player(session.shown)->step(); step && !step->marks.empty())
     if (const Element about = step->marks[0].element; is_alive(session.mesh(), about))
       keep_in_sight(session.findings(), session.view, session.framing, about);
   const Status written = write_png((*headless)->picture(session), path);

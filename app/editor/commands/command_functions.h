@@ -1,4 +1,4 @@
-// The functions that the rows of the command table call; everybody else goes through the table. Each takes the owners
+// Functions that the rows of the command table call; everybody else goes through the table. Each takes the owners
 // that it works on (the session where it runs lines or puts another document in its place), the words behind the id,
 // and all of the text behind it.
 #pragma once
@@ -26,14 +26,12 @@ CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
 FaultOfCommand fault_of_either, fault_of_ask;
 // Files and the history: commands_document.cpp
-RunCommand run_exercise, run_start, run_new, run_open, run_reload, run_keep_mine, run_save, run_recover;
-RunOn<Document, Framing> run_figure;
+RunCommand run_start, run_new, run_open, run_reload, run_keep_mine, run_save, run_recover;
 RunOn<Document, Framing, Selecting, RunFiles> run_append;
 RunOn<Document, const Selecting, const Frontend, RunFiles> run_save_selected;
 RunOn<Document> run_undo, run_redo;
 RunOn<Frontend, RunFiles> run_shot;
-FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_exercise, fault_of_figure, fault_of_open,
-    fault_of_recover;
+FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_open, fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
@@ -72,10 +70,6 @@ RunOn<Findings, ViewState, Layout> run_colours;
 RunOn<Document, Selecting, Layout> run_measure;
 FaultOfCommand fault_of_colours, fault_of_measure;
 std::string colours_syntax();
-// Playing step by step: commands_playing.cpp
-RunCommand run_steps;
-FaultOfCommand fault_of_steps;
-std::string steps_syntax();
 // Levels of detail and what holds edges: commands_simplifying.cpp
 RunCommand run_levels, run_account;
 FaultOfCommand fault_of_levels, fault_of_account;

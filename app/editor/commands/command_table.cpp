@@ -12,6 +12,7 @@
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
+#include "app/editor/textbook/textbook_commands.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/scene/view/named_views.h"
 

@@ -2,7 +2,6 @@
 #include "app/editor/camera/camera_text.h"
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/scene/selection/element_set.h"
 

@@ -6,7 +6,7 @@
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/simplify/simplify.h"

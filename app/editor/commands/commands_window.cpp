@@ -7,7 +7,7 @@
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 #include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {

@@ -11,7 +11,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/scene/pick/screen_segment.h"
-#include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen {
 
@@ -55,14 +54,17 @@ class NumberLabels {
   void add_corners() {
     constexpr std::uint32_t inner_colour = 0x1F5FA8, boundary_colour = 0x00785A;
     std::uint32_t number = 0;
-    for (const Halfedge h : forms::corner_halfedges(m_)) {
-      const std::uint32_t n = number++;
-      if (findings_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
-      Label label = label_of(h);
-      label.text = std::to_string(n);
-      label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;
-      if (selected_.contains(Element(h))) label.priority = selected_priority;
-      labels_.push_back(std::move(label));
+    for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {
+      if (!m_.is_alive(Face(f))) continue;
+      for (const Halfedge h : halfedges_around(m_, Face(f))) {
+        const std::uint32_t n = number++;
+        if (findings_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
+        Label label = label_of(h);
+        label.text = std::to_string(n);
+        label.ground = m_.is_outside(twin(h)) ? boundary_colour : inner_colour;
+        if (selected_.contains(Element(h))) label.priority = selected_priority;
+        labels_.push_back(std::move(label));
+      }
     }
   }
 

@@ -1,8 +1,8 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/labels/labels.h"
 #include "app/editor/preferences/preference_values.h"
+#include "app/editor/shown/player.h"
 #include "app/editor/shown/shown.h"
-#include "app/editor/textbook/playing.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
@@ -13,16 +13,12 @@ namespace ryosen {
 void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
               std::vector<Label>& labels) {
   const Player& player = *shown.player();
-  const steps::Step* const step = player.step();
-  const Text caption = step ? step->caption : player.name();
   const std::string number = std::to_string(player.position()) + "/" + std::to_string(player.size()) + "  ";
-  const std::string sentences[] = {number + caption.in(preferences.language)};
+  const std::string sentences[] = {number + player.caption().in(preferences.language)};
   add_caption(view, preferences, sentences, labels);
-  if (!step) return;
-  for (const steps::Mark& mark : step->marks) {
-    const steps::RoleRow& role = steps::row_of(mark.role);
-    if (!role.is_label || !has_slot(mesh.lengths(), mark.element) || !is_alive(mesh, mark.element)) continue;
-    Label label{.at = middle_of(mesh, mark.element), .text = std::string(role.id), .priority = measure_priority};
+  for (const Player::Mark& mark : player.marks()) {
+    if (!has_slot(mesh.lengths(), mark.element) || !is_alive(mesh, mark.element)) continue;
+    Label label{.at = middle_of(mesh, mark.element), .text = std::string(mark.word), .priority = measure_priority};
     label.through = true;
     // A halfedge has its label on the side of its face.
     if (mark.element.kind == Element::Kind::halfedge && !mesh.is_outside(mark.element.halfedge())) {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 #include "app/editor/views/seen_mesh.h"
 #include "ryosen/scene/pick/screen_segment.h"
 

@@ -2,7 +2,7 @@
 
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
-#include "ryosen/textbook/forms/polygons.h"
+#include "ryosen/mesh/rings.h"
 
 namespace ryosen {
 
@@ -106,8 +106,10 @@ class LinksOf {
   void add(Face f) {
     const glm::dvec3 middle = middle_of(m_, f);
     arrow_to(middle, middle + make_.size(f) * make_.normal(f), LinkRole::normal, {}, link_text("normal", "法線", ""));
-    add_loop(m_.halfedge(f), LinkRole::around, true);
-    for (const Halfedge inner : forms::inner_loops(m_, f)) add_loop(inner, LinkRole::ring, false);
+    for_each_loop(m_, f, [&](Halfedge start) {
+      const bool is_outer = start == m_.halfedge(f);
+      add_loop(start, is_outer ? LinkRole::around : LinkRole::ring, is_outer);
+    });
   }
   void add_loop(Halfedge start, LinkRole role, bool is_outer) {
     std::size_t n = 1;

@@ -2,7 +2,7 @@
 
 #include "app/editor/labels/labels.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 
 namespace ryosen {
 

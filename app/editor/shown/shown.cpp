@@ -8,7 +8,7 @@
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
-#include "app/editor/textbook/playing.h"
+#include "app/editor/shown/player.h"
 
 namespace ryosen {
 
@@ -227,14 +227,14 @@ void Shown::Passage::make_anew(Outcome& outcome) {
   Session& session = shown_.session_;
   const std::size_t position = player_->position();
   const Text name = player_->name();
-  if (const Outcome begun =
-          begin_playing(session.document(), session.view, session.framing, session.shown, player_->words());
-      !begun.done()) {
+  const Result<std::shared_ptr<Player>> again = player_->again(session.document());
+  if (!again) {
     look_as_before(session.view, session.framing, *player_);
     return outcome.say(Text{"The steps of '" + name.en + "' are left: ", "「" + name.ja + "」の再生を終えました："} +
-                       begun.sentence);
+                       failed(again.failure()).sentence);
   }
-  Player& player = *shown_.player_;
+  begin_playing(session.document(), session.view, session.framing, session.shown, *again);
+  Player& player = **again;
   player.camera_before = player_->camera_before;
   player.was_framed = player_->was_framed;
   player.is_running = player_->is_running;

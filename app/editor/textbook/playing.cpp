@@ -1,13 +1,10 @@
 #include "app/editor/textbook/playing.h"
 
-#include <atomic>
 #include <utility>
 
-#include "app/editor/camera/view_state.h"
 #include "app/editor/commands/text/outcomes.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
-#include "app/editor/session/session_camera.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/textbook/exercises.h"
 #include "ryosen/document/document.h"
@@ -45,11 +42,6 @@ std::string line_of_call(std::span<const std::string> words) {
   std::string line;
   for (const std::string& word : words) line += line.empty() ? word : " " + file_argument(word);
   return line;
-}
-
-std::uint64_t next_player_serial() {
-  static std::atomic<std::uint64_t> last = 0;
-  return ++last;
 }
 
 }  // namespace
@@ -102,70 +94,55 @@ Text name_of_played(std::span<const std::string> words) {
   return name;
 }
 
-void look_as_before(ViewState& view, Framing& framing, const Player& player) {
-  if (!player.camera_before) return;
-  view.camera = *player.camera_before;
-  if (player.was_framed) framing.frame_all();
-}
-
-Text end_of(const Player& player) {
-  const Text name = player.name();
-  return {"The steps of '" + name.en + "' are left.", "「" + name.ja + "」の再生を終えました。"};
-}
-
-Player::Player(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Mesh& mesh)
-    : player_serial_(next_player_serial()),
-      words_(std::move(words)),
+StepsPlayer::StepsPlayer(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Mesh& mesh)
+    : words_(std::move(words)),
       call_(line_of_call(words_)),
       sequence_(std::move(sequence)),
       tables_(*sequence_),
       hash_(mesh.hash()) {}
 
-void Player::go_to(std::size_t position) {
-  position_ = position;
+void StepsPlayer::take_step() {
   step_.reset();
-  if (position > 0) step_ = sequence_->at(position);
+  if (position() > 0) step_ = sequence_->at(position());
 }
 
-const Mesh* Player::other_mesh() const {
+std::vector<Player::Mark> StepsPlayer::marks() const {
+  std::vector<Mark> marks;
+  if (!step_) return marks;
+  for (const steps::Mark& mark : step_->marks)
+    if (const steps::RoleRow& role = steps::row_of(mark.role); role.is_label) marks.push_back({mark.element, role.id});
+  return marks;
+}
+
+const Mesh* StepsPlayer::other_mesh() const {
   if (!sequence_->edits()) return nullptr;
-  const Mesh& mesh = sequence_->mesh_at(position_);
+  const Mesh& mesh = sequence_->mesh_at(position());
   return mesh.hash() == hash_ ? nullptr : &mesh;
+}
+
+Result<std::shared_ptr<Player>> StepsPlayer::again(const Document& document) const {
+  return make_player(document, words_);
+}
+
+Result<std::shared_ptr<Player>> make_player(const Document& document, std::span<const std::string> words) {
+  Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
+  if (!sequence) return sequence.failure();
+  return std::shared_ptr<Player>(std::make_shared<StepsPlayer>(std::vector(words.begin(), words.end()),
+                                                               std::move(sequence).value(), document.mesh()));
 }
 
 Outcome begin_playing(const Document& document, ViewState& view, Framing& framing, Shown& shown,
                       std::span<const std::string> words) {
   end_playing(view, framing, shown);
   shown.end();
-  Result<std::unique_ptr<steps::Sequence>> sequence = make_played(document, words);
-  if (!sequence) return failed(sequence.failure());
-  const auto player =
-      std::make_shared<Player>(std::vector(words.begin(), words.end()), std::move(sequence).value(), document.mesh());
-  shown.begin(player);
-  if (player->begins_with_nothing()) {
-    if (document.mesh().live().vertices > 0) player->camera_before = view.camera;
-    player->was_framed = framing.is_framed();
-    shown.go_to_step(player->size());
-    with_places_to_frame(document.mesh(), [&](std::span<const glm::dvec3> places) {
-      player->places_at_end.assign(places.begin(), places.end());
-    });
-    framing.frame_all();
-  } else if (framing.is_framed() && view.covered_px != glm::dvec2(0)) {
-    framing.frame_all();
-  }
-  shown.go_to_step(0);
+  const Result<std::shared_ptr<Player>> player = make_player(document, words);
+  if (!player) return failed(player.failure());
+  begin_playing(document, view, framing, shown, *player);
   return {};
 }
 
-void end_playing(ViewState& view, Framing& framing, Shown& shown) {
-  if (const std::shared_ptr<Player> player = shown.end_steps()) look_as_before(view, framing, *player);
-}
-
-Outcome leave_playing(ViewState& view, Framing& framing, Shown& shown) {
-  Outcome outcome;
-  outcome.sentence = end_of(*shown.player());
-  end_playing(view, framing, shown);
-  return outcome;
+std::shared_ptr<StepsPlayer> steps_player(const Shown& shown) {
+  return std::dynamic_pointer_cast<StepsPlayer>(shown.player());
 }
 
 }  // namespace ryosen

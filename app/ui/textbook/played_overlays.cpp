@@ -1,8 +1,8 @@
 // What the step that is played and the question of practice are about.
 #include <algorithm>
 
+#include "app/editor/session/asked_question.h"
 #include "app/editor/session/session.h"
-#include "app/editor/textbook/asked_question.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
@@ -50,15 +50,16 @@ Overlay question_overlay(const Session& session, Theme theme) {
 Overlay step_overlay(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, const Shown& shown,
                      Theme theme) {
   Overlay overlay;
-  if (!shown.shows(ShownBy::step) || !shown.player()->step()) return overlay;
+  const std::shared_ptr<const StepsPlayer> player = steps_player(shown);
+  if (!shown.shows(ShownBy::step) || !player || !player->step()) return overlay;
   // The first mark of an element is what it is above all: it is drawn last.
-  const std::vector<steps::Mark>& marks = shown.player()->step()->marks;
+  const std::vector<steps::Mark>& marks = player->step()->marks;
   for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark) {
     if (!has_slot(mesh.lengths(), mark->element) || !is_alive(mesh, mark->element)) continue;
     Painter painter(mesh, gesturing.drawn_positions(), overlay, style(steps::row_of(mark->role).look, theme), 0.6f);
     draw_beside_twin(painter, mesh, view, gesturing, mark->element);
   }
-  for (const steps::Gone& gone : shown.player()->step()->gone) {
+  for (const steps::Gone& gone : player->step()->gone) {
     const Style looks = style(steps::row_of(gone.role).look, theme);
     for (std::size_t i = 1; i < gone.places.size(); ++i)
       overlay.lines.push_back({gone.places[i - 1], gone.places[i], looks.colour, LineStyle::dashed, 1.5f});

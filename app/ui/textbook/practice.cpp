@@ -5,6 +5,7 @@
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/practice.h"
 #include "app/ui/panels.h"
+#include "app/ui/textbook/records_of_mesh.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 #include "ryosen/mesh/names.h"

@@ -3,6 +3,7 @@
 #include "app/editor/session/selecting.h"
 #include "app/editor/textbook/record_text.h"
 #include "app/ui/panels.h"
+#include "app/ui/textbook/records_of_mesh.h"
 #include "app/ui/widgets.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/find_element.h"
@@ -97,7 +98,7 @@ void RecordsPanel::draw_record(PanelContext& context, const forms::Records& reco
 
 void RecordsPanel::draw(PanelContext& context) {
   // Those of an older mesh are given back, also while nothing is pointed at.
-  context.state.wants_records |= context.state.records.is_of(context.document());
+  keep_records(context);
   const std::optional<Element> asked = element(context.selecting);
   if (!asked || !is_alive(context.mesh(), *asked))
     return dim_text(context, context.text("Point at an element, or select one.", "要素を指すか、選択してください。"));

@@ -30,8 +30,8 @@ class StepsPanel : public Panel {
   void draw_choice(PanelContext& context);
   // What the rows of the table offer, asked once for a revision and selection.
   const std::vector<steps::Choices>& choices(const Document& document, const Selecting& selecting);
-  void draw_ways(PanelContext& context, const Player& player);
-  void draw_step(PanelContext& context, Player& player);
+  void draw_ways(PanelContext& context, const StepsPlayer& player);
+  void draw_step(PanelContext& context, StepsPlayer& player);
 
   WholeRows offered_;
   std::vector<steps::Choices> choices_;
@@ -104,7 +104,7 @@ void StepsPanel::draw_choice(PanelContext& context) {
   offered_.end();
 }
 
-void StepsPanel::draw_ways(PanelContext& context, const Player& player) {
+void StepsPanel::draw_ways(PanelContext& context, const StepsPlayer& player) {
   const bool at_start = player.position() == 0, at_end = player.position() == player.size();
   struct Button {
     const char* label;
@@ -169,7 +169,7 @@ void draw_roles(PanelContext& context, const steps::Step& step) {
 }
 
 // The table of the step's first cell as it stands, behind a header that is closed at first.
-void draw_tables(PanelContext& context, Player& player) {
+void draw_tables(PanelContext& context, StepsPlayer& player) {
   const std::string& first = player.step()->rows.front().table;
   if (!ImGui::CollapsingHeader(context.text("The whole table", "表全体"))) return;
   const steps::Tables::Rows& rows = player.tables().rows_of(first);
@@ -191,7 +191,7 @@ void draw_tables(PanelContext& context, Player& player) {
 }
 
 // The number that grows with the steps, and where in it the position is.
-void draw_curve(PanelContext& context, const Player& player) {
+void draw_curve(PanelContext& context, const StepsPlayer& player) {
   const std::optional<steps::Curve> curve = player.curve();
   if (!curve || curve->values.empty()) return;
   const std::size_t position = std::min(player.position(), curve->values.size());
@@ -212,7 +212,7 @@ void draw_curve(PanelContext& context, const Player& player) {
   ImGui::GetWindowDrawList()->AddLine({x, from.y}, {x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram), 2);
 }
 
-void StepsPanel::draw_step(PanelContext& context, Player& player) {
+void StepsPanel::draw_step(PanelContext& context, StepsPlayer& player) {
   const steps::Step* const step = player.step();
   if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
   wrapped_text(step->caption.in(context.language()).c_str());
@@ -230,7 +230,7 @@ void StepsPanel::draw_step(PanelContext& context, Player& player) {
 }
 
 void StepsPanel::draw(PanelContext& context) {
-  const std::shared_ptr<Player> player = context.shown.player();
+  const std::shared_ptr<StepsPlayer> player = steps_player(context.shown);
   if (!player) return draw_choice(context);
   const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
   const std::string name = player->name().in(context.language());

@@ -1,4 +1,4 @@
-#include "app/editor/textbook/asked_question.h"
+#include "app/editor/session/asked_question.h"
 
 #include "app/editor/preferences/layout.h"
 #include "ryosen/document/document.h"

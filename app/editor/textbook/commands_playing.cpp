@@ -1,12 +1,12 @@
 // The command `steps`: begins to play, and goes through what is played.
 #include <charconv>
 
-#include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
+#include "app/editor/textbook/textbook_commands.h"
 
 namespace ryosen {
 
@@ -72,7 +72,7 @@ Outcome go_to_step(Framing& framing, Shown& shown, std::size_t position) {
   if (returns) framing.frame_all();  // the mesh beneath was looked at meanwhile
   if (player.position() == player.size()) player.is_running = false;
   Outcome outcome;
-  if (player.step()) outcome.sentence = player.step()->caption;
+  if (position > 0) outcome.sentence = player.caption();
   return outcome;
 }
 
@@ -117,7 +117,7 @@ Outcome run_steps(Session& session, Words arguments, std::string_view whole) {
                                     called_words(session.files, arguments, whole));
     if (!outcome.done()) return outcome;
     session.layout.show(panel_opened_by(PanelOpener::played), true);
-    outcome.sentence = session.shown.player()->remark();
+    outcome.sentence = steps_player(session.shown)->remark();
     if (session.shown.levels()) outcome.say(leave_level(session.shown).sentence);
     return outcome;
   }

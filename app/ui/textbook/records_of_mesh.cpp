@@ -1,5 +1,8 @@
+#include "app/ui/textbook/records_of_mesh.h"
+
+#include <utility>
+
 #include "app/editor/document/repair_trials.h"
-#include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
@@ -8,7 +11,8 @@ namespace ryosen {
 
 const RecordBook* records_of_mesh(PanelContext& context) {
   constexpr std::uint32_t most_unasked = 100'000, most_at_once = 1'000;  // those take less than a frame
-  RecordBook& book = context.state.records;
+  if (!context.state.records) context.state.records = std::make_shared<RecordBook>();
+  RecordBook& book = *context.state.records;
   const std::uint32_t faces = context.mesh().live().faces;
   context.state.wants_records = true;
   if (!book.is_of(context.document()) && faces > most_unasked) {
@@ -29,6 +33,15 @@ const RecordBook* records_of_mesh(PanelContext& context) {
   context.state.waits_for_work = true;
   dim_text(context, context.text("Building the forms...", "形状表現を構築中..."));
   return nullptr;
+}
+
+void keep_records(PanelContext& context) {
+  const std::shared_ptr<RecordBook>& book = context.state.records;
+  context.state.wants_records |= book && book->is_of(context.document());
+}
+
+bool rest_records(GuiState& state) {
+  return std::exchange(state.wants_records, false) || !state.records || state.records->rest();
 }
 
 }  // namespace ryosen

@@ -1,0 +1,78 @@
+#include "app/cli/help_topics.h"
+
+#include "app/cli/columns.h"
+#include "app/cli/contract/help.h"
+#include "app/cli/contract/record.h"
+#include "app/editor/textbook/exercises.h"
+#include "app/editor/textbook/practice.h"
+#include "app/editor/textbook/text_places.h"
+#include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/pairing.h"
+#include "ryosen/textbook/steps/all.h"
+
+namespace ryosen::cli {
+
+std::string forms_topic(Language language) {
+  Columns rows, methods;
+  for (const forms::FormRow& row : forms::all_forms())
+    rows.add(std::string(row.id), std::string(choose(language, row.en, row.ja)) + " (" +
+                                      std::string(choose(language, row.source_en, row.source_ja)) + ")");
+  for (const PairingMethod& method : pairing_methods())
+    methods.add(std::string(method.id), choose(language, method.en, method.ja));
+  return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
+         std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
+         methods.text();
+}
+
+std::string steps_topic(Language language) {
+  Columns rows;
+  for (const steps::StepsRow& row : steps::all_steps())
+    rows.add(steps::call_of(row), choose(language, row.help_en, row.help_ja));
+  return std::string(choose(language, "WHAT is one of these; S is one of ", "WHAT は次のどれか。S は ")) +
+         built_in_script_ids() +
+         std::string(choose(language, ",\nwhich need no FILE, or the name of a script:\n",
+                            "（FILE は不要）、\nまたはスクリプトのファイル名：\n")) +
+         rows.text();
+}
+
+std::string practice_topic(Language language) {
+  Columns kinds, answers;
+  for (const QuestionKindRow& row : question_kinds()) kinds.add(std::string(row.id), choose(language, row.en, row.ja));
+  constexpr struct {
+    const char *word, *en, *ja;
+  } words[] = {{"h3, v4, f0, e2", "an element by its slot", "要素（スロット名）"},
+               {"1-2", "a halfedge or an edge by its ends", "半稜線または稜線（両端の頂点）"},
+               {"6", "a number", "数"},
+               {"none", "for a link that leads nowhere", "行き先のないリンク"},
+               {"yes", "where an operator may be done", "操作が可能なとき"},
+               {"RULE", "one of the rules that forbid it, as `ryosen why` says them",
+                "操作を禁じる規則（ryosen why が示すもの）のどれか"}};
+  for (const auto& [word, en, ja] : words) answers.add(word, choose(language, en, ja));
+  return std::string(choose(language, "Kinds of questions:\n", "問題の種類：\n")) + kinds.text() +
+         std::string(choose(language, "WORD is one of these:\n", "WORD は次のどれか：\n")) + answers.text() +
+         std::string(choose(language, "Exit code 1 where an answer is wrong. In the window: Help > Practice.\n",
+                            "答えが違えば終了コード 1。画面では「ヘルプ」の「練習問題」です。\n"));
+}
+
+void show_text_places(const Console& console) {
+  for (const TextPlace& place : text_places()) {
+    if (console.json) {
+      Record<text_place_shape> json;
+      json["text"] = place.text;
+      Record<sentence_shape> name, where;
+      name.put(place.place_en, place.place_ja);
+      where.put(place.where_en, place.where_ja);
+      json["place"] = std::move(name).json();
+      json["commands"] = place.lines.empty() ? Json() : Json(place.lines);
+      json["where"] = std::move(where).json();
+      console.print(line_of(json));
+      continue;
+    }
+    std::string text =
+        std::string(place.text) + "  " + std::string(console.text(place.place_en, place.place_ja)) + "\n";
+    if (!place.lines.empty()) text.append("     ").append(place.lines) += "\n";
+    console.print(text + "     " + std::string(console.text(place.where_en, place.where_ja)) + "\n");
+  }
+}
+
+}  // namespace ryosen::cli

@@ -86,7 +86,7 @@ class AlgorithmRun {
   std::optional<Failure> repair() { return repair_.emplace(job_, console_).run(calls_); }
 
   std::optional<Failure> run(Call& call) {
-    const std::string line = line_of(*call.row, call.values), values = call.values.line();
+    const std::string line = AlgorithmCall{call.row, call.values}.line(), values = call.values.line();
     const std::string name = std::string(call.row->id) + (values.empty() ? "" : " ") + values;
     if (auto failure = look_up_values(call, job_.document->mesh())) return failure;
     faces_before_ = job_.document->mesh().live().faces + job_.document->tables().quarantine.size();

@@ -211,11 +211,11 @@ void Gui::frame(Session& session, Size window, double seconds) {
   ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] = leaves_view ? ImVec4() : ui_colours(theme_).backdrop;
   state_.is_laying_out = false;
   end_frame();
-  for (WaitingLine& waiting : std::exchange(state_.waiting, {}))
+  for (WaitingCommand& waiting : std::exchange(state_.waiting, {}))
     if (waiting.frames-- > 0)
       state_.waiting.push_back(std::move(waiting));
     else
-      context(session).run_from(waiting.line, waiting.asks_again);
+      context(session).run_from(waiting.command, waiting.asks_again);
   if (!rest_records(state_)) state_.waits_for_work = true;
 }
 

@@ -70,7 +70,7 @@ void draw_file_menu(PanelContext& context) {
 void algorithm_item(PanelContext& context, const AlgorithmRow& row) {
   const std::string name = context.text(row.name_en, row.name_ja);
   if (row.parameters.empty())
-    item(context, name.c_str(), line_of(row, ParameterValues()));
+    item(context, name.c_str(), called(row));
   else
     item(context, (name + "...").c_str(), "values " + std::string(row.id));
 }

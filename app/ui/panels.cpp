@@ -93,11 +93,12 @@ Outcome PanelContext::keep(Outcome outcome) {
 
 namespace {
 
-// How many frames a line waits for behind the one that sends it; none where it is carried out at once, as are lines
+// How many frames a command waits for behind the one that sends it; none where it is carried out at once, as are lines
 // that are wrong: they fail where they were written.
-std::optional<int> frames_to_wait(const std::string& line) {
-  const auto call = call_of(line);
-  if (!call || !(call->is_long || call->row->sees_window) || fault_of_command(line)) return std::nullopt;
+std::optional<int> frames_to_wait(const Command& command) {
+  const auto call = call_of_command(command);
+  if (!call || !(call->is_long || call->row->sees_window)) return std::nullopt;
+  if (const std::string* const line = command.written(); line && fault_of_command(*line)) return std::nullopt;
   // The panel closes in the next frame; the one behind that is without it, and drawn when a third is laid out.
   return call->row->sees_window ? 3 : 0;
 }
@@ -132,21 +133,22 @@ Findings& PanelContext::findings() const { return session.findings(); }
 
 Language PanelContext::language() const { return session.preferences.language; }
 
-Outcome PanelContext::run(const std::string& line, const std::string& panel_id) {
-  if (lacks_file(session.document(), line)) return open(PanelOpener::unnamed_save);
-  if (!loses_edits(session.document(), line)) return run_from(line, panel_id);
-  leave({false, {}, line, panel_id});
+Outcome PanelContext::run(const Command& command, const std::string& panel_id) {
+  const std::string* const line = command.written();
+  if (line && lacks_file(session.document(), *line)) return open(PanelOpener::unnamed_save);
+  if (!line || !loses_edits(session.document(), *line)) return run_from(command, panel_id);
+  leave({false, {}, *line, panel_id});
   return {};
 }
 
-Outcome PanelContext::run_from(const std::string& line, const std::string& panel_id) {
+Outcome PanelContext::run_from(const Command& command, const std::string& panel_id) {
   const std::string own = panel_id;  // it may be session.layout.open_panel itself
   if (!own.empty()) session.layout.open_panel.clear();
-  if (const auto frames = state.is_laying_out ? frames_to_wait(line) : std::nullopt) {
-    state.waiting.push_back({line, *frames, own});
+  if (const auto frames = state.is_laying_out ? frames_to_wait(command) : std::nullopt) {
+    state.waiting.push_back({command, *frames, own});
     return {};
   }
-  Outcome outcome = keep(session.run(line));
+  Outcome outcome = keep(session.run(command));
   const bool asks_again = !own.empty() && !outcome.done() && outcome.exit_code != ExitCode::cancelled;
   if (asks_again && session.layout.open_panel.empty()) session.layout.open_panel = own;
   return outcome;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/commands/text/command.h"
 #include "app/editor/input/view/navigation.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/owners.h"
@@ -35,9 +36,9 @@ struct PendingLeave {
   bool reads_again() const;       // what is in the file of the mesh
 };
 
-// A line that was sent while a frame is laid out, and how many further ones come before it is carried out.
-struct WaitingLine {
-  std::string line;
+// A command that was sent while a frame is laid out, and how many further frames come before it is carried out.
+struct WaitingCommand {
+  Command command;
   int frames;
   std::string asks_again;  // the id of the panel that opens again where it fails; empty for none
 };
@@ -62,7 +63,7 @@ struct GuiState {
   MenuState menus;
   bool wants_quit = false;  // confirmed
   bool is_laying_out = false;
-  std::vector<WaitingLine> waiting;
+  std::vector<WaitingCommand> waiting;
   std::vector<PixelRect> notes;  // of what lies over the view and takes the pointer
   int unsettled_frames = 0;      // how many more are to be laid out although nothing comes in
   std::optional<PendingLeave> pending;
@@ -116,12 +117,12 @@ struct PanelContext {
   }
   const UiColours& colours() const { return ui_colours(theme); }
 
-  // Sends a command line and keeps its outcome for the status line. Long work waits until the frame is laid out, and
+  // Sends a command and keeps its outcome for the status line. Long work waits until the frame is laid out, and
   // what looks at the window until a later one has been drawn. Where edits that are not saved would be lost, or no file
   // to save to is known, it asks first. A panel that names itself is closed, and opens again where the line fails.
-  Outcome run(const std::string& line, const std::string& panel_id = {});
+  Outcome run(const Command& command, const std::string& panel_id = {});
   // Without that question.
-  Outcome run_from(const std::string& line, const std::string& panel_id);
+  Outcome run_from(const Command& command, const std::string& panel_id);
   // A click of the current tool, or a selection, at a pixel of the window.
   Outcome click(const Navigation::Click& click);
   // Keeps an outcome for the status line: the sentence of one, or that what it performed is done, or nothing.

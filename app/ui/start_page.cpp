@@ -131,7 +131,7 @@ void StartPage::draw_shapes(PanelContext& context) {
     const float width = ImGui::CalcTextSize(name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     const bool fits = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= end;
     if (!std::exchange(is_first, false) && fits) ImGui::SameLine();
-    entry(context, name, line_of(row, ParameterValues()), false);
+    entry(context, name, called(row), false);
     tip(context.text(row.help_en, row.help_ja));
   }
 }

@@ -446,6 +446,14 @@ const CommandRow* find_command_row(std::string_view id) {
   return nullptr;
 }
 
+const CommandRow* row_of(const Command& command) {
+  if (const AnyOp* const op = command.op()) return made_row(info_of(*op), info_of(*op).id);
+  if (const AlgorithmCall* const call = command.algorithm())
+    return call->is_called_repair || find_op(call->row->id) ? find_command_row("repair") : made_row(*call->row);
+  const std::vector<std::string_view> words = split_words(*command.written());
+  return words.empty() ? nullptr : find_command_row(words[0]);
+}
+
 Effect effect_of(const CommandRow& row, Words arguments) {
   return row.only_tells && row.only_tells(arguments) ? Effect::view : row.effect;
 }
@@ -459,6 +467,12 @@ std::optional<CommandCall> call_of(std::string_view line) {
   const bool only_tells = row->only_tells && row->only_tells(arguments);
   const bool is_long = (row->is_long && !only_tells) || (row->may_take_long && row->may_take_long(arguments));
   return CommandCall{row, effect_of(*row, arguments), is_long, std::string(line)};
+}
+
+std::optional<CommandCall> call_of_command(const Command& command) {
+  if (const std::string* const line = command.written()) return call_of(*line);
+  const CommandRow& row = *row_of(command);
+  return CommandCall{&row, row.effect, row.is_long, {}};
 }
 
 std::string file_of(const CommandCall& call) {

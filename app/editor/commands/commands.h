@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/editor/commands/text/command.h"
 #include "app/editor/commands/text/line_of.h"
 #include "app/editor/commands/text/outcomes.h"
 #include "app/editor/commands/text/words.h"
@@ -79,6 +80,8 @@ Effect effect_of(const CommandRow& row, Words arguments);
 std::vector<const CommandRow*> command_table();
 // The row with this id or alias; null if there is none. Copies nothing.
 const CommandRow* find_command_row(std::string_view id);
+// The row of a command; null where its line has none.
+const CommandRow* row_of(const Command& command);
 // As the window calls it: an operator or an algorithm by its name, others by their id.
 Text name_of_command(std::string_view id);
 // The same of a line, which may be a call that has a name of its own.
@@ -96,6 +99,8 @@ struct CommandCall {
 };
 // None where the line says no command.
 std::optional<CommandCall> call_of(std::string_view line);
+// Of a value nothing is printed: the call has no line.
+std::optional<CommandCall> call_of_command(const Command& command);
 // The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then,
 // a picture to one that is not there yet.
 std::string file_of(const CommandCall& call);

@@ -95,23 +95,42 @@ Text gone_text(const Selecting& selecting, const std::vector<std::string>& names
       "取っておいた選択" + gone_ja + "は、対応する要素がわからなくなったため破棄しました（元に戻すと復活します）。"};
 }
 
-// `call` is what stands before the values. A first value without its name stays so.
-Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, const std::string& call) {
+struct ReadCall {
+  std::optional<AlgorithmCall> call;
+  Outcome fault;  // where there is none
+};
+
+// The call that the words say, with `selected` as the names of what is selected now.
+ReadCall read_call(const Selecting& selecting, const AlgorithmRow& row, Words words, bool is_called_repair) {
   const std::string id(row.id);
-  if (const auto fault = fault_of_selected(row, words)) return usage_error(behind(row.id, *fault));
-  if (session.selecting.selection.empty() && std::any_of(words.begin(), words.end(), means_selection))
-    return failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"});
+  if (const auto fault = fault_of_selected(row, words)) return {{}, usage_error(behind(row.id, *fault))};
   std::vector<std::string> names;
-  if (std::any_of(words.begin(), words.end(), means_selection)) names = session.selecting.selected_names();
-  const ReadValues given = read_values(row.parameters, words, &names);
-  if (!given.values) return usage_error(id + ": " + given.sentence.en, id + "：" + given.sentence.ja);
-  const ReadValues found = given.values->on(session.mesh());
+  if (std::any_of(words.begin(), words.end(), means_selection)) {
+    if (selecting.selection.empty())
+      return {{}, failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"})};
+    names = selecting.selected_names();
+  }
+  ReadValues given = read_values(row.parameters, words, &names);
+  if (!given.values) return {{}, usage_error(behind(row.id, given.sentence))};
+  const bool has_unnamed_value = !words.empty() && words[0].find('=') == std::string_view::npos;
+  return {AlgorithmCall{&row, *std::move(given.values), is_called_repair, has_unnamed_value}, {}};
+}
+
+Outcome run_words(Session& session, const AlgorithmRow& row, Words words, bool is_called_repair) {
+  const ReadCall read = read_call(session.selecting, row, words, is_called_repair);
+  return read.call ? run_algorithm(session, *read.call, read.call->line()) : read.fault;
+}
+
+}  // namespace
+
+Outcome run_algorithm(Session& session, const AlgorithmCall& call, std::string line) {
+  const AlgorithmRow& row = *call.row;
+  const std::string id(row.id);
+  const ReadValues found = call.values.on(session.mesh());
   if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
   if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
-  const bool has_bare_value = !words.empty() && words[0].find('=') == std::string_view::npos;
-  const std::string values = given.values->line(has_bare_value);
   Outcome outcome;
-  outcome.performed = call + (values.empty() ? "" : " " + values);
+  outcome.performed = std::move(line);
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (find_left_edges).
@@ -133,15 +152,12 @@ Outcome run_algorithm(Session& session, const AlgorithmRow& row, Words words, co
                                           std::move(result->goal_report->remaining)});
     if (!row.is_repair()) return;
     const BesideRepairs beside = session.document().beside_repairs();
-    session.findings().keep_report(
-        report_of({{{&row, *given.values}}, false}, *result, session.mesh(), beside.input()));
+    session.findings().keep_report(report_of({{{&row, call.values}}, false}, *result, session.mesh(), beside.input()));
   });
   outcome.sentence = std::move(result->text);
   unless_memory_lacks([&] { outcome.sentence = outcome.sentence + gone_text(session.selecting, names_before); });
   return outcome;
 }
-
-}  // namespace
 
 CommandRow row_of(const AlgorithmRow& algorithm) {
   const auto fault = [&algorithm](Words given, const std::string&) -> std::optional<Text> {
@@ -155,9 +171,8 @@ CommandRow row_of(const AlgorithmRow& algorithm) {
           .help_en = algorithm.help_en,
           .help_ja = algorithm.help_ja,
           .effect = Effect::edits,
-          .run = [&algorithm](
-                     Session& session, Words words,
-                     std::string_view) { return run_algorithm(session, algorithm, words, std::string(algorithm.id)); },
+          .run = [&algorithm](Session& session, Words words,
+                              std::string_view) { return run_words(session, algorithm, words, false); },
           .is_long = true,
           .fault = fault};
 }
@@ -176,7 +191,7 @@ Outcome run_repair(Session& session, Words words, std::string_view) {
   if (is_list_of_repairs(words[0]))
     return run_recipe(session.document(), session.findings(), session.frontend, std::string(words[0]));
   const AlgorithmRow& row = *find_algorithm(words[0]);
-  return run_algorithm(session, row, words.subspan(1), called(row, true));
+  return run_words(session, row, words.subspan(1), true);
 }
 
 std::optional<Text> fault_of_would(Words words, const std::string& line) {

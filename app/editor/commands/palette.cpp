@@ -139,7 +139,7 @@ PaletteChoice choice_of(const Findings& findings, const Selecting& selecting, co
     return {Kind::begin, entry.line + " "};
   }
   if (const AlgorithmRow* const row = find_algorithm(entry.line))
-    return {Kind::run, row->parameters.empty() ? line_of(*row, ParameterValues()) : "values " + entry.line};
+    return {Kind::run, row->parameters.empty() ? called(*row) : "values " + entry.line};
   if (const auto row = find_command_row(entry.line); row && row->most_elements > 0)
     return {Kind::run, selecting.selection.empty() ? "ask " + entry.line : entry.line + " selected"};
   if (fault_of_command(entry.line)) return {Kind::begin, entry.line + " "};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/commands/text/command.h"
 #include "app/editor/document/open_document.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/document/run_files.h"
@@ -47,10 +48,8 @@ class Session {
   // What repairs would do.
   RepairTrials trials;
 
-  // Executes a command line (see commands.h) and logs it if done. Never throws on user input.
-  Outcome run(const std::string& line);
-  // Applies an operator that was made on the shown mesh, and logs its line.
-  Outcome run(const AnyOp& op);
+  // Executes a command (see commands.h) and logs its line if done. Never throws on user input.
+  Outcome run(const Command& command);
   // What is carried out at the moment, by its name.
   Text at_work() const;
   // The command lines executed so far: a script that reproduces the state.
@@ -108,7 +107,8 @@ class Session {
 
   template <class Run>
   Outcome run_safely(Run run);  // undoes what a lack of memory left half done
-  Outcome run_line(const std::string& line, const AnyOp* op);
+  Outcome run_command(const Command& command);
+  Outcome apply(const AnyOp& op, const std::string& line, std::uint64_t made_on);
   // The log has room for it.
   void log_line(Outcome& outcome, std::string line);
   // Updates what is derived from the mesh; forgets that where there is no memory for it.

@@ -3,6 +3,7 @@
 #include <new>
 #include <utility>
 
+#include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"
@@ -29,21 +30,17 @@ Outcome Session::run_safely(Run run) {
   }
 }
 
-Outcome Session::run(const std::string& line) {
-  return run_safely([&] { return run_line(line, nullptr); });
+Outcome Session::run(const Command& command) {
+  return run_safely([&] { return run_command(command); });
 }
 
-Outcome Session::run(const AnyOp& op) {
-  return run_safely([&] { return run_line(command_of(mesh(), op), &op); });
-}
-
-Outcome Session::run_line(const std::string& line, const AnyOp* op) {
-  const std::vector<std::string_view> words = split_words(line);
-  if (words.empty()) return {};
-  const auto row = find_command_row(words[0]);
+Outcome Session::run_command(const Command& command) {
+  const std::string line = command.line(mesh());
+  const std::vector<std::string_view> words = command.written() ? split_words(line) : std::vector<std::string_view>();
+  if (command.written() && words.empty()) return {};
+  const CommandRow* const row = row_of(command);
   if (!row) return unknown_command(words[0]);
-  const std::size_t after_id = static_cast<std::size_t>(words[0].data() - line.data()) + words[0].size();
-  const Words arguments = Words(words).subspan(1);
+  const Words arguments = words.empty() ? Words() : Words(words).subspan(1);
   const Effect effect = effect_of(*row, arguments);
   const std::uint64_t made_on = open_.document->revision();
   Shown::Passage passage(shown, effect, line);
@@ -59,11 +56,9 @@ Outcome Session::run_line(const std::string& line, const AnyOp* op) {
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);
   const std::string outer = std::exchange(running_, std::string(row->id));
-  // The line is read if the mesh is no longer the one that the operator was made on.
-  const bool is_same_mesh = op && open_.document->revision() == made_on;
-  Outcome outcome = is_same_mesh ? open_.document->apply(*op, frontend.is_strict, line)
-                                 : row->run(*this, arguments, std::string_view(line).substr(after_id));
-  if (is_same_mesh && outcome.done()) outcome.performed = line;
+  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm(), line)
+                    : command.op()      ? apply(*command.op(), line, made_on)
+                                        : row->run(*this, arguments, behind_word(line));
   running_ = outer;
   passage.finish(outcome);
   // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.
@@ -78,6 +73,17 @@ Outcome Session::run_line(const std::string& line, const AnyOp* op) {
   entry = outcome.performed;
   log_line(outcome, std::move(entry));
   return outcome;
+}
+
+// The line is read where the mesh is no longer the one that the operator was made on.
+Outcome Session::apply(const AnyOp& op, const std::string& line, std::uint64_t made_on) {
+  if (open_.document->revision() == made_on) {
+    Outcome outcome = open_.document->apply(op, frontend.is_strict, line);
+    if (outcome.done()) outcome.performed = line;
+    return outcome;
+  }
+  const std::vector<std::string_view> words = split_words(line);
+  return find_command_row(words[0])->run(*this, Words(words).subspan(1), behind_word(line));
 }
 
 Text Session::at_work() const { return name_of_command(running_); }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/text/line_of.h"
+#include "app/editor/commands/text/command.h"
 #include "app/editor/session/session.h"
 #include "ryosen/geometry/unit_vector.h"
 
@@ -56,7 +56,7 @@ bool AlgorithmPreview::is_offered(const Findings& findings, const Shown& shown) 
 }
 
 void AlgorithmPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
-  const std::string line = line_of(row, values);
+  const std::string line = AlgorithmCall{&row, values}.line();
   const Document& document = session.document();
   if (line == line_ && serial_ == document.serial() && revision_ == document.revision()) return;
   take_back(session.document(), session.view, session.framing, session.shown);

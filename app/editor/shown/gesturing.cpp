@@ -260,12 +260,12 @@ Outcome Gesturing::end() {
   const bool does_nothing = g.transform.does_nothing();
   if (does_nothing && !g.made) return give_up();
   const std::optional<Ongoing::Made> made = g.made;
-  const std::string line =
-      !made          ? g.transform.line(mesh())
-      : does_nothing ? made->line + made->no_way
-                     : made->line + format_place(made->from.value_or(glm::dvec3(0)) + *g.transform.movement());
+  const Command command = !made ? Command(g.transform.call())
+                          : does_nothing
+                              ? made->line + made->no_way
+                              : made->line + format_place(made->from.value_or(glm::dvec3(0)) + *g.transform.movement());
   cancel();
-  Outcome outcome = session_.run(line);
+  Outcome outcome = session_.run(command);
   if (!outcome.done() || !made) return outcome;
   if (!made->selected.empty()) session_.selecting.selection = made->selected;
   if (does_nothing && !made->unmoved.en.empty()) outcome.say(made->unmoved);

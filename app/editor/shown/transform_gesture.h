@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor/commands/text/command.h"
 #include "app/editor/input/input.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/algo/transform/point_transform.h"
@@ -59,8 +60,8 @@ class TransformGesture {
   glm::dvec3 place(const Mesh& mesh, const MovedPoint& point) const {
     return transform_(mesh.position(point.point), point.share);
   }
-  // The line that does it, and whether it would change anything.
-  std::string line(const Mesh& mesh) const;
+  // The algorithm that does it, and whether it would change anything.
+  AlgorithmCall call() const;
   bool does_nothing() const;
   // How far it moves everything alike; none where it does something else.
   std::optional<glm::dvec3> movement() const;

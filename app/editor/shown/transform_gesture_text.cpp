@@ -1,8 +1,9 @@
 // How a gesture is told while it lasts, and as the command that it ends with.
-#include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/editor/commands/text/words.h"
 #include "app/editor/shown/transform_gesture.h"
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/slot_ranges.h"
 
@@ -25,24 +26,27 @@ std::string short_text(double value) {
 
 }  // namespace
 
-std::string TransformGesture::line(const Mesh&) const {
-  std::string line;
-  const auto axis = [&] { return transform_.axis ? " axis=" + format_place(*transform_.axis) : std::string(); };
-  switch (kind_) {
-    case PointTransform::Kind::move:
-      line = "translate by=" + format_place(transform_.by);
-      break;
-    case PointTransform::Kind::turn:
-      line = "rotate angle=" + format_double(transform_.angle_deg) + axis() + " about=" + format_place(middle_);
-      break;
-    case PointTransform::Kind::scale:
-      line = "scale factor=" + format_double(transform_.factor) + axis() + " about=" + format_place(middle_);
+AlgorithmCall TransformGesture::call() const {
+  const auto called = [](std::string_view id) {
+    const AlgorithmRow& row = *find_algorithm(id);
+    return AlgorithmCall{&row, ParameterValues(row.parameters)};
+  };
+  AlgorithmCall call = called(kind_ == PointTransform::Kind::move   ? "translate"
+                              : kind_ == PointTransform::Kind::turn ? "rotate"
+                                                                    : "scale");
+  if (kind_ == PointTransform::Kind::move) call.values.set_place("by", transform_.by);
+  if (kind_ == PointTransform::Kind::turn) call.values.set_number("angle", transform_.angle_deg);
+  if (kind_ == PointTransform::Kind::scale) call.values.set_number("factor", transform_.factor);
+  if (kind_ != PointTransform::Kind::move) {
+    if (transform_.axis) call.values.set_place("axis", *transform_.axis);
+    call.values.set_place("about", middle_);
   }
-  if (falloff_ > 0) line += " falloff=" + format_double(falloff_);
+  if (falloff_ > 0) call.values.set_length("falloff", falloff_);
   const Elements points(points_.begin(), points_.end());
-  std::string names = slot_ranges(points).substr(1);
-  std::replace(names.begin(), names.end(), ' ', ',');
-  return line + " elements=" + names;
+  std::vector<std::string> names;
+  for (const std::string_view name : split_words(slot_ranges(points))) names.emplace_back(name);
+  call.values.set_names("elements", std::move(names));
+  return call;
 }
 
 // What is held, and what it is on; or in what steps it goes.

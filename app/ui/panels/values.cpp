@@ -210,7 +210,7 @@ void ValuesPanel::draw(PanelContext& context) {
   has_run_ = true;
   to_keys_ = 0;
   preview_.hand_over(context.session);
-  context.run_from(line_of(*row, *read.values), context.layout.open_panel);
+  context.run_from(AlgorithmCall{row, *read.values}, context.layout.open_panel);
 }
 
 }  // namespace

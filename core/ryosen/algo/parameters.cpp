@@ -12,6 +12,7 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/slot_ranges.h"
 
@@ -250,6 +251,8 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
       if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
         return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }
+    if (!std::isfinite(value.number) || !is_finite(value.place))
+      return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     for (const std::string& name : value.names) {
       if (const auto range = parse_slot_range(name)) {
         add_living(mesh, *range, value.elements);
@@ -263,10 +266,11 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
   return read;
 }
 
-void ParameterValues::set_names(std::string_view id, std::vector<std::string> names) {
+ParameterValue& ParameterValues::value_to_set(std::string_view id, ParameterKind kind) {
   const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
-  assert(row != rows_.end() && row->kind == ParameterKind::elements);
-  values_[static_cast<std::size_t>(row - rows_.begin())].emplace().names = std::move(names);
+  assert(row != rows_.end() && row->kind == kind);
+  static_cast<void>(kind);
+  return values_[static_cast<std::size_t>(row - rows_.begin())].emplace();
 }
 
 bool ParameterValues::has(std::string_view id) const {

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ryosen/base/element.h"
@@ -82,11 +83,16 @@ class ParameterValues {
   // Takes a value as it is written. A sentence where it is none of this parameter; `called` is what the sentence calls
   // it.
   std::optional<Text> set(std::string_view id, std::string_view text, std::string_view called);
-  // Of a parameter that takes elements, whatever names these are.
-  void set_names(std::string_view id, std::vector<std::string> names);
+  // Values of a parameter of that kind, which on() checks; a length in units of the mesh.
+  void set_number(std::string_view id, double number) { value_to_set(id, ParameterKind::number).number = number; }
+  void set_length(std::string_view id, double length) { value_to_set(id, ParameterKind::length).number = length; }
+  void set_place(std::string_view id, const glm::dvec3& place) { value_to_set(id, ParameterKind::place).place = place; }
+  void set_names(std::string_view id, std::vector<std::string> names) {
+    value_to_set(id, ParameterKind::elements).names = std::move(names);
+  }
   // The sentence about what must be given and was not, which calls the parameters so; none where nothing is missing.
   std::optional<Text> fault_of_missing(const std::function<std::string(const ParameterRow&)>& called) const;
-  // Lengths in units of the mesh and elements looked up: what an algorithm gets.
+  // Lengths in units of the mesh and elements looked up: what an algorithm gets. Fails where a number is not finite.
   ReadValues on(const Mesh& mesh) const;
 
   // Of the parameter with this id and of that kind. Only has() may be asked where it may be left out and was.
@@ -113,6 +119,7 @@ class ParameterValues {
 
  private:
   const ParameterValue& value(std::string_view id, ParameterKind kind) const;
+  ParameterValue& value_to_set(std::string_view id, ParameterKind kind);
   std::string text_at(std::size_t i) const;
 
   std::span<const ParameterRow> rows_;  // of an algorithm, which outlives its values

@@ -9,11 +9,6 @@ std::string called(const AlgorithmRow& algorithm, bool as_repair) {
   return as_repair || find_op(id) ? "repair " + id : id;
 }
 
-std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values) {
-  const std::string text = values.line();
-  return called(algorithm) + (text.empty() ? "" : " " + text);
-}
-
 std::string select_line(const Selector& row) {
   return "select " + std::string(row.id) + (row.usual.empty() ? "" : " " + std::string(row.usual));
 }

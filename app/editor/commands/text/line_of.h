@@ -18,7 +18,5 @@ std::string select_line(const Selector& row);
 inline constexpr std::string_view of_problem = "problem";
 // The line that selects all that has a problem, or what the one at an element is about; never that of a selector.
 std::string select_line(const ProblemRow& row, std::string_view element = {});
-// The line that runs an algorithm with these values.
-std::string line_of(const AlgorithmRow& algorithm, const ParameterValues& values);
 
 }  // namespace ryosen

@@ -1,0 +1,45 @@
+// A command on its way from whoever gives it to the mesh.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "ryosen/algo/algorithm.h"
+#include "ryosen/ops/all.h"
+
+namespace ryosen {
+
+// An algorithm with its values; elements are named as on the mesh that it runs on.
+struct AlgorithmCall {
+  const AlgorithmRow* row;
+  ParameterValues values;
+  bool is_called_repair = false;   // its line begins with `repair`
+  bool has_unnamed_value = false;  // the first value of its line stands without its name
+
+  std::string line() const;
+};
+
+// An operator on the shown mesh, an algorithm with its values, or the line of any command. A value is printed once, for
+// the log, and nothing of it is parsed.
+class Command {
+ public:
+  Command(std::string line) : is_(std::move(line)) {}
+  Command(const char* line) : is_(std::string(line)) {}
+  template <class Op>
+  requires std::convertible_to<Op, AnyOp> Command(Op op) : is_(AnyOp(std::move(op))) {}
+  Command(AlgorithmCall call) : is_(std::move(call)) {}
+
+  // Null unless it is one.
+  const AnyOp* op() const { return std::get_if<AnyOp>(&is_); }
+  const AlgorithmCall* algorithm() const { return std::get_if<AlgorithmCall>(&is_); }
+  const std::string* written() const { return std::get_if<std::string>(&is_); }
+  // As a script has it. O(its elements).
+  std::string line(const Mesh& mesh) const;
+
+ private:
+  std::variant<std::string, AnyOp, AlgorithmCall> is_;
+};
+
+}  // namespace ryosen

@@ -35,8 +35,6 @@ FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_open, fault_of_
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
-// Its line as the log is to have it.
-Outcome run_algorithm(Session& session, const AlgorithmCall& call, std::string line);
 RunCommand run_repair;
 RunOn<const Document, const Frontend> run_would;
 FaultOfCommand fault_of_repair, fault_of_would;

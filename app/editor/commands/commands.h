@@ -105,6 +105,9 @@ std::optional<CommandCall> call_of_command(const Command& command);
 // a picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
+// Runs an algorithm; the line is the one that the log is to have.
+Outcome run_algorithm(Session& session, const AlgorithmCall& call, std::string line);
+
 // What a line of `repair` without a fault would do; null while that is being tried.
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);
 

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include "ryosen/document/document.h"
 
 namespace ryosen {
+
+class Session;
 
 enum class MouseButton { left, right, middle };  // as numbered by GLFW and ImGui
 
@@ -37,6 +40,9 @@ class Input {
   // Text in UTF-8 for the field that has the keyboard; fails where none has.
   virtual Outcome type(std::string_view text) = 0;
 };
+
+// Events of a view without panels, in the hands of its navigation.
+std::unique_ptr<Input> make_view_input(Session& session);
 
 // "Ctrl+Shift" as in chords; none for anything else.
 std::optional<Modifiers> find_modifiers(std::string_view text);

@@ -7,8 +7,6 @@ namespace ryosen {
 
 namespace {
 
-constexpr double caption_row_px = 19, caption_margin_px = 12;  // at display scale 1
-
 // Roughly, in pixels at display scale 1: other characters than Latin ones are as wide as they are high.
 double width_of(std::string_view character) { return character.size() > 1 ? 15.0 : 7.8; }
 
@@ -36,11 +34,6 @@ std::vector<std::string> broken_lines(std::string_view text, double most_px) {
 }
 
 }  // namespace
-
-double caption_px(const Preferences& preferences) {
-  constexpr int usual_rows = 2;
-  return (caption_margin_px + usual_rows * caption_row_px) * preferences.label_scale();
-}
 
 void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
                  std::vector<Label>& labels) {

@@ -95,8 +95,6 @@ void add_measures(const Mesh& mesh, const Selecting& selecting, const Preference
 // roles.
 void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
               std::vector<Label>& labels);
-// How high at the top of the view a usual caption reaches, in pixels.
-double caption_px(const Preferences& preferences);
 // Adds sentences in the upper left corner, broken into lines that have room.
 void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
                  std::vector<Label>& labels);

@@ -31,4 +31,11 @@ struct Preferences {
   double label_scale() const { return size_scale() * std::max(1.0, double(font_size_px) / usual_font_px); }
 };
 
+// Sizes of the caption in the upper left corner of the view, at label scale 1.
+inline constexpr double caption_row_px = 19, caption_margin_px = 12;
+// Height at the top of the view that a usual caption of two rows takes, in pixels.
+inline double caption_px(const Preferences& preferences) {
+  return (caption_margin_px + 2 * caption_row_px) * preferences.label_scale();
+}
+
 }  // namespace ryosen

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/camera/first_camera.h"
-#include "app/editor/input/view/view_input.h"
+#include "app/editor/input/input.h"
 #include "app/editor/recovery/autosave.h"
 
 namespace ryosen {
@@ -115,7 +115,7 @@ bool Session::look_at_disk() {
 
 Input& Session::input() {
   if (const std::shared_ptr<Input> wanted = frontend.input.lock()) return *wanted;
-  if (!view_input_) view_input_ = std::make_unique<ViewInput>(*this);
+  if (!view_input_) view_input_ = make_view_input(*this);
   return *view_input_;
 }
 

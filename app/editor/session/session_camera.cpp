@@ -1,6 +1,6 @@
 #include "app/editor/session/session_camera.h"
 
-#include "app/editor/labels/labels.h"
+#include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/player.h"
 

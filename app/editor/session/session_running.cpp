@@ -3,7 +3,6 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"

@@ -1,8 +1,8 @@
 // The gesture that goes on: for the files that begin and end gestures.
 #pragma once
 
-#include "app/editor/session/session.h"
 #include "app/editor/shown/gesturing.h"
+#include "app/editor/shown/snapping.h"
 
 namespace ryosen {
 

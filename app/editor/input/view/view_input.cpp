@@ -181,4 +181,6 @@ Outcome no_field_to_type() {
                  "文字を受け取る入力欄がありません。先に入力欄をクリックするか、key F3 などで開いてください"});
 }
 
+std::unique_ptr<Input> make_view_input(Session& session) { return std::make_unique<ViewInput>(session); }
+
 }  // namespace ryosen

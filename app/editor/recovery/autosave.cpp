@@ -7,7 +7,6 @@
 
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
-#include "app/editor/session/session.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/system_reason.h"
@@ -155,20 +154,21 @@ std::optional<Text> Autosave::open_script(const Document& document, const std::v
   return warning;
 }
 
-std::optional<Text> Autosave::note(const Session& session, const std::string& line) {
+std::optional<Text> Autosave::note(const Document& document, const std::vector<std::string>& log) {
+  const std::string& line = log.back();
   const auto call = call_of(line);
   const bool edits = is_edit(line), saves = call && call->effect == Effect::writes;
-  if (saves) file_ = whole(session.document().path());
+  if (saves) file_ = whole(document.path());
   if (has_failed_) {
     // The script from before the failure may start from a file that has now been replaced.
     if (saves) finish();
     if (!std::exchange(lacked_memory_, false)) return std::nullopt;
     return give_up({"there was not enough memory.", "メモリが足りませんでした。"});
   }
-  if (edits && !script_) return open_script(session.document(), session.log());
+  if (edits && !script_) return open_script(document, log);
   if (!script_ || !(edits || saves)) return std::nullopt;
-  std::string text = (edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, session.document());
-  if (saves) text += file_remark(session.document());
+  std::string text = (edits ? line + "\n" : "") + remark_behind(edits ? 1 : 0, document);
+  if (saves) text += file_remark(document);
   return append(text);
 }
 

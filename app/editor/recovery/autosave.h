@@ -14,8 +14,6 @@
 
 namespace ryosen {
 
-class Session;
-
 // Called by the session. An edit costs one short write, the first one behind the opening of a file a copy of that file,
 // and a save that the file is read once more. If writing fails, the edit itself stands: the user is told
 // once, and recording stops for this document.
@@ -33,8 +31,8 @@ class Autosave {
   // For a fully recovered document; continues the lost script.
   void go_on(OwnedScript script, const Document& document, const LostSession& lost);
 
-  // After a line was executed and appended to the log. Returns a message if recording has just failed.
-  std::optional<Text> note(const Session& session, const std::string& line);
+  // After a line was executed, which ends the log now. Returns a message if recording has just failed.
+  std::optional<Text> note(const Document& document, const std::vector<std::string>& log);
   // Before a file is written. If the session started from that file, there is a copy of it first, because the edits
   // refer to its elements.
   std::optional<Text> before_save(const Document& document, const std::vector<std::string>& log,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -135,14 +136,14 @@ Text begun_with_another(const LostSession& lost) {
 }
 
 // "recover 2", by the place in the list.
-std::string recover_line(const Session& session, const LostSession& lost) {
+std::string recover_line(std::span<const LostSession> all, const LostSession& lost) {
   const auto is_it = [&](const LostSession& other) { return other.script == lost.script; };
-  const auto found = std::find_if(session.lost.begin(), session.lost.end(), is_it);
-  return "recover " + (found == session.lost.end() ? "N" : std::to_string(found - session.lost.begin() + 1));
+  const auto found = std::find_if(all.begin(), all.end(), is_it);
+  return "recover " + (found == all.end() ? "N" : std::to_string(found - all.begin() + 1));
 }
 
 Outcome refused_first(const Session& session, const LostSession& lost, const Text& why) {
-  const std::string line = recover_line(session, lost);
+  const std::string line = recover_line(session.lost, lost);
   Outcome outcome = failed(ExitCode::refused, why);
   if (can_be_as_was(lost))
     outcome.say({line + " as_was does them again on the mesh as it was then, and leaves the file as it is now.",

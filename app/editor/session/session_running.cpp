@@ -92,7 +92,7 @@ void Session::log_line(Outcome& outcome, std::string line) {
   ++lines_logged_;
   if (!frontend.autosave) return;
   try {
-    if (const auto warning = frontend.autosave->note(*this, log_.back())) outcome.say(*warning);
+    if (const auto warning = frontend.autosave->note(*open_.document, log_)) outcome.say(*warning);
   } catch (const std::bad_alloc&) {
     frontend.autosave->stop();
   }

@@ -16,9 +16,9 @@ constexpr double wheel_step = 1.15;      // zoom factor per wheel step
 constexpr double drag_doubles_px = 120;  // length of a zoom drag that doubles the size
 
 // The place of the mesh at a pixel, of that which is seen there: on a face, else on an edge or a vertex near by.
-std::optional<glm::dvec3> place_under(Session& session, glm::dvec2 pixel) {
+std::optional<glm::dvec3> place_under(Pointing& pointing, glm::dvec2 pixel) {
   for (const PickMode what : {PickMode::face, PickMode::edge, PickMode::vertex})
-    if (const auto picked = session.pointing.pick_drawn(pixel, what)) return picked->place;
+    if (const auto picked = pointing.pick_drawn(pixel, what)) return picked->place;
   return std::nullopt;
 }
 
@@ -40,7 +40,7 @@ double nearest_depth(const ViewState& view, Pointing& pointing) {
 
 // The point that the view moves about or towards, for a pixel.
 glm::dvec3 held_at(Session& session, glm::dvec2 pixel) {
-  if (const auto place = place_under(session, pixel)) return *place;
+  if (const auto place = place_under(session.pointing, pixel)) return *place;
   Compared* const compared = session.compared();
   const ViewState& part = compared && compared->view().contains(pixel) ? compared->state() : session.view;
   return place_at(part.camera, part.size, pixel - part.origin, nearest_depth(part, session.pointing));
@@ -62,7 +62,7 @@ glm::dvec3 middle_of_what_is_seen(const Mesh& mesh, const ViewState& view, Point
 
 glm::dvec3 centre_of_orbit(Session& session, glm::dvec2 pixel) {
   if (session.preferences.orbit_about == OrbitAbout::centre) return session.view.camera.target;
-  const auto place = place_under(session, pixel);
+  const auto place = place_under(session.pointing, pixel);
   return place ? *place : middle_of_what_is_seen(session.mesh(), session.view, session.pointing);
 }
 
@@ -133,7 +133,7 @@ void Navigation::wheel(Session& session, glm::dvec2 pixel, double steps) const {
 }
 
 bool set_centre(Session& session, glm::dvec2 pixel) {
-  const auto place = place_under(session, pixel);
+  const auto place = place_under(session.pointing, pixel);
   if (place) session.view.camera = centred(session.view.camera, *place);
   return place.has_value();
 }

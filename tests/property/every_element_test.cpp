@@ -64,7 +64,7 @@ TEST(every_element, of_named_shapes) {
 }
 
 TEST(every_element, of_random_meshes) {
-  for (std::uint32_t seed = 1; seed <= seed_count(700, 1500); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(350, 1500); ++seed) {
     const SeededMesh random = seeded_mesh(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     prove_all(random.faces, random.points);
@@ -213,7 +213,7 @@ TEST(every_element, every_operator_leaves_sound_columns_and_no_other_trace) {
     ASSERT_NO_FATAL_FAILURE(prove_every_op(meshes[i], counts));
     if (HasFailure()) return;
   }
-  for (std::uint32_t seed = 1; seed <= seed_count(20, 40); ++seed) {
+  for (std::uint32_t seed = 1; seed <= seed_count(10, 40); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SeededMesh random = seeded_mesh(seed);
     if (random.points > 9) continue;

@@ -27,7 +27,7 @@ using oracle::Pair;
 class SetsOfEdges {
  public:
   // `most`: of how many edges of a mesh all sets are tried.
-  explicit SetsOfEdges(std::size_t most = is_long_run() ? 16 : 9) : most_(most) {}
+  explicit SetsOfEdges(std::size_t most = is_long_run() ? 16 : 8) : most_(most) {}
   ~SetsOfEdges() { std::cout << extruded_ << " extruded\n"; }
 
   // All sets of edges, each in an order of its own; of a mesh with many edges some.
@@ -130,7 +130,7 @@ TEST(extrude_edges_oracle, every_set_of_edges_where_wires_are) {
 }
 
 TEST(extrude_edges_oracle, sets_of_edges_of_random_meshes) {
-  SetsOfEdges all(9);
+  SetsOfEdges all(is_long_run() ? 9 : 8);
   const std::uint64_t seeds = is_long_run() ? 400 : 6;
   for (std::uint64_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
     const SeededMesh random = seeded_mesh(seed);

@@ -19,7 +19,7 @@ PolygonList random_list(std::uint64_t seed) {
   return polygon_list(mesh.points, mesh.faces);
 }
 
-const std::uint64_t seeds = test::is_long_run() ? 3000 : 1000;
+const std::uint64_t seeds = test::is_long_run() ? 3000 : 400;
 
 TEST(oracle_laws, swap_and_swap_back_undo_each_other) {
   int swaps = 0;
@@ -49,7 +49,7 @@ TEST(oracle_laws, swap_and_swap_back_undo_each_other) {
 }
 
 TEST(oracle_laws, legal_splits_read_back_and_count_as_stated) {
-  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 2000u : 700u); ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 2000u : 280u); ++seed) {
     const PolygonList points = random_list(seed);
     const Judge judge(read_copies(points));
     const Figures before = figures_of(points);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/comparison.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/oracle/operators.h"
@@ -369,7 +370,7 @@ TEST(oracle_verdicts, a_far_defect_changes_nothing) {
                                                 {13, 12, 16},
                                                 {16, 17, 18},
                                                 {18, 17, 16}});
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seed_count(100, 300); ++seed) {
     const PolygonList mesh = list_of(random_mesh(seed));
     PolygonList both = mesh;
     for (Corners face : defects.faces) {

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-const std::uint64_t repair_seeds = seed_count(160, 400);
+const std::uint64_t repair_seeds = seed_count(is_sample() ? 160 : 80, 400);
 
 template <class Visit>
 void for_each_shape(Visit visit) {
@@ -284,7 +284,7 @@ std::string random_euler_line(const Mesh& mesh, Dice& dice) {
 }
 
 TEST(repair_walk, among_wires_bridges_rings_and_several_fans) {
-  const std::uint64_t walks = seed_count(900, 4000);
+  const std::uint64_t walks = seed_count(is_sample() ? 900 : 450, 4000);
   std::map<std::string, std::size_t> done;
   for (std::uint32_t seed = 1; seed <= walks; ++seed) {
     SCOPED_TRACE("walk " + std::to_string(seed));

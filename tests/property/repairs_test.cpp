@@ -138,7 +138,7 @@ Proved repair_and_prove(Mesh& mesh, const RepairCall& call) {
   return proved;
 }
 
-const std::uint64_t seeds = seed_count(600, 1500);
+const std::uint64_t seeds = seed_count(300, 1500);
 // Seeds that long runs failed on: a hole that a repair opened led on when it was run again; two faces back to back, at
 // sides of which further faces meet, became duplicates.
 constexpr std::uint64_t kept_seeds[] = {17220, 10491};
@@ -148,7 +148,7 @@ class Repairs : public testing::Test {
   template <class Judge>
   void on_all(std::string_view id, std::optional<double> number, Judge judge) {
     std::size_t changed = 0;
-    const std::uint64_t last = seed_count(1500, 50000);
+    const std::uint64_t last = seed_count(700, 50000);
     for (std::uint64_t run = 0; run <= last && !HasFailure(); ++run) {
       const std::uint64_t seed = run < std::size(kept_seeds) ? kept_seeds[run] : run;
       SCOPED_TRACE(std::string(id) + ", seed " + std::to_string(seed));
@@ -247,7 +247,7 @@ TEST_F(Repairs, equal_points_become_one_where_the_surface_stays_sound) {
 
 TEST_F(Repairs, stitching_adds_no_place_and_keeps_the_surface) {
   std::size_t changed = 0;
-  const std::uint64_t most = seed_count(1500, 25000);
+  const std::uint64_t most = seed_count(700, 25000);
   for (std::uint64_t seed = 1; seed <= most && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = mesh_on_grid(seed);

@@ -105,7 +105,7 @@ PolygonList random_list(std::uint64_t seed) {
 }
 
 TEST(verdict_oracle, reading_gives_the_same_copies) {
-  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 20000u : 3000u); ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 20000u : 1500u); ++seed) {
     const PolygonList points = random_list(seed);
     const oracle::CopyList expected = oracle::read_copies(points);
     const Mesh mesh = kernel_mesh(points, seed);
@@ -119,7 +119,7 @@ TEST(verdict_oracle, reading_gives_the_same_copies) {
 TEST(verdict_oracle, every_operation_on_every_edge) {
   std::uint64_t meshes = 0;
   int verdicts = 0, reports = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 20000 : 600;
+  const std::uint64_t seeds = test::is_long_run() ? 20000 : 250;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     const Mesh mesh = kernel_mesh(points, seed);
@@ -139,7 +139,7 @@ TEST(verdict_oracle, every_operation_on_every_edge) {
 
 TEST(verdict_oracle, larger_manifolds) {
   int reports = 0;
-  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 30u : 12u) && reports < max_oracle_reports; ++seed) {
+  for (std::uint64_t seed = 0; seed < (test::is_long_run() ? 30u : 5u) && reports < max_oracle_reports; ++seed) {
     RandomMesh random = random_manifold(seed, 30 + static_cast<int>(seed));
     const PolygonList points = oracle::polygon_list(random.points, std::move(random.faces));
     const oracle::Figures figures = oracle::figures_of(points);
@@ -155,7 +155,7 @@ TEST(verdict_oracle, larger_manifolds) {
 
 TEST(verdict_oracle, legal_operations_give_the_list_of_the_oracle) {
   int reports = 0, applied = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 5000 : 300;
+  const std::uint64_t seeds = test::is_long_run() ? 5000 : 120;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     const PolygonList points = random_list(seed);
     Mesh mesh = kernel_mesh(points, seed);
@@ -176,7 +176,7 @@ TEST(verdict_oracle, legal_operations_give_the_list_of_the_oracle) {
 // alone.
 TEST(verdict_oracle, verdicts_after_edits_are_those_of_the_saved_mesh) {
   int reports = 0, steps = 0;
-  const std::uint64_t seeds = test::is_long_run() ? 400 : 50;
+  const std::uint64_t seeds = test::is_long_run() ? 400 : 20;
   for (std::uint64_t seed = 0; seed < seeds && reports < max_oracle_reports; ++seed) {
     Mesh mesh = kernel_mesh(random_list(seed), seed);
     Journal journal;

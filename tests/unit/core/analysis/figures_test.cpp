@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/oracle/figures.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
@@ -248,7 +249,7 @@ Mesh mesh_of(const RandomMesh& mesh) {
 }
 
 TEST(figures, agree_with_the_oracle_on_random_meshes) {
-  for (std::uint64_t seed = 1; seed <= 20000 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seed_count(7000, 20000) && !HasFailure(); ++seed) {
     const RandomMesh mesh = random_mesh(seed);
     expect_as_oracle(mesh, compute_figures(mesh_of(mesh)));
   }
@@ -289,7 +290,7 @@ TEST(figures, see_only_faces_whatever_deleting_them_leaves) {
 
 // Faces thrown together: nearly every edge and point is non-manifold.
 TEST(figures, agree_with_the_oracle_on_soups) {
-  for (std::uint64_t seed = 1; seed <= 5000 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= seed_count(2000, 5000) && !HasFailure(); ++seed) {
     Dice dice(seed);
     RandomMesh mesh{seed, "soup", 4 + dice.below(6), {}};
     for (int left = 1 + dice.below(25); left > 0; --left) {

@@ -9,6 +9,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/all.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/shapes.h"
 
@@ -90,7 +91,8 @@ TEST(problem_sets, rows_have_stable_ids_and_one_predicate) {
 
 TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
   int edits = 0, other_loops = 0, kept_loops = 0;
-  for (std::uint64_t seed = 1; seed <= 800 && !HasFailure(); ++seed) {
+  const std::uint64_t seeds = seed_count(300, 800);
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     Dice dice(seed);
     Mesh mesh = random_kernel_mesh(seed);
     Journal journal;
@@ -141,9 +143,9 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
       }
     }
   }
-  EXPECT_GT(edits, 8000) << "the dice must find enough to do";
-  EXPECT_GT(other_loops, 100);
-  EXPECT_GT(kept_loops, 100);
+  EXPECT_GT(edits, 10 * static_cast<int>(seeds)) << "the dice must find enough to do";
+  EXPECT_GT(8 * other_loops, static_cast<int>(seeds));
+  EXPECT_GT(8 * kept_loops, static_cast<int>(seeds));
 }
 
 TEST(problem_sets, ask_only_around_the_edit) {

@@ -129,7 +129,7 @@ TEST(op_series, of_long_runs_that_failed) {
 }
 
 TEST(op_series, on_points_with_many_copies) {
-  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 3000u : 60u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 3000u : 25u); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     expect_same_of_all(heap(10 + dice.below(70), 4 + dice.below(6), dice), dice);

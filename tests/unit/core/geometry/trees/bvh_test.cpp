@@ -254,7 +254,7 @@ TEST(bvh, stays_right_through_random_edits) {
     Bvh bvh;
     bvh.build(scene.positions, scene.primitives);
     std::mt19937 random(seed);
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < (test::is_long_run() ? 12 : 5); ++round) {
       edit_tree_at_random(bvh, scene, random, 150, 1.0);
       ASSERT_STREQ(find_defect(bvh, scene.positions), nullptr);
       Comparison comparison(dvec3(0), 1.0, seed + 100);
@@ -344,7 +344,7 @@ TEST(bvh, the_bunny_agrees_with_the_plain_loop_before_and_after_edits) {
   const dvec3 center = (lowest + highest) * 0.5;
   const double size = glm::distance(lowest, highest) * 0.25;
   Comparison comparison(center, size, 9);
-  const int rays = test::is_long_run() ? 150 : 40, others = test::is_long_run() ? 20 : 6;
+  const int rays = test::is_long_run() ? 150 : 20, others = test::is_long_run() ? 20 : 3;
   comparison.rays(bvh, scene, rays);
   comparison.frustums(bvh, scene, others);
   comparison.places(bvh, scene, others);

@@ -5,6 +5,7 @@
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/preview/preview.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/ugly_meshes.h"
@@ -71,7 +72,7 @@ TEST(known_answers, are_those_of_single_questions) {
     SCOPED_TRACE(family.id);
     ASSERT_NO_FATAL_FAILURE(compare_all(from_indexed(family.make(12)), asked));
   }
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= seed_count(25, 60); ++seed) {
     const RandomMesh random = random_mesh(seed);
     SCOPED_TRACE(random.story);
     ASSERT_NO_FATAL_FAILURE(compare_all(placed_at_random(random), asked));

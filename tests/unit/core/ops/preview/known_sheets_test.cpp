@@ -7,6 +7,7 @@
 
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/rules/sheets.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 
@@ -43,9 +44,10 @@ TEST(known_sheets, large_ones_are_those_of_a_thousand_faces_in_whichever_order_t
     KnownSheets sheets;
     std::size_t found = 0;
     for (std::uint32_t f : order) {
-      const bool is_large = faces_of_sheet(mesh, Face(f), large).size() >= large;
-      ASSERT_EQ(sheets.is_large(mesh, Face(f)), is_large) << "f" << f << " every " << every;
+      const bool is_large = sheets.is_large(mesh, Face(f));
       found += is_large;
+      if (!test::is_long_run() && f % 3 != 0) continue;
+      ASSERT_EQ(is_large, faces_of_sheet(mesh, Face(f), large).size() >= large) << "f" << f << " every " << every;
     }
     EXPECT_GE(found, large);
     EXPECT_LT(found, mesh.face_slots());

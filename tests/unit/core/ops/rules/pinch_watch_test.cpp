@@ -85,7 +85,7 @@ TEST(pinch_watch, costs_what_is_near_the_faces) {
     }
     return watch.looks();
   };
-  const std::uint32_t few = is_long_run() ? 300 : 200;
+  const std::uint32_t few = is_long_run() ? 300 : 100;
   for (const auto family : {fan, bipyramid, book, book_of_squares, equal_triangles, apex_soup})
     EXPECT_LE(looks(family(4 * few)), 5 * looks(family(few))) << "four times the faces";
 }

@@ -8,6 +8,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
@@ -217,13 +218,14 @@ void walk(Mesh mesh, std::uint64_t seed, Walked& walked) {
 
 TEST(highlight_sets, are_kept_current_through_edits_undo_and_redo) {
   Walked walked;
-  for (std::uint64_t seed = 1; seed <= 500 && !HasFailure(); ++seed) {
+  const std::uint64_t seeds = seed_count(200, 500);
+  for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     walk(with_values(seed), seed, walked);
     walk(random_complex(seed), seed, walked);  // with rings, bridges and wires
   }
-  EXPECT_GT(walked.edits, 5000) << "the dice must find enough to do";
-  EXPECT_GT(walked.creases, 5000);
-  EXPECT_GT(walked.seams, 2000);
+  EXPECT_GT(walked.edits, 10 * static_cast<int>(seeds)) << "the dice must find enough to do";
+  EXPECT_GT(walked.creases, 10 * static_cast<int>(seeds));
+  EXPECT_GT(walked.seams, 4 * static_cast<int>(seeds));
 }
 
 }  // namespace

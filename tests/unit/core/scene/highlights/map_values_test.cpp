@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ryosen/geometry/is_finite.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/random_ops.h"
@@ -85,10 +86,11 @@ void follow_edits(Mesh mesh, const ColourMap& map, std::uint64_t seed, int& edit
 
 TEST(map_values, follow_edits_undo_and_redo) {
   int edits = 0;
+  const std::uint64_t seeds = seed_count(25, 60);
   for (const ColourMap& map : colour_maps())
-    for (std::uint64_t seed = 1; seed <= 60 && !HasFailure(); ++seed)
+    for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed)
       follow_edits(random_complex(seed), map, seed, edits);
-  EXPECT_GT(edits, 1000);
+  EXPECT_GT(edits, 17 * static_cast<int>(seeds));
 }
 
 TEST(map_values, are_the_same_for_any_number_of_threads) {

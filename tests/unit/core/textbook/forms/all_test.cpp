@@ -171,11 +171,11 @@ TEST(forms, shapes_come_back_and_all_agree) {
 
 TEST(forms, random_meshes_come_back_and_all_agree) {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < test::seed_count(100, 300); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seed_count(50, 300); ++seed) {
     const test::SeededMesh random = test::seeded_mesh(seed);
     expect_all_agree(make_mesh(random.faces, random.points), "seed " + std::to_string(seed), tally);
   }
-  for (std::uint64_t seed = 0; seed < test::seed_count(20, 60); ++seed) {
+  for (std::uint64_t seed = 0; seed < test::seed_count(10, 60); ++seed) {
     const RandomMesh random = random_manifold(seed, 30);
     test::Polygons faces;
     for (const auto& face : random.faces) faces.emplace_back(face.begin(), face.end());
@@ -225,7 +225,7 @@ TEST(forms, shared_meshes_come_back_and_all_agree) {
   Tally tally;
   std::size_t read = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.file_size() > (test::is_long_run() ? 400'000u : 100'000u)) continue;
+    if (!entry.is_regular_file() || entry.file_size() > (test::is_long_run() ? 400'000u : 40'000u)) continue;
     Result<MeshFile> file = read_mesh_file(entry.path());
     if (!file || file->mesh.face_count() > 4000) continue;
     IndexedMesh plain;

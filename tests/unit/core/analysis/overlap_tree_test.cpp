@@ -165,8 +165,11 @@ std::size_t overlapping_pairs(const Mesh& mesh) {
 
 // A star that winds round twice, so that its triangles meet, far too small for the numbers of the rest.
 TEST(overlap_tree, finds_the_pairs_of_a_star_that_is_nothing_beside_the_rest) {
+  std::size_t at = 0;
   for (const double size : {1.0, 1e-30, 1e-180, 1e-280})
     for (const double far : {1.0, 1e45, 1e300}) {
+      const std::size_t each = at / 3 + at % 3;  // a short run takes each size and each distance once or twice
+      if (++at; each % 3 != 0 && !is_long_run()) continue;
       constexpr std::uint32_t n = 101;
       ThinSolid solid;
       for (std::uint32_t i = 0; i < n; ++i) {

@@ -185,7 +185,7 @@ std::vector<FacePair> slow_pairs(const GridMesh& mesh) {
 
 TEST(self_intersections, are_those_of_whole_numbers_on_grids) {
   std::size_t found = 0, possible = 0;
-  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 6000u : 400u); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (is_long_run() ? 6000u : 150u); ++seed) {
     const GridMesh grid = random_grid_mesh(seed);
     const std::vector<FacePair> expected = slow_pairs(grid);
     ASSERT_EQ(pairs_in(from_indexed(grid.indexed())), expected) << "seed " << seed;
@@ -276,7 +276,7 @@ TEST(self_intersections, flat_and_unbounded_faces_meet_nothing) {
 
 // A sheet of triangles waved into another one: the pairs must be those of asking every pair.
 TEST(self_intersections, of_two_large_sheets_are_those_of_all_pairs) {
-  constexpr std::uint32_t n = 20;
+  const std::uint32_t n = is_long_run() ? 20 : 14;
   IndexedMesh mesh;
   for (std::uint32_t sheet = 0; sheet < 2; ++sheet) {
     const std::uint32_t base = sheet * (n + 1) * (n + 1);
@@ -353,7 +353,7 @@ IndexedMesh random_polygons(std::uint64_t seed, int count) {
 }
 
 TEST(self_intersections, of_faces_of_all_sizes_are_those_of_all_pairs_of_their_triangles) {
-  for (std::uint64_t seed = 0; seed < (is_long_run() ? 50u : 5u); ++seed) {
+  for (std::uint64_t seed = 0; seed < (is_long_run() ? 50u : 2u); ++seed) {
     const Mesh mesh = from_indexed(random_polygons(seed, 60));
     const NumberedSurface surface(mesh);
     std::vector<FacePair> expected;

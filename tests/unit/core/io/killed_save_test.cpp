@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/core/long_run.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -86,7 +87,7 @@ TEST(killed_save, leaves_the_whole_old_or_the_whole_new_file) {
 
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
-  constexpr int kills = 200;
+  const int kills = test::is_long_run() ? 200 : 70;
   int old_stayed = 0, new_came = 0, were_killed = 0, left_beside = 0;
   std::size_t now = 0;
   for (int i = 0; i < kills; ++i) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "ryosen/io/obj.h"
+#include "tests/support/core/long_run.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -162,7 +163,7 @@ std::string random_line(std::mt19937& random) {
 
 TEST(obj_pieces, random_lines) {
   std::mt19937 random(7);
-  for (int turn = 0; turn < 400 && !HasFatalFailure(); ++turn) {
+  for (int turn = 0; turn < (test::is_long_run() ? 400 : 150) && !HasFatalFailure(); ++turn) {
     std::string text;
     for (std::size_t lines = 1 + random() % 60; lines > 0; --lines) text += random_line(random);
     expect_same_in_pieces(text);
@@ -170,7 +171,7 @@ TEST(obj_pieces, random_lines) {
 }
 
 TEST(obj_pieces, files_that_are_there) {
-  constexpr std::uintmax_t most_bytes = 200000;
+  const std::uintmax_t most_bytes = test::is_long_run() ? 200000 : 50000;
   std::size_t files = 0;
   for (const char* folder : {RYOSEN_SOURCE_DIR "/tests/data", RYOSEN_SOURCE_DIR "/tests/fuzz/corpus",
                              RYOSEN_SOURCE_DIR "/assets", RYOSEN_SHARED_DIR}) {

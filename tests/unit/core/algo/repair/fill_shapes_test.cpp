@@ -205,6 +205,7 @@ TEST(fill_shapes, a_rim_of_hundreds_of_edges_gets_an_even_patch) {
   const std::vector<std::uint32_t> few{140, 160}, many{140, 145, 150, 160};  // some are weighed, some are projected
   for (const std::uint32_t n : is_long_run() ? many : few)
     for (const double height : {0.0, 0.3}) {
+      if (!is_long_run() && (n == few[0]) != (height > 0)) continue;
       SCOPED_TRACE(2 * n);
       Mesh mesh = from_indexed(
           sphere_with_hole(n, n / 4, [&](std::uint32_t k) { return height * std::sin(2 * M_PI * k / n); }));

@@ -9,6 +9,7 @@
 
 #include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/indexed/from_indexed.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/slow_distance.h"
@@ -172,7 +173,7 @@ TEST(distance, has_a_tight_bound_where_surfaces_lie_along_each_other) {
     run_algorithm(mesh, journal, more);
     return mesh;
   };
-  const Mesh coarse = plate("unite_planar"), fine = plate("remesh length=0.05"),
+  const Mesh coarse = plate("unite_planar"), fine = plate(is_long_run() ? "remesh length=0.05" : "remesh length=0.09"),
              apart = plate("translate by=0,0,0.001");
   Progress unheard;
   const auto along = surface_distance(coarse, fine, {}, unheard);
@@ -373,6 +374,7 @@ TEST(distance, of_flat_discs_cuts_few_cells_however_they_are_cut_into_triangles)
   for (const auto& [turn, is_fan] : {std::pair(0.0, true), std::pair(0.001, false)}) {
     std::uint64_t before = 0;
     for (const std::uint32_t n : {300u, 600u, 1200u}) {
+      if (n > 600 && !is_long_run()) continue;
       const auto found =
           surface_distance(disc(n, 0, false), disc(n, turn, is_fan), DistanceOptions{.samples = 1}, none);
       const std::uint64_t cuts = found->forward.cuts + found->backward.cuts;

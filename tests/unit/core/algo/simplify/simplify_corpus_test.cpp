@@ -72,9 +72,9 @@ TEST(simplify_corpus, goes_as_far_on_every_mesh_and_is_sound_on_the_way) {
   std::size_t meshes = 0, large_files = 0;
   Dice dice(7);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    // A short run takes one of four large files.
+    // A short run takes one of eight large files.
     constexpr std::uintmax_t large = 40'000;
-    if (!entry.is_regular_file() || (entry.file_size() > large && !is_long_run() && large_files++ % 4 != 0)) continue;
+    if (!entry.is_regular_file() || (entry.file_size() > large && !is_long_run() && large_files++ % 8 != 0)) continue;
     const Result<MeshFile> file = read_mesh_file(entry.path());
     if (!file) continue;
     // The kernel only warns of a seam, which here holds what is on it.

@@ -241,7 +241,7 @@ TEST(Subdivide, limit_normals_are_those_of_the_faces_of_ever_finer_levels) {
   for (const Scheme scheme : {Scheme::loop, Scheme::catmull_clark, Scheme::sqrt3}) {
     const bool triangles = scheme != Scheme::catmull_clark;
     expect_normals(made_by(triangles ? "tetrahedron" : "cube"), {.scheme = scheme, .steps = 2}, "closed");
-    expect_normals(made_by("icosahedron"), {.scheme = scheme, .steps = 2}, "valence 5");
+    if (is_long_run()) expect_normals(made_by("icosahedron"), {.scheme = scheme, .steps = 2}, "valence 5");
     if (scheme == Scheme::sqrt3) continue;  // its boundaries have no masks of their own
     expect_normals(bumpy_sheet(triangles), {.scheme = scheme, .steps = 2}, "sheet");
     expect_normals(made_by("cube"), {.scheme = scheme, .steps = 2, .crease_angle_rad = 1.2}, "corners");

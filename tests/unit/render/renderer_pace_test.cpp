@@ -5,6 +5,7 @@
 #include <random>
 
 #include "render/renderer.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {
@@ -129,6 +130,7 @@ std::unique_ptr<Renderer> full_view(Scene& scene, Size size, Xray xray) {
 TEST(view, refined_is_the_picture_with_several_samples) {
   for (const Xray xray : {Xray::off, Xray::on})
     for (const Size size : {Size{300, 213}, Size{128, 256}}) {
+      if ((xray == Xray::on) != (size.width == 128) && !test::is_long_run()) continue;
       Scene ball = sphere_scene(16);
       const auto view = full_view(ball, size, xray);
       Camera camera;
@@ -177,6 +179,7 @@ TEST(view, is_refined_in_parts_of_no_more_effort_than_they_may_take) {
   const Image at_once = view->read_pixels();
   int fewer = tiles;
   for (const double most : {6e6, 3e6}) {
+    if (most > 3e6 && !test::is_long_run()) continue;
     view->draw(PixelRect::all(view->size()));
     view->set_most_refining(most);
     view->set_refining(true);
@@ -200,7 +203,7 @@ TEST(view, a_part_that_changed_is_refined_as_the_whole_is) {
   const Image before = view->read_pixels();
   std::mt19937 random(7);
   const auto any = [&](std::size_t below) { return static_cast<std::uint32_t>(random() % below); };
-  for (int step = 0; step < 12; ++step) {
+  for (int step = 0; step < (test::is_long_run() ? 12 : 6); ++step) {
     view->draw();
     Overlay overlay;
     overlay.points.push_back({ball.positions[any(ball.positions.size())], rgb(0xF0E442), PointShape::disc, 6});

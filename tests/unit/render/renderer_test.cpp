@@ -6,6 +6,7 @@
 #include <random>
 
 #include "ryosen/scene/view/packed_normal.h"
+#include "tests/support/core/long_run.h"
 #include "tests/support/render/scene.h"
 
 namespace ryosen {
@@ -198,7 +199,8 @@ TEST(view, partial_redraw_equals_full_redraw) {
   const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
   const auto shift = [&] { return 0.1 * (double(below(1000)) / 1000 - 0.5); };
   int partial = 0;
-  for (int step = 0; step < 60; ++step) {
+  const int steps = test::is_long_run() ? 60 : 30;
+  for (int step = 0; step < steps; ++step) {
     std::vector<std::uint32_t> vertices, triangles, faces;
     if (step % 3 == 0) {
       const std::uint32_t vertex = below(scene.positions.size());
@@ -237,7 +239,7 @@ TEST(view, partial_redraw_equals_full_redraw) {
     const Image picture = view->read_pixels();
     ASSERT_EQ(picture, full_picture(*view)) << "step " << step;
   }
-  EXPECT_GT(partial, 30);
+  EXPECT_GT(partial, steps / 2);
 }
 
 // The picture of so many triangles that those behind nearer ones are looked for, and of the same in small rectangles,
@@ -253,8 +255,9 @@ TEST(view, what_nearer_triangles_hide_is_left_out_unseen) {
     view->draw();
     EXPECT_GT(view->triangles_hidden(), view->triangles_drawn() / 6);
     const Image whole = view->read_pixels();
-    for (int y = 0; y < view_size.height; y += 20)
-      for (int x = 0; x < view_size.width; x += 20) view->draw({x, y, x + 20, y + 20});
+    const int side = test::is_long_run() ? 20 : 50;
+    for (int y = 0; y < view_size.height; y += side)
+      for (int x = 0; x < view_size.width; x += side) view->draw({x, y, x + side, y + side});
     EXPECT_EQ(view->read_pixels(), whole);
   }
 }

@@ -74,7 +74,7 @@ bool wait_for(const std::function<bool()>& condition, std::chrono::seconds limit
   const auto end = std::chrono::steady_clock::now() + limit;
   while (std::chrono::steady_clock::now() < end) {
     if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return condition();
 }

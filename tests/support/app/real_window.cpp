@@ -26,6 +26,33 @@ std::string while_held(const std::string& keys, const std::string& words) {
   return down + words + up;
 }
 
+namespace {
+
+// Outside of quotes: each click, key and text with the shortest rest behind it. By itself xdotool rests for 100 ms
+// after a click and for 12 ms after a key. What has a rest of its own keeps that, which comes later.
+std::string with_short_rests(const std::string& words) {
+  std::string made, word;
+  bool is_quoted = false;
+  const auto end_word = [&] {
+    made += word;
+    if (word == "click" || word == "key" || word == "type") made += " --delay 1";
+    word.clear();
+  };
+  for (const char c : words) {
+    if (c == '\'') is_quoted = !is_quoted;
+    if (c != ' ' || is_quoted) {
+      word += c;
+    } else {
+      end_word();
+      made += c;
+    }
+  }
+  end_word();
+  return made;
+}
+
+}  // namespace
+
 void RealWindow::SetUp() {
   for (const char* program : {"Xvfb", "xdotool"})
     if (!is_installed(program)) GTEST_SKIP() << program << " is not installed; tests/run.sh installs it";
@@ -64,7 +91,7 @@ void RealWindow::say(const std::string& line) const {
 }
 
 void RealWindow::xdotool(const std::string& words) const {
-  ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool " + words).c_str()), 0) << words;
+  ASSERT_EQ(std::system(("DISPLAY=:" + number_ + " xdotool " + with_short_rests(words)).c_str()), 0) << words;
 }
 
 void RealWindow::drag(glm::dvec2 from, glm::dvec2 to, const std::string& keys, int button) const {

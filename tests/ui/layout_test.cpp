@@ -9,6 +9,7 @@
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen {
 namespace {
@@ -63,7 +64,7 @@ TEST_F(LayoutTest, a_column_that_scrolls_by_little_leaves_out_what_says_nothing)
   const auto scrolls = [] { return ImGui::FindWindowByName("##left")->ScrollMax.y > 0; };
   open("fin.obj");
   int folded = 0, whole = 0;
-  for (int height = 700; height <= 960; height += 2) {
+  for (int height = 700; height <= 960; height += test::is_long_run() ? 2 : 6) {
     LayoutTest::size_ = {1280, height};
     frames(6);
     const bool leaves_out = is_seen("noneofithere");

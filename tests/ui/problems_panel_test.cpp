@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <optional>
 
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
@@ -164,11 +165,14 @@ TEST(problems_panel, double_clicks_in_one_place_never_run_two_different_repairs)
   for (const char* file : {"fin.obj", "hanging_pair.obj", "misoriented.obj", "bow_tie.obj", "duplicate_face.obj",
                            "collinear.obj", "isolated_vertex.obj", "../tests/data/doubled_triangle.obj"}) {
     test::Laid laid(file, test::tall_window);
+    std::optional<DrawnText> drawn(laid.gui);
     for (const ProblemRow& row : problem_table()) {
       for (std::size_t count = 1; count < 10; ++count) {
         std::string name = std::to_string(count) + row.name_of(count).en;
         std::erase(name, ' ');
-        if (DrawnText(laid.gui).count(name) > 0) laid.click(DrawnText(laid.gui).place(name));
+        if (drawn->count(name) == 0) continue;
+        laid.click(drawn->place(name));
+        drawn.emplace(laid.gui);
       }
     }
     const glm::dvec2 header = DrawnText(laid.gui).place("Problems");

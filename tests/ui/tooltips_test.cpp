@@ -40,7 +40,7 @@ std::set<std::string> untold_in_columns(Laid& laid, Size size) {
   std::set<std::string> untold;
   const PixelRect view = laid.gui.view_area(size, laid.session.layout);
   std::set<ImGuiID> seen;
-  for (double y = view.y0 + 3; y < view.y1; y += test::is_long_run() ? 7 : 14)
+  for (double y = view.y0 + 3; y < view.y1; y += test::is_long_run() ? 7 : 21)
     for (const double x : {40.0, view.x0 - 60.0, view.x1 + 16.0, view.x1 + 90.0, size.width - 50.0}) {
       laid.gui.pointer({x, y});
       laid.frames(2);
@@ -115,8 +115,8 @@ TEST(tooltips, cover_neither_the_row_above_nor_the_one_below_in_any_window) {
     const auto look = [&](const std::string& what) {
       laid.frames(4);
       std::string covered;
-      // A short run looks at every third place, which are others in the next panel.
-      const int every = test::is_long_run() ? 1 : 3;
+      // A short run looks at every fifth place, which are others in the next panel.
+      const int every = test::is_long_run() ? 1 : 5;
       for (double y = 30 + 17 * (looked++ % every); y < size.height - 25; y += 17 * every)
         for (const double x : {0.12, 0.45, 0.8}) {
           laid.gui.pointer({std::floor(x * size.width), y});

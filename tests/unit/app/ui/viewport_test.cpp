@@ -83,6 +83,7 @@ std::string random_line(const Session& session, std::mt19937& random) {
 TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
   std::mt19937 random(5);
   int edits = 0;
+  const int steps = test::is_long_run() ? 60 : 18;
   const char* const names[] = {"fin.obj",     "moebius.off",      "torus.off",     "ball.off",
                                "bow_tie.obj", "hanging_pair.obj", "two_quads.obj", "klein_bottle.off"};
   for (std::size_t i = 0; i < std::size(names); ++i) {
@@ -92,7 +93,7 @@ TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
     ASSERT_TRUE(session.run(i % 2 == 0 ? "shading flat" : "shading smooth").done());
     viewport_->forget();
     picture(session, "show all");
-    for (int step = 0; step < (test::is_long_run() ? 60 : 30); ++step) {
+    for (int step = 0; step < steps; ++step) {
       // What is hidden, changed and shown again without a picture between is not the same any more.
       if (step % 6 == 2) {
         EXPECT_TRUE(session.run("show creases off").done());
@@ -107,7 +108,7 @@ TEST_F(ViewportTest, what_follows_edits_looks_like_what_is_drawn_anew) {
           << name << " step " << step;
     }
   }
-  EXPECT_GT(edits, 100);
+  EXPECT_GT(edits, 4 * steps);
 }
 
 // A small edit, an undo, a movement by hand that ends or is given up, or something hidden.
@@ -136,6 +137,7 @@ TEST_F(ViewportTest, several_on_one_session_draw_the_same) {
   const auto second = Viewport::make().value();
   std::unique_ptr<Viewport> third;
   std::mt19937 random(17);
+  const int steps = test::is_long_run() ? 1000 : 500;
   std::map<const Viewport*, std::size_t> rebuilt;  // by small changes
   const auto follow = [&](Viewport& viewport, bool is_small) {
     const std::size_t before = viewport.rebuilds();
@@ -153,8 +155,8 @@ TEST_F(ViewportTest, several_on_one_session_draw_the_same) {
     }
     return images;
   };
-  for (int step = 1; step <= 1000; ++step) {
-    if (step == 500) {
+  for (int step = 1; step <= steps; ++step) {
+    if (step == steps / 2) {
       third = Viewport::make().value();
       follow(*third, false);
     }

@@ -84,7 +84,7 @@ TEST(random_scripts, break_nothing_and_are_undone) {
   for (const char* name : meshes) folder.copy(test::asset(name), name);
   folder.copy(test::asset("cube.obj"), "in.obj");
   folder.copy(test::asset("torus.off"), "in.off");
-  const std::uint64_t first = 45000000, scripts = test::is_long_run() ? 50000 : 300;
+  const std::uint64_t first = 45000000, scripts = test::is_long_run() ? 50000 : 150;
   RecordProperty("seeds", std::to_string(first) + " to " + std::to_string(first + scripts - 1));
   const std::vector<std::string> ids = commands_to_try();
   for (std::uint64_t i = 0; i < scripts && !testing::Test::HasFatalFailure(); ++i) run_script(first + i, ids);

@@ -10,6 +10,7 @@
 
 #include "tests/support/app/process.h"
 #include "tests/support/app/program.h"
+#include "tests/support/core/long_run.h"
 
 namespace ryosen {
 namespace {
@@ -38,7 +39,7 @@ TEST(killed_saves, the_program_leaves_the_whole_old_or_the_whole_new_file) {
 
   const unsigned seed = std::random_device()();
   std::mt19937 random(seed);
-  constexpr int kills = 40;
+  const int kills = test::is_long_run() ? 40 : 16;
   int old_stayed = 0, new_came = 0;
   std::size_t now = 1;
   for (int i = 0; i < kills; ++i) {

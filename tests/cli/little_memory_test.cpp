@@ -110,8 +110,9 @@ TEST(little_memory, ends_no_command_badly) {
   const TemporaryFolder made;
   const std::string cube = asset("cube.obj"), bunny = asset("stanford_bunny.obj");
   if (!is_long_run()) {
-    for (const Words& words : lines_of_all(cube, made)) expect_good_end("-v 100000", words, any_usual_code, 10);
-    for (const char* const limit : {"-v 200000", "-v 300000", "-v 400000", "-d 50000", "-d 80000"})
+    const std::vector<Words> lines = lines_of_all(cube, made);
+    for (std::size_t i = 0; i < lines.size(); i += 2) expect_good_end("-v 100000", lines[i], any_usual_code, 10);
+    for (const char* const limit : {"-v 200000", "-v 400000", "-d 50000"})
       expect_good_end(limit, {"shot", bunny, "-o", "o.png"}, 0, 10);
     expect_good_end("-v 300000", {"doctor", "--json"}, 0, 10);
     return;

@@ -64,7 +64,7 @@ int expect_report_of_the_file(const std::string& input, const std::string& out, 
 
 TEST(repair_soups, a_report_is_that_of_the_file_and_a_second_run_does_nothing) {
   const TemporaryFolder folder;
-  const std::uint64_t seeds = is_long_run() ? 2000 : 30;
+  const std::uint64_t seeds = is_long_run() ? 2000 : 15;
   std::map<std::string, std::uint64_t> repaired;  // by format
   for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     const std::string input = folder.write("in.obj", random_soup(seed)), facets = folder.at("in.stl");

@@ -76,7 +76,9 @@ TEST_F(Algorithms, are_subcommands_with_a_flag_for_each_parameter) {
     // An operator of this name comes first, so it must do without values; no other command may have the name.
     EXPECT_TRUE(row.parameters.empty() || !find_op(id)) << id;
     EXPECT_TRUE(find_op(id) || find_command_row(id)->help_en == row.help_en) << id;
-    EXPECT_TRUE(call_of(line_of(row, ParameterValues(row.parameters)))->is_long) << id;
+    const AlgorithmCall call{&row, ParameterValues(row.parameters)};
+    EXPECT_TRUE(call_of(call.line())->is_long) << id;
+    EXPECT_TRUE(call_of_command(call)->is_long) << id;
   }
 }
 

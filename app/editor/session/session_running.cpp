@@ -77,6 +77,9 @@ Outcome Session::run_command(const Command& command) {
 // The line is read where the mesh is no longer the one that the operator was made on.
 Outcome Session::apply(const AnyOp& op, const std::string& line, std::uint64_t made_on) {
   if (open_.document->revision() == made_on) {
+    if (info_of(op).line.fault && check(mesh(), op).legal())
+      if (const auto fault = fault_of_values(mesh(), op))
+        return no_element(document(), line, NameError::malformed, *fault);
     Outcome outcome = open_.document->apply(op, frontend.is_strict, line);
     if (outcome.done()) outcome.performed = line;
     return outcome;

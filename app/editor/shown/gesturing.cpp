@@ -6,13 +6,11 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "app/editor/shown/snapping.h"
-#include "ryosen/base/number_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/rules/face_geometry.h"
-#include "ryosen/ops/split_edge.h"
 
 namespace ryosen {
 
@@ -260,10 +258,8 @@ Outcome Gesturing::end() {
   const bool does_nothing = g.transform.does_nothing();
   if (does_nothing && !g.made) return give_up();
   const std::optional<Ongoing::Made> made = g.made;
-  const Command command = !made ? Command(g.transform.call())
-                          : does_nothing
-                              ? made->line + made->no_way
-                              : made->line + format_place(made->from.value_or(glm::dvec3(0)) + *g.transform.movement());
+  const Command command =
+      made ? made->command(does_nothing ? std::nullopt : g.transform.movement()) : Command(g.transform.call());
   cancel();
   Outcome outcome = session_.run(command);
   if (!outcome.done() || !made) return outcome;

@@ -23,12 +23,13 @@ class Gesturing {
   explicit Gesturing(Session& session) : session_(session) {}
 
   Outcome begin(PointTransform::Kind kind);
-  // Extrudes the selected faces and moves them: one command in the end, and nothing where it is given up.
+  // Does an operator with a value that can be dragged (OpDrag) and moves what it makes: one command in the end, and
+  // nothing where it is given up.
+  Outcome begin(const AnyOp& op);
+  // The same: extrudes the selected faces, else edges; splits the edge under the tool in hand, else the selected one;
+  // duplicates the selection.
   Outcome begin_extrusion();
-  // Splits an edge and moves its new vertex, in the same way: that under the tool in hand, else the one that is
-  // selected.
   Outcome begin_split();
-  // Duplicates the selection and moves the copy, in the same way.
   Outcome begin_copy();
 
   bool is_active() const { return transform() != nullptr; }  // one goes on

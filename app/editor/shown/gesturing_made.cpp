@@ -7,27 +7,11 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/base/number_text.h"
-#include "ryosen/mesh/circulate.h"
-#include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/names.h"
-#include "ryosen/ops/split_edge.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 
 namespace {
-
-// What an operator made at the far end of quads.
-Elements new_edges_of_new_points(const Mesh& mesh, const ColumnLengths& before) {
-  Elements found;
-  for (std::uint32_t i = before.halfedges / 2; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e)) continue;
-    const auto [a, b] = ends(mesh, e);
-    if (point(mesh, a).index >= before.vertices && point(mesh, b).index >= before.vertices) found.push_back(e);
-  }
-  return found;
-}
 
 std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLengths& before) {
   std::vector<Face> found;
@@ -35,8 +19,6 @@ std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLength
                [&](Face f) { return f.index >= before.faces; });
   return found;
 }
-
-Text name_of(const OpInfo& op) { return {std::string(op.name_en), std::string(op.name_ja)}; }
 
 }  // namespace
 
@@ -62,8 +44,11 @@ Outcome Gesturing::begin_copy() {
   }
   begin_with(PointTransform::Kind::move, copy);
   ongoing_->transform.is_part_of({std::string(row.name_en), std::string(row.name_ja)});
-  ongoing_->made = {.line = "duplicate elements=selected by=",
-                    .no_way = "0,0,0",
+  ongoing_->made = {.command = [call = AlgorithmCall{&row, named}](const std::optional<glm::dvec3>& way) -> Command {
+                      AlgorithmCall moved = call;
+                      moved.values.set_place("by", way.value_or(glm::dvec3(0)));
+                      return moved;
+                    },
                     .unmoved = {"The copy lies exactly on the original; undo takes it away.",
                                 "複製は元とちょうど重なっています。「元に戻す」で取り消せます。"},
                     .given_up = {"No copy is left; Enter instead of Esc leaves one in its place.",
@@ -75,48 +60,46 @@ Outcome Gesturing::begin_copy() {
   return {};
 }
 
-// Extruded by nothing, so that what is moved is there; that is on trial, and in the end it is one extrusion, or none.
+// What it makes is there, on trial; in the end the operator is done once with the value, or not at all.
+Outcome Gesturing::begin(const AnyOp& op) {
+  const OpInfo& info = info_of(op);
+  const OpDrag& drag = *info.drag;
+  const void* const values = std::visit([](const auto& o) -> const void* { return &o; }, op);
+  const ColumnLengths before = mesh().lengths();
+  const std::optional<glm::dvec3> from = drag.from ? std::optional(drag.from(mesh(), values)) : std::nullopt;
+  const Outcome outcome = session_.shown.try_out(ShownBy::gesture, op);
+  if (!outcome.done()) return outcome;
+  const Elements moved = drag.moved(mesh(), values, before);
+  begin_with(PointTransform::Kind::move, moved);
+  ongoing_->transform.is_part_of({std::string(info.name_en), std::string(info.name_ja)});
+  ongoing_->made = {.command = [op, from](const std::optional<glm::dvec3>& way) -> Command {
+                      return way ? dragged(op, from.value_or(glm::dvec3(0)) + *way) : op;
+                    },
+                    .unmoved = {std::string(drag.unmoved_en), std::string(drag.unmoved_ja)},
+                    .selected = drag.selects_moved ? moved : Elements()};
+  if (drag.begins_flat) {
+    ongoing_->made->first_made = before.vertices;
+    ongoing_->made->faces = new_faces(ongoing_->touched.faces, before);
+  }
+  if (drag.along_normal) key("N");
+  if (drag.selects_moved) session_.selecting.selection = moved;  // until the trial ends
+  if (drag.begins_flat && !drag.along_normal) show();            // without what has no extent yet
+  return outcome;
+}
+
 Outcome Gesturing::begin_extrusion() {
   session_.shown.end();
   cancel();
-  Elements faces, edges;
+  Extrude faces{.faces = {}, .distance = 0};
+  ExtrudeEdges edges{.edges = {}, .distance = 0};
   for (const Element& e : session_.selecting.selection) {
-    if (e.kind == Element::Kind::face) faces.push_back(e);
-    if (e.kind == Element::Kind::edge) edges.push_back(e);
-    if (e.kind == Element::Kind::halfedge) edges.push_back(edge(e.halfedge()));
+    if (e.kind == Element::Kind::face) faces.faces.push_back(e.face());
+    if (e.kind == Element::Kind::edge) edges.edges.push_back(halfedge(e.edge()));
+    if (e.kind == Element::Kind::halfedge) edges.edges.push_back(halfedge(edge(e.halfedge())));
   }
-  if (faces.empty() && edges.empty())
+  if (faces.faces.empty() && edges.edges.empty())
     return failed(ExitCode::refused, {"select faces or edges first", "先に面または稜線を選択してください"});
-  const std::string id(faces.empty() ? ExtrudeEdges::info.id : Extrude::info.id);
-  std::vector<std::string> names = session_.selecting.names_of(faces.empty() ? edges : faces);
-  std::string line = id + " ";
-  for (const std::string& name : names) line += name + " ";
-  names.push_back("0");
-  const std::vector<std::string_view> arguments(names.begin(), names.end());
-  const ParsedOp extrusion = parse_op(mesh(), id, arguments);
-  if (!extrusion.op) return no_element(session_.document(), line + "0", extrusion.error, extrusion.sentence);
-  const ColumnLengths before = mesh().lengths();
-  const Outcome outcome = session_.shown.try_out(ShownBy::gesture, *extrusion.op);
-  if (!outcome.done()) return outcome;
-  const Elements made = faces.empty() ? new_edges_of_new_points(mesh(), before) : Elements();
-  begin_with(PointTransform::Kind::move, faces.empty() ? made : faces);
-  ongoing_->transform.is_part_of(name_of(info_of(*extrusion.op)));
-  ongoing_->made = {.line = std::move(line),
-                    .no_way = "0",
-                    .unmoved = {"Extruded by nothing: the new faces have no extent until something is moved or "
-                                "scaled; undo takes them away.",
-                                "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
-                                "「元に戻す」で取り消せます。"},
-                    .first_made = before.vertices,
-                    .faces = new_faces(ongoing_->touched.faces, before),
-                    .selected = made};
-  if (!faces.empty()) {
-    key("N");
-  } else {
-    session_.selecting.selection = ongoing_->made->selected;  // until the trial ends
-    show();                                                   // without what has no extent yet
-  }
-  return outcome;
+  return faces.faces.empty() ? begin(edges) : begin(faces);
 }
 
 // Where the pointer is on the edge, else in its middle; from there the new vertex follows the pointer.
@@ -133,18 +116,7 @@ Outcome Gesturing::begin_split() {
     target.halfedge = session_.selecting.selection[0].halfedge();
   if (!is_there(mesh(), target.halfedge))
     return failed(ExitCode::refused, {"select an edge first", "先に稜線を一つ選択してください"});
-  const SplitEdge split = SplitEdge::at(mesh(), target);
-  const Vertex end = mesh().to(split.halfedge);
-  const glm::dvec3 place = split.position(mesh());
-  const std::string line = "split " + name_to_choose(mesh(), split.halfedge) + " ";
-  const Outcome outcome = session_.shown.try_out(ShownBy::gesture, split);
-  if (!outcome.done()) return outcome;
-  const Halfedge h = split.halfedge;
-  const Vertex made = mesh().to(h) == end ? mesh().from(h) : mesh().to(h);
-  begin_with(PointTransform::Kind::move, {made});
-  ongoing_->transform.is_part_of(name_of(SplitEdge::info));
-  ongoing_->made = {.line = line, .no_way = format_double(split.along), .from = place};
-  return outcome;
+  return begin(SplitEdge::at(mesh(), target));
 }
 
 }  // namespace ryosen

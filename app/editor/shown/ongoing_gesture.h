@@ -1,6 +1,9 @@
 // The gesture that goes on: for the files that begin and end gestures.
 #pragma once
 
+#include <functional>
+
+#include "app/editor/commands/text/command.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/snapping.h"
 
@@ -17,8 +20,8 @@ struct Gesturing::Ongoing {
   glm::dvec2 pixel{0};                 // of the window, where the pointer was last
   Modifiers modifiers = {};
   struct Made {
-    std::string line, no_way;  // the line that makes it, up to how far, as "extrude f3 "; and not at all, as "0"
-    std::optional<glm::dvec3> from = {};  // where it takes a place in place of a way, that which the way begins at
+    // Makes it so far away; none: where it was made.
+    std::function<Command(const std::optional<glm::dvec3>& way)> command;
     Text unmoved = {};                    // said where it ends without a movement
     Text given_up = {};                   // and where it is given up
     std::uint32_t first_made = no_index;  // of the vertices

@@ -77,6 +77,15 @@ std::vector<std::string_view> split_words(std::string_view line) {
   return words;
 }
 
+std::optional<Text> fault_of_values(const Mesh& mesh, const AnyOp& op) {
+  const OpLine& line = info_of(op).line;
+  if (!line.fault) return std::nullopt;
+  const auto expected = std::visit([&](const auto& o) { return line.fault(mesh, &o); }, op);
+  if (!expected) return std::nullopt;
+  const std::string printed = command_of(mesh, op);
+  return not_understood(split_words(printed).back(), *expected);
+}
+
 ParsedOp parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty() || !find_op(words[0]))

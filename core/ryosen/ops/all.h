@@ -98,6 +98,11 @@ inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
 inline OpEffect apply(Edit& edit, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.apply(edit); }, op);
 }
+// The operator with the value that is dragged (OpDrag); it must have one.
+inline AnyOp dragged(AnyOp op, const glm::dvec3& value) {
+  std::visit([&](auto& o) { o.info.drag->set(&o, value); }, op);
+  return op;
+}
 // The halfedge that an operator on one edge is about; none for others.
 inline Halfedge halfedge_of(const AnyOp& op) {
   return std::visit([](const auto& o) { return halfedge_of(o.info.line, &o); }, op);
@@ -106,5 +111,8 @@ inline Halfedge halfedge_of(const AnyOp& op) {
 inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
   return std::visit([&](const auto& o) { return std::string(o.info.id) + print_line(o.info.line, mesh, &o); }, op);
 }
+
+// What is wrong with values of an operator that is legal, as parse_line() says it of its line.
+std::optional<Text> fault_of_values(const Mesh& mesh, const AnyOp& op);
 
 }  // namespace ryosen

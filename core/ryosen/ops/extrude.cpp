@@ -36,6 +36,21 @@ std::optional<Text> fault_of_extrusion(const Mesh& mesh, const void* op) {
   return std::nullopt;
 }
 
+constexpr OpDrag drag_of_extrusion{.set =
+                                       [](void* op, const glm::dvec3& by) {
+                                         static_cast<Extrude*>(op)->distance.reset();
+                                         static_cast<Extrude*>(op)->offset = by;
+                                       },
+                                   .moved =
+                                       [](const Mesh&, const void* op, const ColumnLengths&) {
+                                         const std::vector<Face>& faces = static_cast<const Extrude*>(op)->faces;
+                                         return std::vector<Element>(faces.begin(), faces.end());
+                                       },
+                                   .begins_flat = true,
+                                   .along_normal = true,
+                                   .unmoved_en = extruded_by_nothing_en,
+                                   .unmoved_ja = extruded_by_nothing_ja};
+
 }  // namespace
 
 constinit const OpInfo Extrude::info{
@@ -49,7 +64,8 @@ constinit const OpInfo Extrude::info{
     .key = '\0',
     .target = OpTargetKind::face,
     .group = OpGroup::refine,
-    .on_selection = OnSelection::all};
+    .on_selection = OnSelection::all,
+    .drag = &drag_of_extrusion};
 
 namespace {
 

@@ -23,6 +23,15 @@
 
 namespace ryosen {
 
+// Said where an extrusion has no way.
+inline constexpr std::string_view
+    extruded_by_nothing_en =
+        "Extruded by nothing: the new faces have no extent until something is moved or scaled; "
+        "undo takes them away.",
+    extruded_by_nothing_ja =
+        "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
+        "「元に戻す」で取り消せます。";
+
 struct Extrude {
   std::vector<Face> faces;
   std::optional<double> distance = {};  // along their normal; default: the square root of their mean area

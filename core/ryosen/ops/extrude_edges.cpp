@@ -16,6 +16,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/ops/extrude.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/attach_face.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -44,6 +45,29 @@ std::optional<Text> fault_of_edge_extrusion(const Mesh& mesh, const void* op) {
   return std::nullopt;
 }
 
+// The edges at the far end of the new faces.
+std::vector<Element> far_edges(const Mesh& mesh, const void*, const ColumnLengths& before) {
+  std::vector<Element> found;
+  for (std::uint32_t i = before.halfedges / 2; i < mesh.edge_slots(); ++i) {
+    const Edge e(i);
+    if (!mesh.is_alive(e)) continue;
+    const auto [a, b] = ends(mesh, e);
+    if (point(mesh, a).index >= before.vertices && point(mesh, b).index >= before.vertices) found.push_back(e);
+  }
+  return found;
+}
+
+constexpr OpDrag drag_of_edge_extrusion{.set =
+                                            [](void* op, const glm::dvec3& by) {
+                                              static_cast<ExtrudeEdges*>(op)->distance.reset();
+                                              static_cast<ExtrudeEdges*>(op)->offset = by;
+                                            },
+                                        .moved = far_edges,
+                                        .begins_flat = true,
+                                        .selects_moved = true,
+                                        .unmoved_en = extruded_by_nothing_en,
+                                        .unmoved_ja = extruded_by_nothing_ja};
+
 }  // namespace
 
 constinit const OpInfo ExtrudeEdges::info{
@@ -57,7 +81,8 @@ constinit const OpInfo ExtrudeEdges::info{
     .key = '\0',
     .target = OpTargetKind::edge,
     .group = OpGroup::refine,
-    .on_selection = OnSelection::all};
+    .on_selection = OnSelection::all,
+    .drag = &drag_of_edge_extrusion};
 
 namespace {
 

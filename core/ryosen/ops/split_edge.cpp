@@ -24,10 +24,22 @@ constexpr OpParameter split_parameters[] = {
 
 std::optional<Text> fault_of_split(const Mesh& mesh, const void* op) {
   const auto& [h, along, place] = *static_cast<const SplitEdge*>(op);
+  if (place && !is_finite(*place)) return Text{"X,Y,Z with finite coordinates", "有限の座標 X,Y,Z を"};
   const glm::dvec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
   if (place || !is_finite(a) || !is_finite(b) || is_finite(point_between(a, b, along))) return std::nullopt;
   return Text{"a t that leaves the new vertex at a finite place", "新しい頂点の座標が有限になる t を"};
 }
+
+constexpr OpDrag drag_of_split{
+    .set =
+        [](void* op, const glm::dvec3& place) {
+          *static_cast<SplitEdge*>(op) = {static_cast<SplitEdge*>(op)->halfedge, 0.5, place};
+        },
+    .moved = [](const Mesh& mesh, const void* op, const ColumnLengths& before) -> std::vector<Element> {
+      const Halfedge h = static_cast<const SplitEdge*>(op)->halfedge;
+      return {mesh.to(h).index >= before.vertices ? mesh.to(h) : mesh.from(h)};
+    },
+    .from = [](const Mesh& mesh, const void* op) { return static_cast<const SplitEdge*>(op)->position(mesh); }};
 
 }  // namespace
 
@@ -41,7 +53,8 @@ constinit const OpInfo SplitEdge::info{.id = "split",
                                        .target = OpTargetKind::edge,
                                        .group = OpGroup::refine,
                                        .topology = Topology::kept,
-                                       .subject = Subject::points};
+                                       .subject = Subject::points,
+                                       .drag = &drag_of_split};
 
 Verdict SplitEdge::check(const Mesh& m) const {
   Verdict verdict;

@@ -105,8 +105,8 @@ std::optional<CommandCall> call_of_command(const Command& command);
 // a picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
-// Runs an algorithm; the line is the one that the log is to have.
-Outcome run_algorithm(Session& session, const AlgorithmCall& call, std::string line);
+// Runs an algorithm; the word for the selection means what is selected now.
+Outcome run_algorithm(Session& session, AlgorithmCall call);
 
 // What a line of `repair` without a fault would do; null while that is being tried.
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);

@@ -100,37 +100,45 @@ struct ReadCall {
   Outcome fault;  // where there is none
 };
 
-// The call that the words say, with `selected` as the names of what is selected now.
-ReadCall read_call(const Selecting& selecting, const AlgorithmRow& row, Words words, bool is_called_repair) {
-  const std::string id(row.id);
+// The call that the words say; what is selected keeps that word.
+ReadCall read_call(const AlgorithmRow& row, Words words, bool is_called_repair) {
   if (const auto fault = fault_of_selected(row, words)) return {{}, usage_error(behind(row.id, *fault))};
-  std::vector<std::string> names;
-  if (std::any_of(words.begin(), words.end(), means_selection)) {
-    if (selecting.selection.empty())
-      return {{}, failed(ExitCode::refused, {id + ": nothing is selected", id + "：選択がありません"})};
-    names = selecting.selected_names();
-  }
-  ReadValues given = read_values(row.parameters, words, &names);
+  const std::vector<std::string> selected{std::string(selection_word)};
+  ReadValues given = read_values(row.parameters, words, &selected);
   if (!given.values) return {{}, usage_error(behind(row.id, given.sentence))};
   const bool has_unnamed_value = !words.empty() && words[0].find('=') == std::string_view::npos;
   return {AlgorithmCall{&row, *std::move(given.values), is_called_repair, has_unnamed_value}, {}};
 }
 
+Outcome nothing_selected(const AlgorithmRow& row) {
+  return failed(ExitCode::refused, behind(row.id, {"nothing is selected", "選択がありません"}));
+}
+
 Outcome run_words(Session& session, const AlgorithmRow& row, Words words, bool is_called_repair) {
-  const ReadCall read = read_call(session.selecting, row, words, is_called_repair);
-  return read.call ? run_algorithm(session, *read.call, read.call->line()) : read.fault;
+  const bool lacks_selection =
+      session.selecting.selection.empty() && std::any_of(words.begin(), words.end(), means_selection);
+  if (lacks_selection && !fault_of_selected(row, words)) return nothing_selected(row);
+  const ReadCall read = read_call(row, words, is_called_repair);
+  return read.call ? run_algorithm(session, *read.call) : read.fault;
 }
 
 }  // namespace
 
-Outcome run_algorithm(Session& session, const AlgorithmCall& call, std::string line) {
+Outcome run_algorithm(Session& session, AlgorithmCall call) {
   const AlgorithmRow& row = *call.row;
   const std::string id(row.id);
+  const auto called = [](const ParameterRow& parameter) { return std::string(parameter.id); };
+  if (const auto fault = call.values.fault_of_missing(called)) return usage_error(behind(id, *fault));
+  for (const ParameterRow& parameter : row.parameters) {
+    if (!means_selection(parameter, call.values.text(parameter.id))) continue;
+    if (session.selecting.selection.empty()) return nothing_selected(row);
+    call.values.set_names(parameter.id, session.selecting.selected_names());
+  }
   const ReadValues found = call.values.on(session.mesh());
   if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
   if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
   Outcome outcome;
-  outcome.performed = std::move(line);
+  outcome.performed = call.line();
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (find_left_edges).

@@ -23,7 +23,7 @@ fs::path whole(const fs::path& path) {
 }
 
 std::string file_remark(const Document& document) {
-  const FileState& known = document.known_file();
+  const FileState& known = document.known_file_with_content();
   return known.is_known() ? "# file " + known.text() + "\n" : std::string();
 }
 

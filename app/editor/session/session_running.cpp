@@ -11,6 +11,16 @@
 
 namespace ryosen {
 
+namespace {
+
+// All behind the first word, blanks included.
+std::string_view behind_id(std::string_view line) {
+  const std::string_view id = split_words(line)[0];
+  return line.substr(static_cast<std::size_t>(id.data() - line.data()) + id.size());
+}
+
+}  // namespace
+
 template <class Run>
 Outcome Session::run_safely(Run run) {
   const std::uint64_t serial = open_.document->serial();
@@ -55,9 +65,9 @@ Outcome Session::run_command(const Command& command) {
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);
   const std::string outer = std::exchange(running_, std::string(row->id));
-  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm(), line)
+  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm())
                     : command.op()      ? apply(*command.op(), line, made_on)
-                                        : row->run(*this, arguments, behind_word(line));
+                                        : row->run(*this, arguments, behind_id(line));
   running_ = outer;
   passage.finish(outcome);
   // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.
@@ -85,7 +95,7 @@ Outcome Session::apply(const AnyOp& op, const std::string& line, std::uint64_t m
     return outcome;
   }
   const std::vector<std::string_view> words = split_words(line);
-  return find_command_row(words[0])->run(*this, Words(words).subspan(1), behind_word(line));
+  return find_command_row(words[0])->run(*this, Words(words).subspan(1), behind_id(line));
 }
 
 Text Session::at_work() const { return name_of_command(running_); }

@@ -43,8 +43,9 @@ AlgorithmCall TransformGesture::call() const {
   }
   if (falloff_ > 0) call.values.set_length("falloff", falloff_);
   const Elements points(points_.begin(), points_.end());
+  const std::string ranges = slot_ranges(points);
   std::vector<std::string> names;
-  for (const std::string_view name : split_words(slot_ranges(points))) names.emplace_back(name);
+  for (const std::string_view name : split_words(ranges)) names.emplace_back(name);
   call.values.set_names("elements", std::move(names));
   return call;
 }

@@ -117,8 +117,12 @@ class Document {
   // Whether the file is another one than was read or saved; never where the document has none. Reads it once for each
   // change of its times.
   FileState::Change change_on_disk() { return on_disk_.follow(path_); }
-  // The state of the file when it was last read or saved.
+  // The state of the file when it was last read or saved; with its content, which is read when it is first asked for.
   const FileState& known_file() const { return on_disk_; }
+  const FileState& known_file_with_content() const {
+    on_disk_.learn_content(path_);
+    return on_disk_;
+  }
   void know_file_as(FileState state) { on_disk_ = state; }
   // Takes the file as it is for that from now on, so that the next save may replace it.
   void take_file_as_known() { on_disk_ = FileState::of(path_); }
@@ -198,7 +202,7 @@ class Document {
   MeshFile file_;
   FileTables tables_;
   std::filesystem::path path_;
-  FileState on_disk_;
+  mutable FileState on_disk_;  // learns its content later
   std::vector<HistoryEntry> history_;
   OtherQuarantine other_quarantine_;
   std::size_t saved_position_ = 0;

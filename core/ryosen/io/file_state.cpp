@@ -47,9 +47,13 @@ std::optional<FileState::Seen> FileState::look(const std::filesystem::path& path
 FileState FileState::of(const std::filesystem::path& path) {
   FileState state;
   state.seen_ = look(path);
-  if (state.seen_) state.content_ = content_hash(path);
-  if (state.seen_ != look(path)) state.content_.reset();  // it may be that of a later state
   return state;
+}
+
+void FileState::learn_content(const std::filesystem::path& path) {
+  if (!seen_ || content_ || look(path) != seen_) return;
+  const std::optional<std::uint64_t> content = content_hash(path);
+  if (look(path) == seen_) content_ = content;  // else it may be that of a later state
 }
 
 FileState FileState::of_none_that_is() {

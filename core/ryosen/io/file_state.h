@@ -15,9 +15,10 @@ class FileState {
 
   // Of no file, which never changes.
   FileState() = default;
-  // State of a file now: its length, times and content. Pipes, devices and what cannot be looked at are no file.
-  // O(bytes).
+  // State of a file now. Pipes, devices and what cannot be looked at are no file. One system call.
   static FileState of(const std::filesystem::path& path);
+  // Adds a hash of the content, unless it is known or the file has changed since. O(bytes).
+  void learn_content(const std::filesystem::path& path);
   // A state that no file is in: every file has changed since, and one that is not there is gone.
   static FileState of_none_that_is();
 

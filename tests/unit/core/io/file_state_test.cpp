@@ -19,6 +19,7 @@ class FileStateTest : public testing::Test {
   FileStateTest() {
     write("one");
     state_ = FileState::of(path_);
+    state_.learn_content(path_);
   }
   ~FileStateTest() override { fs::remove(path_); }
   void write(const std::string& content) const { std::ofstream(path_) << content; }
@@ -58,6 +59,15 @@ TEST_F(FileStateTest, takes_the_same_content_for_no_change) {
   fs::remove(path_);
   write("one");
   EXPECT_EQ(state_.since(path_), Change::none) << "written again";
+}
+
+TEST_F(FileStateTest, learns_no_content_of_a_later_state) {
+  FileState early = FileState::of(path_);
+  write("two");
+  early.learn_content(path_);
+  EXPECT_EQ(early.since(path_), Change::changed);
+  write("one");
+  EXPECT_EQ(early.since(path_), Change::changed) << "its content is not known";
 }
 
 TEST_F(FileStateTest, is_followed_through_every_change) {

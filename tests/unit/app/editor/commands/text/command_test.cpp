@@ -45,10 +45,22 @@ TEST_F(CommandTest, a_value_does_and_logs_what_its_line_does) {
   expect_same(SplitEdge{values_.mesh().halfedge(Face(0))},
               command_of(lines_.mesh(), SplitEdge{lines_.mesh().halfedge(Face(0))}));
   AlgorithmCall weld = call_of("weld_close");
+  expect_same(weld, "weld_close");  // lacks its distance
+  weld.values.set_length("distance", 0.01);
   weld.is_called_repair = true;
-  expect_same(weld, "repair weld_close");
-  weld.is_called_repair = false;
-  expect_same(weld, "weld_close");
+  expect_same(weld, "repair weld_close distance=0.01");
+  AlgorithmCall stitch = call_of("stitch");
+  expect_same(stitch, "stitch");
+}
+
+TEST_F(CommandTest, what_is_selected_is_what_is_selected_when_it_runs) {
+  AlgorithmCall move = call_of("translate");
+  move.values.set_place("by", {0, 0, 1});
+  move.values.set_names("elements", {"selected"});
+  expect_same(move, "translate by=0,0,1 elements=selected");  // nothing is
+  for (Session* session : {&values_, &lines_}) ASSERT_TRUE(session->run("select f1 v0").done());
+  expect_same(move, "translate by=0,0,1 elements=selected");
+  EXPECT_EQ(values_.log().back(), "translate by=0,0,1 elements=f1,v0");
 }
 
 TEST_F(CommandTest, a_value_that_is_wrong_is_refused_as_its_line_is) {

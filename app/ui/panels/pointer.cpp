@@ -1,7 +1,8 @@
 #include <array>
 
 #include "app/editor/input/pick_modes.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/pointing.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/texts/remedy_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"

@@ -8,7 +8,6 @@
 
 #include "ryosen/base/index_set.h"
 #include "ryosen/base/number_text.h"
-#include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
@@ -269,12 +268,6 @@ glm::dvec3 middle_of_vertices(const Mesh& mesh, std::span<const Element> element
 
 }  // namespace
 
-std::size_t EachResult::refusals() const {
-  std::size_t sum = 0;
-  for (const Refused& r : refused) sum += r.elements.size();
-  return sum;
-}
-
 bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
   return !first_misfit(op.line, op_words(kind, op.on_selection == OnSelection::into_last ? 2 : 1, arguments));
 }
@@ -373,31 +366,6 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
 
 }  // namespace
 
-namespace {
-
-// The ends of these edges that have not two edges as it is, ascending.
-std::vector<Vertex> ends_with_more_edges(const Mesh& mesh, std::span<const Element> elements) {
-  std::vector<Vertex> found;
-  for (const Element& e : elements) {
-    if (!is_alive(mesh, e) || (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge)) continue;
-    const auto [a, b] = ends(mesh, e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge()));
-    for (const Vertex v : {a, b})
-      if (!has_two_edges(mesh, v)) found.push_back(v);
-  }
-  sort_unique(found);
-  return found;
-}
-
-std::size_t take_along(Edit& edit, std::span<const Vertex> ends) {
-  UniteSeries series(edit);
-  std::size_t taken = 0;
-  for (const Vertex v : ends)
-    if (edit.mesh().is_alive(v) && has_two_edges(edit.mesh(), v) && series.unite(v)) ++taken;
-  return taken;
-}
-
-}  // namespace
-
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
                          Progress& progress) {
   Calls calls(edit, op, arguments, strict);
@@ -423,7 +391,7 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
   }
   call_in_turn(calls, std::move(taken), with.is_in_place, strict, into_last ? &last : nullptr, progress);
   calls.finish();
-  if (calls.result().done > 0) calls.result().ends = take_along(edit, ends_left);
+  if (calls.result().done > 0) calls.result().ends = unite_ends(edit, ends_left);
   return std::move(calls.result());
 }
 

@@ -25,7 +25,11 @@ struct EachResult {
   NameError error = NameError::none;  // of arguments that cannot be: then nothing was done
   Text sentence = {};
 
-  std::size_t refusals() const;
+  std::size_t refusals() const {
+    std::size_t sum = 0;
+    for (const Refused& r : refused) sum += r.elements.size();
+    return sum;
+  }
 };
 
 // Whether the operator takes an element of this kind in the place of its first argument, with the others behind it.

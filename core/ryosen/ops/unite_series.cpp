@@ -2,8 +2,10 @@
 
 #include <array>
 
+#include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
 #include "ryosen/ops/euler/unite_edge.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -94,5 +96,25 @@ class UnitedEdges : public OneByOne {
 }  // namespace
 
 std::unique_ptr<OpSeries> unites_edges_in_series(Edit& edit) { return std::make_unique<UnitedEdges>(edit); }
+
+std::vector<Vertex> ends_with_more_edges(const Mesh& mesh, std::span<const Element> elements) {
+  std::vector<Vertex> found;
+  for (const Element& e : elements) {
+    if (!is_alive(mesh, e) || (e.kind != Element::Kind::edge && e.kind != Element::Kind::halfedge)) continue;
+    const auto [a, b] = ends(mesh, e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge()));
+    for (const Vertex v : {a, b})
+      if (!has_two_edges(mesh, v)) found.push_back(v);
+  }
+  sort_unique(found);
+  return found;
+}
+
+std::size_t unite_ends(Edit& edit, std::span<const Vertex> ends) {
+  UniteSeries series(edit);
+  std::size_t taken = 0;
+  for (const Vertex v : ends)
+    if (edit.mesh().is_alive(v) && has_two_edges(edit.mesh(), v) && series.unite(v)) ++taken;
+  return taken;
+}
 
 }  // namespace ryosen

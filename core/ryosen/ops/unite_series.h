@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "ryosen/ops/op.h"
 #include "ryosen/ops/rules/local_facts.h"
@@ -40,5 +42,10 @@ class UniteSeries {
   bool is_sure_ = false;  // of the last answer, that every face loses a corner
   std::uint64_t looks_ = 0;
 };
+
+// The ends of these edges that have not two edges as it is, ascending.
+std::vector<Vertex> ends_with_more_edges(const Mesh& mesh, std::span<const Element> elements);
+// Takes out those that have two edges now, where unite_edge may; returns how many.
+std::size_t unite_ends(Edit& edit, std::span<const Vertex> ends);
 
 }  // namespace ryosen

@@ -30,7 +30,7 @@ std::string operators_topic(Language language);
 std::string recovery_topic(Language language);
 // What the mesh can be coloured and measured by.
 std::string maps_topic(Language language);
-// Of the source texts, in textbook/help_topics.cpp:
+// From here on in textbook/help_topics.cpp.
 // The forms and the ways to pair halfedges.
 std::string forms_topic(Language language);
 // What can be played step by step.

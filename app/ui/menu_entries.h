@@ -20,7 +20,7 @@ struct OfferedCalls {
   Text title;
   std::vector<std::pair<Text, std::string>> calls;
 };
-// What the source texts build or do step by step: textbook/offered.cpp
+// Scripts of the source texts: textbook/offered.cpp
 std::vector<OfferedCalls> textbook_calls();
 
 }  // namespace ryosen

@@ -4,10 +4,8 @@
 #include <mutex>
 
 #include "app/editor/commands/command_functions.h"
-#include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/command_table_rows.h"
 #include "app/editor/commands/text/words.h"
-#include "app/editor/document/repair_call.h"
 #include "ryosen/algo/algorithm_table.h"
 
 namespace ryosen {

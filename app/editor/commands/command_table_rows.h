@@ -7,7 +7,7 @@
 
 namespace ryosen {
 
-// Those before the switches of the view, and those behind them.
+// Rows before the switches of the view, and rows behind them.
 const std::vector<CommandRow>& first_command_rows();
 const std::vector<CommandRow>& last_command_rows();
 

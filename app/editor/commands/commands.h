@@ -99,14 +99,14 @@ struct CommandCall {
 };
 // None where the line says no command.
 std::optional<CommandCall> call_of(std::string_view line);
-// Of a value nothing is printed: the call has no line.
+// The same of a command; the call of a value has no line.
 std::optional<CommandCall> call_of_command(const Command& command);
 // The name of the file that a call reads or writes; empty where it gives none: a mesh goes to the document's own then,
 // a picture to one that is not there yet.
 std::string file_of(const CommandCall& call);
 
-// Runs an algorithm; the word for the selection means what is selected now.
-Outcome run_algorithm(Session& session, AlgorithmCall call);
+// Runs an algorithm, whose line this is; the word for the selection means what is selected now.
+Outcome run_algorithm(Session& session, AlgorithmCall call, std::string line);
 
 // What a line of `repair` without a fault would do; null while that is being tried.
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line);

@@ -119,26 +119,29 @@ Outcome run_words(Session& session, const AlgorithmRow& row, Words words, bool i
       session.selecting.selection.empty() && std::any_of(words.begin(), words.end(), means_selection);
   if (lacks_selection && !fault_of_selected(row, words)) return nothing_selected(row);
   const ReadCall read = read_call(row, words, is_called_repair);
-  return read.call ? run_algorithm(session, *read.call) : read.fault;
+  return read.call ? run_algorithm(session, *read.call, read.call->line()) : read.fault;
 }
 
 }  // namespace
 
-Outcome run_algorithm(Session& session, AlgorithmCall call) {
+Outcome run_algorithm(Session& session, AlgorithmCall call, std::string line) {
   const AlgorithmRow& row = *call.row;
   const std::string id(row.id);
   const auto called = [](const ParameterRow& parameter) { return std::string(parameter.id); };
   if (const auto fault = call.values.fault_of_missing(called)) return usage_error(behind(id, *fault));
-  for (const ParameterRow& parameter : row.parameters) {
-    if (!means_selection(parameter, call.values.text(parameter.id))) continue;
+  const std::vector<std::string> selected{std::string(selection_word)};
+  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+    const ParameterValue* const value = call.values.at(i);
+    if (!value || value->names != selected) continue;
     if (session.selecting.selection.empty()) return nothing_selected(row);
-    call.values.set_names(parameter.id, session.selecting.selected_names());
+    call.values.set_names(row.parameters[i].id, session.selecting.selected_names());
+    line = call.line();
   }
   const ReadValues found = call.values.on(session.mesh());
   if (found.lacks_extent) return failed(ExitCode::refused, behind(id, found.sentence));
   if (!found.values) return no_element(session.document(), id + " " + found.name, found.error, found.sentence);
   Outcome outcome;
-  outcome.performed = call.line();
+  outcome.performed = std::move(line);
   const FirstSlots before(session.mesh());
   const bool was_empty = session.mesh().live() == ElementCounts();
   // Who wants it later asks for it (find_left_edges).

@@ -3,6 +3,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/document/findings.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/document/document.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/mesh/copies.h"
@@ -40,13 +41,7 @@ Outcome expect_verdict(Document& document, std::string_view line, bool legal) {
 
 }  // namespace
 
-std::string hash_text(const Mesh& mesh) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::uint64_t hash = mesh.hash();
-  std::string text(16, '0');
-  for (std::size_t i = 16; i-- > 0; hash >>= 4u) text[i] = digits[hash & 15u];
-  return text;
-}
+std::string hash_text(const Mesh& mesh) { return hash_text(mesh.hash()); }
 
 namespace {
 

@@ -56,7 +56,7 @@ class NumberLabels {
     std::uint32_t number = 0;
     for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {
       if (!m_.is_alive(Face(f))) continue;
-      for (const Halfedge h : halfedges_around(m_, Face(f))) {
+      for (const Halfedge h : loop(m_, m_.halfedge(Face(f)))) {
         const std::uint32_t n = number++;
         if (findings_.hidden().hides(m_, h) || !is_in_view(middle(h))) continue;
         Label label = label_of(h);

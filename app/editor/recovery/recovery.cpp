@@ -326,7 +326,8 @@ Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto) {
   std::optional<OwnedScript> script = take(lost.script);
   if (!script) return not_to_be_had(lost);
   const FileState now = FileState::of(lost.file);  // before, so that what changes meanwhile is noticed
-  const FileState::Change change = change_of_file(lost);
+  FileState known = lost.known;
+  const FileState::Change change = known.follow(lost.file);
   const bool is_unasked = onto == RecoverOnto::unchanged, is_as_is = onto == RecoverOnto::as_is;
   const bool may_be_gone = has_original(lost) || lost.start.file.empty() || lost.start.file != lost.file;
   if (is_unasked && change != FileState::Change::none && (change != FileState::Change::gone || may_be_gone))
@@ -344,7 +345,8 @@ Outcome recover(Session& session, const LostSession& lost, RecoverOnto onto) {
   if (!is_same && is_unasked) return refused_first(session, lost, begun_with_another(lost));
   if (!is_same && !is_as_is && !can_be_as_was(lost)) return refused_first(session, lost, why_not(lost, onto));
   (*document)->mark_unsaved();
-  (*document)->know_file_as(is_as_is || change == FileState::Change::none ? now : FileState::of_none_that_is());
+  if (is_as_is || !known.is_known()) known = now;
+  (*document)->know_file_as(is_as_is || change == FileState::Change::none ? known : FileState::of_none_that_is());
   Autosave* const autosave = std::exchange(session.frontend.autosave, nullptr);
   const bool was_strict = std::exchange(session.frontend.is_strict, false);
   session.set_document(std::move(document).value(), lost.start.file);

@@ -1,4 +1,4 @@
-// A command line is carried out, and kept in the log.
+// Commands are carried out and kept in the log.
 #include <cassert>
 #include <new>
 #include <utility>
@@ -10,16 +10,6 @@
 #include "ryosen/base/out_of_memory.h"
 
 namespace ryosen {
-
-namespace {
-
-// All behind the first word, blanks included.
-std::string_view behind_id(std::string_view line) {
-  const std::string_view id = split_words(line)[0];
-  return line.substr(static_cast<std::size_t>(id.data() - line.data()) + id.size());
-}
-
-}  // namespace
 
 template <class Run>
 Outcome Session::run_safely(Run run) {
@@ -65,7 +55,7 @@ Outcome Session::run_command(const Command& command) {
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);
   const std::string outer = std::exchange(running_, std::string(row->id));
-  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm())
+  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm(), line)
                     : command.op()      ? apply(*command.op(), line, made_on)
                                         : row->run(*this, arguments, behind_id(line));
   running_ = outer;
@@ -87,9 +77,6 @@ Outcome Session::run_command(const Command& command) {
 // The line is read where the mesh is no longer the one that the operator was made on.
 Outcome Session::apply(const AnyOp& op, const std::string& line, std::uint64_t made_on) {
   if (open_.document->revision() == made_on) {
-    if (info_of(op).line.fault && check(mesh(), op).legal())
-      if (const auto fault = fault_of_values(mesh(), op))
-        return no_element(document(), line, NameError::malformed, *fault);
     Outcome outcome = open_.document->apply(op, frontend.is_strict, line);
     if (outcome.done()) outcome.performed = line;
     return outcome;

@@ -1,5 +1,6 @@
 // Gestures that move what an operator makes: extruded faces and edges, the vertex that splits an edge, a copy.
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "app/editor/commands/text/outcomes.h"
@@ -7,11 +8,15 @@
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/ops/all.h"
 
 namespace ryosen {
 
 namespace {
+
+// As a line names it.
+Halfedge named_side(const Mesh& mesh, Edge e) { return find_edge(mesh, ryosen::name_of(mesh, Element(e))).element; }
 
 std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLengths& before) {
   std::vector<Face> found;
@@ -63,6 +68,7 @@ Outcome Gesturing::begin_copy() {
 // What it makes is there, on trial; in the end the operator is done once with the value, or not at all.
 Outcome Gesturing::begin(const AnyOp& op) {
   const OpInfo& info = info_of(op);
+  assert(info.drag);
   const OpDrag& drag = *info.drag;
   const void* const values = std::visit([](const auto& o) -> const void* { return &o; }, op);
   const ColumnLengths before = mesh().lengths();
@@ -94,8 +100,8 @@ Outcome Gesturing::begin_extrusion() {
   ExtrudeEdges edges{.edges = {}, .distance = 0};
   for (const Element& e : session_.selecting.selection) {
     if (e.kind == Element::Kind::face) faces.faces.push_back(e.face());
-    if (e.kind == Element::Kind::edge) edges.edges.push_back(halfedge(e.edge()));
-    if (e.kind == Element::Kind::halfedge) edges.edges.push_back(halfedge(edge(e.halfedge())));
+    if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge)
+      edges.edges.push_back(named_side(mesh(), e.kind == Element::Kind::edge ? e.edge() : edge(e.halfedge())));
   }
   if (faces.faces.empty() && edges.edges.empty())
     return failed(ExitCode::refused, {"select faces or edges first", "先に面または稜線を選択してください"});

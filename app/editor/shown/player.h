@@ -51,7 +51,7 @@ class Player {
   virtual bool edits() const = 0;
   // The mesh of this state; null where it is that of the document.
   virtual const Mesh* other_mesh() const = 0;
-  // What it begins with has nothing to be looked at: it is looked at as it ends, and then as the mesh was before.
+  // True where the first state is empty: the view frames the last one then.
   virtual bool begins_with_nothing() const = 0;
   // The same steps on the document as it is now, before the first one.
   virtual Result<std::shared_ptr<Player>> again(const Document& document) const = 0;
@@ -68,7 +68,7 @@ class Player {
   std::size_t position_ = 0;
 };
 
-// Begins to play; nothing is played.
+// Begins to play. No player may be there.
 void begin_playing(const Document& document, ViewState& view, Framing& framing, Shown& shown,
                    const std::shared_ptr<Player>& player);
 void end_playing(ViewState& view, Framing& framing, Shown& shown);

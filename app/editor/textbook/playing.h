@@ -34,7 +34,7 @@ Text name_of_played(std::span<const std::string> words);
 // Goes through a sequence.
 class StepsPlayer final : public Player {
  public:
-  // By the words that call it. The mesh is that of the document.
+  // `words` call the sequence; the mesh is that of the document.
   StepsPlayer(std::vector<std::string> words, std::unique_ptr<steps::Sequence> sequence, const Mesh& mesh);
 
   const std::string& call() const override { return call_; }

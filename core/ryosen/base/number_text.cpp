@@ -1,5 +1,7 @@
 #include "ryosen/base/number_text.h"
 
+#include <cstdio>
+
 #include <charconv>
 #include <cmath>
 
@@ -35,6 +37,12 @@ std::optional<glm::dvec3> parse_place(std::string_view text) {
 
 std::string format_place(const glm::dvec3& place) {
   return format_double(place.x) + "," + format_double(place.y) + "," + format_double(place.z);
+}
+
+std::string hash_text(std::uint64_t hash) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
 }
 
 }  // namespace ryosen

@@ -96,6 +96,10 @@ Outcome Document::apply(const AnyOp& op, bool strict, std::string command) {
   if (command.empty()) command = command_of(mesh_, op);
   if (!before.verdict.legal()) return refuse(command, std::move(before.verdict.reasons));
   if (strict && !before.warnings.empty()) return refuse(command, std::move(before.warnings));
+  if (const auto fault = fault_of_values(mesh_, op)) {
+    const std::string id(info_of(op).id);
+    return failed(ExitCode::usage, {id + ": " + fault->en, id + "：" + fault->ja});
+  }
   Outcome outcome;
   outcome.warnings = std::move(before.warnings);
   outcome.deleted = names_with_copies(mesh_, before.deleted);

@@ -6,10 +6,10 @@
 
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <cstring>
 #include <vector>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/io/descriptor.h"
 
 namespace ryosen {
@@ -51,9 +51,12 @@ FileState FileState::of(const std::filesystem::path& path) {
 }
 
 void FileState::learn_content(const std::filesystem::path& path) {
-  if (!seen_ || content_ || look(path) != seen_) return;
+  const std::optional<Seen> now = look(path);
+  if (!seen_ || content_ || change_to(now, path) != Change::none) return;
   const std::optional<std::uint64_t> content = content_hash(path);
-  if (look(path) == seen_) content_ = content;  // else it may be that of a later state
+  if (look(path) != now) return;  // it may be that of a later state
+  content_ = content;
+  seen_ = now;
 }
 
 FileState FileState::of_none_that_is() {
@@ -68,8 +71,7 @@ FileState::Change FileState::change_to(const std::optional<Seen>& now, const std
   if (now == seen_) return Change::none;
   if (now->bytes != seen_->bytes) return Change::changed;
   if (content_) return content_hash(path) == content_ ? Change::none : Change::changed;
-  const bool has_same_time = now->seconds == seen_->seconds && now->nanoseconds == seen_->nanoseconds;
-  return has_same_time && !seen_->status ? Change::none : Change::changed;
+  return now->seconds == seen_->seconds && now->nanoseconds == seen_->nanoseconds ? Change::none : Change::changed;
 }
 
 FileState::Change FileState::since(const std::filesystem::path& path) const { return change_to(look(path), path); }
@@ -129,12 +131,6 @@ std::optional<std::uint64_t> content_hash(const std::filesystem::path& path) {
     if (*size < piece.size()) return mixed(hash, all);
   }
   return std::nullopt;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
 }
 
 }  // namespace ryosen

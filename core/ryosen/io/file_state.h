@@ -22,8 +22,9 @@ class FileState {
   // A state that no file is in: every file has changed since, and one that is not there is gone.
   static FileState of_none_that_is();
 
-  // Compares the content where anything but it differs, so that a copy of the same bytes is no change. Without a known
-  // content the length and the times decide. One system call, O(bytes) where the times differ.
+  // Compares the content where its length is the same and anything else differs, so that a copy of the same bytes is no
+  // change. Without a known content the length and the time of the last change decide. One system call, O(bytes) to
+  // compare the content.
   Change since(const std::filesystem::path& path) const;
   // As since(), to be asked again and again: reads a file once for each change of its times.
   Change follow(const std::filesystem::path& path);
@@ -36,7 +37,7 @@ class FileState {
   static FileState from_text(std::string_view text);
 
  private:
-  // What the system keeps for a file. No program can set the time of the last change of its status.
+  // Number and time of the last change of its status, which no program can set.
   struct Status {
     std::int64_t number, seconds, nanoseconds;
     friend bool operator==(const Status&, const Status&) = default;
@@ -57,8 +58,5 @@ class FileState {
 // A 64-bit hash of the content of a regular file, to tell whether it is the same again. None where it cannot be read.
 // O(bytes), a piece of it in memory at a time.
 std::optional<std::uint64_t> content_hash(const std::filesystem::path& path);
-
-// A hash in 16 hexadecimal digits.
-std::string hash_text(std::uint64_t hash);
 
 }  // namespace ryosen

@@ -112,7 +112,7 @@ inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
   return std::visit([&](const auto& o) { return std::string(o.info.id) + print_line(o.info.line, mesh, &o); }, op);
 }
 
-// What is wrong with values of an operator that is legal, as parse_line() says it of its line.
+// The fault of the values of a legal operator, as parse_line() says it of its line.
 std::optional<Text> fault_of_values(const Mesh& mesh, const AnyOp& op);
 
 }  // namespace ryosen

@@ -59,12 +59,12 @@ struct InPlaceOf {
   std::string_view en, ja;  // what may be selected for that: "faces side by side"
 };
 
-// How a value of an operator is dragged by hand: a gesture does the operator on trial and moves what it made; its end
+// A value of an operator that is dragged by hand: a gesture does the operator on trial and moves what it made; its end
 // gives the operator the value.
 struct OpDrag {
   // Gives the operator how far that has moved or, where there is `from`, the place at which it ends.
   void (*set)(void* op, const glm::dvec3& value);
-  // What moves: of a mesh on which the operator was applied, that had so many elements before.
+  // The elements that move, on a mesh that had so many elements before the operator was applied.
   std::vector<Element> (*moved)(const Mesh& mesh, const void* op, const ColumnLengths& before);
   // The place at which it begins; on the mesh before.
   glm::dvec3 (*from)(const Mesh& mesh, const void* op) = nullptr;

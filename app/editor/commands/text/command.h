@@ -21,8 +21,8 @@ struct AlgorithmCall {
   std::string line() const;
 };
 
-// An operator on the shown mesh, an algorithm with its values, or the line of any command. A value is printed once, for
-// the log, and nothing of it is parsed.
+// An operator on the shown mesh, an algorithm with its values, or the line of any command. The log has the line
+// of a value; only the names of elements are read from it.
 class Command {
  public:
   Command(std::string line) : is_(std::move(line)) {}

@@ -23,6 +23,11 @@ std::string_view behind_word(std::string_view line) {
   return without_blanks(line.substr(std::min(line.find_first_of(blanks), line.size())));
 }
 
+std::string_view behind_id(std::string_view line) {
+  const std::size_t id = std::min(line.find_first_not_of(blanks), line.size());
+  return line.substr(std::min(line.find_first_of(blanks, id), line.size()));
+}
+
 std::string folded(std::string_view text) {
   std::string folded(text);
   for (char& c : folded)

@@ -15,6 +15,8 @@ using Words = std::span<const std::string_view>;
 std::string_view without_blanks(std::string_view text);
 // The rest of a line after its first word, trimmed.
 std::string_view behind_word(std::string_view line);
+// The same with the blanks before and behind it.
+std::string_view behind_id(std::string_view line);
 
 // The text without regard to the case of Latin letters.
 std::string folded(std::string_view text);

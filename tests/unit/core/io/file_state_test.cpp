@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -63,11 +64,24 @@ TEST_F(FileStateTest, takes_the_same_content_for_no_change) {
 
 TEST_F(FileStateTest, learns_no_content_of_a_later_state) {
   FileState early = FileState::of(path_);
-  write("two");
+  write("another");
   early.learn_content(path_);
   EXPECT_EQ(early.since(path_), Change::changed);
-  write("one");
-  EXPECT_EQ(early.since(path_), Change::changed) << "its content is not known";
+  EXPECT_EQ(std::ranges::count(early.text(), ' '), 2) << early.text();
+}
+
+TEST_F(FileStateTest, of_an_unknown_content_is_none_other_for_its_status) {
+  FileState state = FileState::of(path_);
+  ASSERT_EQ(::chmod(path_.c_str(), 0600), 0);
+  EXPECT_EQ(state.since(path_), Change::none);
+  EXPECT_EQ(state.follow(path_), Change::none);
+  state.learn_content(path_);
+  ASSERT_EQ(::chmod(path_.c_str(), 0640), 0);
+  EXPECT_EQ(state.since(path_), Change::none);
+  const auto time = fs::last_write_time(path_);
+  write("two");
+  fs::last_write_time(path_, time);
+  EXPECT_EQ(state.since(path_), Change::changed);
 }
 
 TEST_F(FileStateTest, is_followed_through_every_change) {

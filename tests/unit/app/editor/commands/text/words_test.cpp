@@ -63,5 +63,11 @@ TEST(words, every_name_survives_a_script) {
   }
 }
 
+TEST(words, text_behind_the_id_keeps_its_blanks) {
+  for (const auto& [line, behind] :
+       {std::pair{"swap 1-2", " 1-2"}, {"  save  a b \t", "  a b \t"}, {"undo", ""}, {"", ""}, {" ", ""}})
+    EXPECT_EQ(behind_id(line), behind) << line;
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -76,7 +76,7 @@ std::string contract_line(const Json& command, const std::vector<PrintedObject>&
 }
 
 std::vector<Json> places_of(const OpLine& line) {
-  // By OpValueKind and by OpParameter::Need.
+  // Names in the order of OpValueKind and of OpParameter::Need.
   constexpr const char* kinds[] = {"vertex", "edge", "face", "number", "position", "word"};
   constexpr const char* needs[] = {"required", "optional", "list"};
   static_assert(std::size(kinds) == enum_count<OpValueKind> && std::size(needs) == enum_count<OpParameter::Need>);

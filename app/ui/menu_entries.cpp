@@ -215,8 +215,8 @@ void draw_add_menu(PanelContext& context) {
     if (row.is_primitive) algorithm_item(context, row);
 }
 
-// What the textbooks build or do step by step. In no menu within the menu: beside this one there is no room for names
-// that long in a narrow window.
+// Panels, then scripts of the source texts. They are in no submenu: a narrow window has no room for such long names
+// beside this one.
 void draw_help_menu(PanelContext& context) {
   panel_items(context, PanelMenu::help);
   for (const OfferedCalls& offered : textbook_calls()) {

@@ -97,7 +97,7 @@ std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
   return static_cast<std::uint32_t>(drawing_rank(row) * (drawing_places / most_highlights) + within);
 }
 
-// Of points at the members of a mark; none for other members. Linear.
+// The room that points at the members of a mark have; none for other members. O(members).
 double room_of(const SeenMesh& seen, Mark mark) {
   if (mark.sort != Element::Kind::vertex) return 0;
   const IndexSet& members = seen.findings.highlights().of(mark);

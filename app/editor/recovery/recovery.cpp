@@ -227,8 +227,6 @@ bool can_be_as_is(const LostSession& lost) {
   return lost.saved_edits == 0 && !lost.file.empty() && lost.file == lost.start.file && fs::exists(lost.file, ignored);
 }
 
-FileState::Change change_of_file(const LostSession& lost) { return lost.known.since(lost.file); }
-
 Text told_change(const LostSession& lost, FileState::Change change) {
   const std::string file = lost.file.string();
   if (change == FileState::Change::gone)
@@ -303,7 +301,7 @@ Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
     }
     lost->script = entry->path();
     lost->last_edit = status.st_mtime;
-    lost->change = change_of_file(*lost);
+    lost->change = lost->known.since(lost->file);
     found.push_back(std::move(*lost));
   }
   if (error && error != std::errc::no_such_file_or_directory) return unreadable_folder(folder, error.value());

@@ -69,9 +69,6 @@ enum class RecoverOnto {
 bool can_be_as_was(const LostSession& lost);
 // Whether they can be done on the file as it is now: none was saved, and the file is there.
 bool can_be_as_is(const LostSession& lost);
-// The change of the document's file since the edits were made. The same content is no change. Cost: that
-// of reading it.
-FileState::Change change_of_file(const LostSession& lost);
 
 // Parses a session script; `script`, `change` and `last_edit` are not set. None if it is not a session script.
 std::optional<LostSession> read_lost_session(std::string_view script);

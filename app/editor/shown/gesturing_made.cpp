@@ -65,7 +65,7 @@ Outcome Gesturing::begin_copy() {
   return {};
 }
 
-// What it makes is there, on trial; in the end the operator is done once with the value, or not at all.
+// The operator is on trial meanwhile; in the end it is done once with the value, or not at all.
 Outcome Gesturing::begin(const AnyOp& op) {
   const OpInfo& info = info_of(op);
   assert(info.drag);

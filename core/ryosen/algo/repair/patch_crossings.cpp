@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 
-#include "ryosen/algo/repair/folded_patch.h"
 #include "ryosen/analysis/box_tree.h"
+#include "ryosen/analysis/overlap_tree.h"
+#include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/place_order.h"
+#include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/surely_apart.h"
 #include "ryosen/geometry/triangles_meet.h"
@@ -14,6 +17,88 @@
 namespace ryosen {
 
 namespace {
+
+using PatchPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // ascending, the earlier patch first
+
+struct PatchCrossings {
+  std::vector<bool> crosses;  // by patch: whether it crosses the surface or itself
+  std::vector<Face> crossed;  // by patch: the lowest face of the surface that it crosses, if any
+  // Of the others, those that cross each other, each pair once.
+  PatchPairs pairs;
+};
+
+// For segments whose boxes overlap.
+bool do_meet(const glm::dvec2& p, const glm::dvec2& q, const glm::dvec2& a, const glm::dvec2& b) {
+  return orient2d(p, q, a) * orient2d(p, q, b) <= 0 && orient2d(a, b, p) * orient2d(a, b, q) <= 0;
+}
+
+bool is_simple(const std::vector<glm::dvec2>& polygon) {
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  const auto end = [&](std::uint32_t i) -> const glm::dvec2& { return polygon[i + 1 == n ? 0 : i + 1]; };
+  std::vector<Box> boxes(n);
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (const glm::dvec2& p : {polygon[i], end(i)}) boxes[i].add({p, 0});
+  const BoxTree sides(boxes);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const glm::dvec2 &p = polygon[i], &q = end(i), &r = end(i + 1 == n ? 0 : i + 1);
+    if (orient2d(p, q, r) == 0 && glm::dot(p - q, r - q) >= 0) return false;
+    const bool is_clear = sides.visit([&](const Box& box) { return box.overlaps(boxes[i]); },
+                                      [&](std::uint32_t k) {
+                                        const bool is_beside = k == i || k == (i + 1) % n || i == (k + 1) % n;
+                                        return is_beside || !do_meet(p, q, polygon[k], end(k));
+                                      });
+    if (!is_clear) return false;
+  }
+  return true;
+}
+
+// Whether the patch, seen along the axis nearest to its loop's normal, covers each point once: all its triangles are
+// seen from the same side, and the loop is a simple polygon. Exact; such a patch nowhere meets itself but at shared
+// corners and sides. O(n log n) and the overlaps of boxes of the loop's sides.
+bool covers_once_in_projection(const HolePatch& patch) {
+  const glm::dvec3 normal = glm::abs(polygon_normal(std::span(patch.places).first(patch.corners)));
+  const int axis = normal.z >= normal.x && normal.z >= normal.y ? 2 : normal.y >= normal.x ? 1 : 0;
+  const auto seen = [&](std::uint32_t v) { return seen_along(patch.places[v], axis); };
+  int side = 0;
+  for (const CornerTriangle& t : patch.triangles) {
+    const int turn = orient2d(seen(t[0]), seen(t[1]), seen(t[2]));
+    if (turn == 0 || turn * side < 0) return false;
+    side = turn;
+  }
+  std::vector<glm::dvec2> polygon;
+  for (std::uint32_t i = 0; i < patch.corners; ++i) polygon.push_back(seen(i));
+  return is_simple(polygon);
+}
+
+// The triangles, with corners at one place numbered alike.
+NumberedSurface surface_of(const HolePatch& patch) {
+  std::vector<std::uint32_t> order(patch.corners), number(patch.places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return is_before(patch.places[a], patch.places[b]); });
+  std::iota(number.begin(), number.end(), 0u);
+  for (std::uint32_t i = 1; i < patch.corners; ++i)
+    if (patch.places[order[i]] == patch.places[order[i - 1]]) number[order[i]] = number[order[i - 1]];
+  std::vector<std::array<std::uint32_t, 3>> corners;
+  for (const CornerTriangle& t : patch.triangles) corners.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  return NumberedSurface(patch.places, std::move(corners));
+}
+
+// Exact, with corners at one place as one (choose_patches). The patch must have no degenerate triangles. O(n log
+// n + pairs of overlapping boxes, of which fans have few); O(n log n) for one that covers its projection once.
+bool crosses_itself(const HolePatch& patch) {
+  if (covers_once_in_projection(patch)) return false;
+  const NumberedSurface surface = surface_of(patch);
+  const OverlapTree tree(surface, 1);
+  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
+  for (std::uint32_t node = 0; node < tree.node_count(); ++node) {
+    const bool is_clear = tree.visit_pairs(node, all, [&](std::uint32_t a, std::uint32_t b) {
+      return !meet_elsewhere(surface.triangle(a), surface.triangle(b));
+    });
+    if (!is_clear) return true;
+  }
+  return false;
+}
 
 // Finds the triangles that meet those of the patches. Corners are numbered: those of faces by place, new vertices have
 // numbers of their own.
@@ -154,6 +239,48 @@ class CrossingSearch {
   std::vector<CornerTriangle> corners_;
 };
 
+// The pairs of patches that would make the same edge between points of loops.
+PatchPairs pairs_with_an_edge(std::span<const PlannedPatch> planned) {
+  using Made = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // points, patch
+  std::vector<Made> made;
+  for (std::uint32_t k = 0; k < planned.size(); ++k)
+    for (const CornerTriangle& t : planned[k].patch.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
+        const bool is_side = b == a + 1 || (a == 0 && b == planned[k].patch.corners - 1);
+        if (b < planned[k].patch.corners && !is_side)
+          made.emplace_back(std::minmax(planned[k].hole.points[a], planned[k].hole.points[b]), k);
+      }
+  sort_unique(made);
+  PatchPairs pairs;
+  for (std::size_t i = 0; i < made.size(); ++i)
+    for (std::size_t j = i + 1; j < made.size() && made[j].first == made[i].first; ++j)
+      pairs.emplace_back(made[i].second, made[j].second);
+  sort_unique(pairs);
+  return pairs;
+}
+
+// Finds what keeps patches out: themselves or the surface, or others.
+PatchCrossings obstacles(const Mesh& mesh, std::span<const PlannedPatch> planned, Takes takes, Progress& progress) {
+  if (takes < Takes::crossing) return CrossingSearch(mesh, planned, progress).run();
+  PatchCrossings found{std::vector<bool>(planned.size(), false), std::vector<Face>(planned.size()), {}};
+  for (std::uint32_t k = 0; k < planned.size() && takes == Takes::crossing; ++k)
+    found.crosses[k] = crosses_itself(planned[k].patch);
+  return found;
+}
+
+// Excludes both patches of a pair, or the later one only.
+void exclude(bool both, const PatchPairs& pairs, WhyOpen why, PatchChoice& choice) {
+  const std::vector<WhyOpen> before = choice.cause;
+  const std::vector<WhyOpen>& is_in = both ? before : choice.cause;
+  for (const auto& [a, b] : pairs) {
+    if (is_in[a] != WhyOpen::filled || is_in[b] != WhyOpen::filled) continue;
+    if (both) choice.cause[a] = why;
+    choice.cause[b] = why;
+    choice.conflicts[a] = choice.conflicts[b] = true;
+  }
+}
+
 }  // namespace
 
 std::optional<std::uint32_t> side_on_surroundings(const HoleLoop& hole, const HolePatch& patch) {
@@ -181,8 +308,15 @@ std::optional<std::uint32_t> side_on_surroundings(const HoleLoop& hole, const Ho
   return std::nullopt;
 }
 
-PatchCrossings find_patch_crossings(const Mesh& mesh, std::span<const PlannedPatch> patches, Progress& progress) {
-  return CrossingSearch(mesh, patches, progress).run();
+PatchChoice choose_patches(const Mesh& mesh, std::span<const PlannedPatch> planned, Takes takes, Progress& progress) {
+  PatchCrossings found = obstacles(mesh, planned, takes, progress);
+  PatchChoice choice{std::vector<WhyOpen>(planned.size(), WhyOpen::filled), std::move(found.crossed),
+                     std::vector<bool>(planned.size(), false)};
+  for (std::uint32_t k = 0; k < planned.size(); ++k)
+    if (found.crosses[k]) choice.cause[k] = WhyOpen::crosses;
+  exclude(takes == Takes::clear, pairs_with_an_edge(planned), WhyOpen::edge_exists, choice);
+  exclude(takes == Takes::clear, found.pairs, WhyOpen::crosses, choice);
+  return choice;
 }
 
 }  // namespace ryosen

@@ -24,4 +24,8 @@ HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress);
 // Those of triangulate(); O(n log n).
 HoleTriangles project_triangles(const HoleLoop& loop);
 
+// Cuts corner after corner off the loop, first where the cut is short and folds the surface least. Neither flat
+// triangles nor edges that exist are made. For loops that no projection shows as a simple polygon. O(n log n).
+HoleTriangles cut_ears(const HoleLoop& loop, Progress& progress);
+
 }  // namespace ryosen

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ryosen/algo/repair/cut_ears.h"
+#include "ryosen/algo/repair/hole_triangles.h"
 #include "ryosen/algo/repair/fair_patch.h"
 #include "ryosen/algo/repair/patch_crossings.h"
 #include "ryosen/algo/repair/refine_patch.h"

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "ryosen/algo/repair/fill_report.h"
-#include "ryosen/algo/repair/flat_sheets.h"
 #include "ryosen/algo/repair/new_crossings.h"
 #include "ryosen/algo/repair/part_loops.h"
 #include "ryosen/algo/repair/patch_crossings.h"

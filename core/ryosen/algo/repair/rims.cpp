@@ -1,14 +1,124 @@
 #include "ryosen/algo/repair/rims.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 
 namespace {
+
+using RimPlaces = std::span<const glm::dvec3>;
+
+// Axes at three corners of a rim, in which rims are compared.
+struct Frame {
+  glm::dvec3 origin;
+  std::array<glm::dvec3, 3> axes;
+
+  glm::dvec3 local(const glm::dvec3& p) const {
+    return {glm::dot(axes[0], p - origin), glm::dot(axes[1], p - origin), glm::dot(axes[2], p - origin)};
+  }
+  glm::dvec3 place(const glm::dvec3& l) const { return origin + l.x * axes[0] + l.y * axes[1] + l.z * axes[2]; }
+};
+
+using FrameCorners = std::array<std::uint32_t, 3>;
+
+double distance_to_line(const glm::dvec3& p, const glm::dvec3& at, const glm::dvec3& unit) {
+  return glm::length((p - at) - glm::dot(unit, p - at) * unit);
+}
+
+template <class Height>
+std::uint32_t highest(std::size_t n, Height height) {
+  std::uint32_t best = 0;
+  for (std::uint32_t i = 1; i < n; ++i)
+    if (height(i) > height(best)) best = i;
+  return best;
+}
+
+// The corner, the one farthest from it, and the one farthest from the line through both.
+FrameCorners frame_corners(RimPlaces rim, std::uint32_t first) {
+  const auto from_first = [&](std::uint32_t i) { return glm::distance(rim[i], rim[first]); };
+  const std::uint32_t second = highest(rim.size(), from_first);
+  const double length = from_first(second);
+  const glm::dvec3 unit = length > 0 ? (rim[second] - rim[first]) / length : glm::dvec3(0.0);
+  const auto from_line = [&](std::uint32_t i) { return distance_to_line(rim[i], rim[first], unit); };
+  return {first, second, highest(rim.size(), from_line)};
+}
+
+std::optional<Frame> frame_of(RimPlaces rim, const FrameCorners& corners, bool is_mirrored) {
+  const glm::dvec3 &a = rim[corners[0]], &b = rim[corners[1]], &c = rim[corners[2]];
+  const double length = glm::distance(a, b);
+  if (!(length > 0)) return std::nullopt;
+  const glm::dvec3 x = (b - a) / length, aside = (c - a) - glm::dot(x, c - a) * x;
+  const double width = glm::length(aside);
+  if (!(width > 1e-9 * length)) return std::nullopt;
+  const glm::dvec3 y = aside / width, z = glm::cross(x, y);
+  return Frame{a, {x, y, is_mirrored ? -z : z}};
+}
+
+// A rim with what tells it from others.
+class KnownRim {
+ public:
+  explicit KnownRim(RimPlaces rim) : rim_(rim) {
+    glm::dvec3 mean(0.0);
+    for (const glm::dvec3& p : rim) mean += p / static_cast<double>(rim.size());
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      reaches_.push_back(glm::distance(rim[i], mean));
+      length_ += glm::distance(rim[i], rim[(i + 1) % rim.size()]);
+    }
+    farthest_ = highest(rim.size(), [&](std::uint32_t i) { return reaches_[i]; });
+  }
+
+  double length() const { return length_; }
+  double tolerance(double rounding) const { return 1e-6 * reaches_[farthest_] + rounding; }
+
+  // How the corners of `other`, with as many, are those of this one.
+  std::optional<EqualRim> match(const KnownRim& other, double tolerance) const {
+    constexpr std::size_t most_tries = 8;
+    std::size_t tries = 0;
+    const std::uint32_t n = size();
+    for (std::uint32_t i = 0; i < n && tries < most_tries; ++i) {
+      if (std::abs(other.reaches_[i] - reaches_[farthest_]) > tolerance) continue;
+      ++tries;
+      for (const bool is_mirrored : {false, true}) {
+        const std::uint32_t shift = is_mirrored ? (farthest_ + i) % n : (farthest_ + n - i) % n;
+        const EqualRim equal{0, shift, is_mirrored};
+        if (matches(other, equal, tolerance)) return equal;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::uint32_t size() const { return static_cast<std::uint32_t>(rim_.size()); }
+
+  bool matches(const KnownRim& other, const EqualRim& equal, double tolerance) const {
+    const std::uint32_t n = size();
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (std::abs(other.reaches_[i] - reaches_[equal.corner_of(i, n)]) > tolerance) return false;
+    const FrameCorners theirs = frame_corners(other.rim_, 0);
+    FrameCorners own;
+    for (std::size_t k = 0; k < 3; ++k) own[k] = equal.corner_of(theirs[k], n);
+    const auto frame = frame_of(other.rim_, theirs, equal.is_mirrored), own_frame = frame_of(rim_, own, false);
+    if (!frame || !own_frame) return false;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const glm::dvec3 there = own_frame->local(rim_[equal.corner_of(i, n)]);
+      if (glm::distance(frame->local(other.rim_[i]), there) > 4 * tolerance) return false;
+    }
+    return true;
+  }
+
+  RimPlaces rim_;
+  std::vector<double> reaches_;  // by corner: how far it is from the mean of all
+  double length_ = 0;
+  std::uint32_t farthest_ = 0;
+};
 
 double largest_coordinate(std::span<const glm::dvec3> places) {
   double largest = 0;
@@ -17,7 +127,92 @@ double largest_coordinate(std::span<const glm::dvec3> places) {
   return largest;
 }
 
+// Goes over the sheets at the rims, each once.
+class Sheeting {
+ public:
+  Sheeting(const Mesh& mesh, const Rims& rims) : mesh_(mesh), rims_(rims), seen_(mesh.face_slots(), false) {}
+
+  // Whether the sheet at the rim lies in the plane of the rim and faces the other way than a patch. Asked for the
+  // largest rim of a sheet, since that tells the plane best; for others of the sheet the answer is no.
+  bool is_border_of_flat(std::uint32_t hole, Halfedge start) {
+    const Face first = mesh_.face(twin(start));
+    if (seen_[first.index]) return false;
+    const RimPlane& plane = *rims_.planes[hole];
+    // The fit may lean within the tolerance. What is as thick as wide is no sheet, however small.
+    const double most = std::min(2 * plane.tolerance(), std::sqrt(polygon_area(rims_.places[hole])) / 64);
+    std::vector<Face> open{first};
+    seen_[first.index] = true;
+    bool is_flat = true;
+    double faces_along = 0;
+    for (std::size_t next = 0; next < open.size(); ++next) {
+      std::vector<glm::dvec3> corners;
+      for (Halfedge h : halfedges_around(mesh_, open[next])) {
+        corners.push_back(mesh_.position(mesh_.from(h)));
+        is_flat = is_flat && plane.distance(corners.back()) <= most;
+        const Face beyond = mesh_.face(twin(h));
+        if (!beyond || seen_[beyond.index]) continue;
+        seen_[beyond.index] = true;
+        open.push_back(beyond);
+      }
+      if (is_flat) faces_along += glm::dot(plane.normal(), polygon_normal(corners)) * polygon_area(corners);
+    }
+    return is_flat && faces_along < 0;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const Rims& rims_;
+  std::vector<bool> seen_;  // by face
+};
+
 }  // namespace
+
+std::vector<std::optional<EqualRim>> find_equal_rims(std::span<const std::vector<glm::dvec3>> rims, double rounding) {
+  constexpr int most_compared = 4;
+  using Known = std::pair<std::uint32_t, KnownRim>;
+  std::map<std::size_t, std::multimap<double, Known>> by_size;
+  std::vector<std::optional<EqualRim>> found(rims.size());
+  for (std::uint32_t i = 0; i < rims.size(); ++i) {
+    if (rims[i].size() < 3) continue;
+    KnownRim rim(rims[i]);
+    const double tolerance = rim.tolerance(rounding), slack = tolerance * static_cast<double>(rims[i].size());
+    auto& by_length = by_size[rims[i].size()];
+    int compared = 0;
+    for (auto at = by_length.lower_bound(rim.length() - slack);
+         at != by_length.end() && at->first <= rim.length() + slack && compared < most_compared && !found[i];
+         ++at, ++compared) {
+      found[i] = at->second.second.match(rim, tolerance);
+      if (found[i]) found[i]->as = at->second.first;
+    }
+    if (!found[i]) by_length.emplace(rim.length(), Known(i, std::move(rim)));
+  }
+  return found;
+}
+
+HolePatch patch_like(const HolePatch& other, const EqualRim& equal, const HoleLoop& hole) {
+  const std::uint32_t n = hole.size();
+  std::vector<std::uint32_t> number(other.places.size());  // by vertex of the other patch
+  for (std::uint32_t i = 0; i < n; ++i) number[equal.corner_of(i, n)] = i;
+  for (std::uint32_t v = n; v < number.size(); ++v) number[v] = v;
+  HolePatch patch;
+  patch.corners = n;
+  patch.places = hole.places;
+  const FrameCorners here = frame_corners(hole.places, 0);
+  FrameCorners there;
+  for (std::size_t k = 0; k < 3; ++k) there[k] = equal.corner_of(here[k], n);
+  const auto from = frame_of(RimPlaces(other.places).first(n), there, false);
+  const auto to = frame_of(hole.places, here, equal.is_mirrored);
+  for (std::uint32_t v = n; v < other.places.size(); ++v)
+    patch.places.push_back(to->place(from->local(other.places[v])));
+  const auto renumbered = [&](const CornerTriangle& t) {
+    if (t[0] == no_index) return t;
+    const CornerTriangle moved{number[t[0]], number[t[1]], number[t[2]]};
+    return equal.is_mirrored ? CornerTriangle{moved[0], moved[2], moved[1]} : moved;
+  };
+  for (const CornerTriangle& t : other.triangles) patch.triangles.push_back(renumbered(t));
+  for (const CornerTriangle& t : other.parents) patch.parents.push_back(renumbered(t));
+  return patch;
+}
 
 Rims read_rims(const Mesh& mesh, std::span<const Hole> holes, std::string_view shape,
                std::optional<bool> holds_floats) {
@@ -41,6 +236,16 @@ Rims read_rims(const Mesh& mesh, std::span<const Hole> holes, std::string_view s
   for (const auto& equal : rims.equal)
     if (equal) rims.is_like[equal->as] = true;
   return rims;
+}
+
+void tell_flat_sheets(const Mesh& mesh, const Rims& rims, std::vector<Hole>& holes) {
+  std::vector<std::pair<double, std::uint32_t>> by_area;
+  for (std::uint32_t i = 0; i < holes.size(); ++i)
+    if (rims.planes[i]) by_area.emplace_back(polygon_area(rims.places[i]), i);
+  std::stable_sort(by_area.begin(), by_area.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  Sheeting sheeting(mesh, rims);
+  for (const auto& [area, i] : by_area)
+    if (sheeting.is_border_of_flat(i, holes[i].start)) holes[i].cause = WhyOpen::flat_sheet;
 }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/algo/repair/equal_rims.h"
+#include "ryosen/algo/repair/rims.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The outer borders of flat sheets, which fill_holes leaves open, and borders that look like these.
-#include "ryosen/algo/repair/flat_sheets.h"
+#include "ryosen/algo/repair/rims.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "ryosen/algo/repair/fill_report.h"
 #include "ryosen/algo/repair/new_crossings.h"
-#include "ryosen/algo/repair/part_loops.h"
+#include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/algo/repair/patch_crossings.h"
 #include "ryosen/algo/repair/remove_degenerate.h"
 #include "ryosen/algo/repair/rims.h"

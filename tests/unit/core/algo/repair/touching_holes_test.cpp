@@ -6,7 +6,7 @@
 
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/fill_holes.h"
-#include "ryosen/algo/repair/part_loops.h"
+#include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/indexed/to_indexed.h"

@@ -1,9 +1,11 @@
-// Points at one place, or close to each other.
+// Points at one place, or close to each other, and the collapse of edges between them.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "ryosen/base/progress.h"
+#include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -33,5 +35,9 @@ bool is_isolated_point(const Mesh& mesh, Vertex point);
 
 // Whether an edge without a face ends at a copy of the point.
 bool ends_a_wire(const Mesh& mesh, Vertex point);
+
+// Collapses edges between points with the same first one where this is sound (collapses_soundly); the lower number
+// stays. `near` are the points of the mesh as it is. Returns how many.
+std::size_t collapse_near(Edit& edit, const NearPoints& near, Progress& progress);
 
 }  // namespace ryosen

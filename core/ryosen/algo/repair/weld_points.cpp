@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "ryosen/algo/repair/collapse_near.h"
+#include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/flat_faces.h"
 #include "ryosen/algo/repair/join_points.h"
 #include "ryosen/algo/repair/new_crossings.h"

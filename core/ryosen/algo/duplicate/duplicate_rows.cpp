@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "ryosen/algo/duplicate/part.h"
-#include "ryosen/algo/repair/join_points.h"
 #include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/circulate.h"

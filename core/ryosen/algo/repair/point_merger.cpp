@@ -1,10 +1,15 @@
 #include "ryosen/algo/repair/point_merger.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <utility>
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/sheets.h"
+#include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
 
@@ -18,6 +23,189 @@ std::uint64_t number_of(Vertex point) {
   x = (x ^ x >> 27u) * 0x94d049bb133111ebu;
   return x ^ x >> 31u;
 }
+
+// A side of a face, between points as they will be.
+struct Side {
+  Vertex low, high;
+  bool is_forward;  // from low to high
+  Halfedge halfedge;
+
+  friend auto operator<=>(const Side&, const Side&) = default;
+  bool is_between_those_of(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+class Joiner {
+ public:
+  Joiner(Edit& edit, const std::vector<JoinedPoints>& classes)
+      : edit_(edit), m_(edit.mesh()), classes_(classes), point_after_(points_by_slot(m_)) {
+    std::vector<Vertex> becomes(m_.vertex_slots());
+    for (const JoinedPoints& joined : classes)
+      for (Vertex p : joined.points) becomes[p.index] = joined.points[0];
+    for (Vertex& p : point_after_)
+      if (p && becomes[p.index]) p = becomes[p.index];
+  }
+
+  void join() {
+    collect_copies();
+    const std::vector<std::pair<Halfedge, Halfedge>> pairs = sides_to_join();
+    for (const auto& [h, other] : pairs) {
+      unite(m_.from(h), m_.to(other));
+      unite(m_.to(h), m_.from(other));
+    }
+    for (const auto& [v, root] : root_of_)
+      for (Halfedge h : outgoing(m_, v)) leaving_[root_of(v)].push_back(h);
+    for (const auto& [h, other] : pairs) close(h, other);
+    rename();
+    link_copies();
+    Sheets sheets(edit_);
+    sheets.remove_vertices(isolated_copies());
+    sort_unique(maybe_split_);
+    sheets.make_manifold(maybe_split_);
+  }
+
+ private:
+  void collect_copies() {
+    for (const JoinedPoints& joined : classes_) {
+      for (Vertex p : joined.points)
+        for_each_copy(m_, p, [&](Vertex copy) { copies_[joined.points[0]].push_back(copy); });
+    }
+  }
+
+  // The sides of faces at the points that have no face beyond.
+  std::vector<Side> open_sides() const {
+    std::vector<Side> sides;
+    for (const auto& [first, copies] : copies_)
+      for (Vertex v : copies) {
+        if (m_.is_isolated(v)) continue;
+        for (Halfedge leaving : outgoing(m_, v))
+          for (Halfedge h : {leaving, twin(leaving)}) {
+            if (m_.is_outside(h) || !m_.is_outside(twin(h))) continue;
+            const Vertex a = point_after_[m_.from(h).index], b = point_after_[m_.to(h).index];
+            sides.push_back({std::min(a, b), std::max(a, b), a < b, h});
+          }
+      }
+    sort_unique(sides);
+    return sides;
+  }
+
+  // Two sides, in opposite directions, of what will be one edge with no third face.
+  std::vector<std::pair<Halfedge, Halfedge>> sides_to_join() {
+    const std::vector<Side> sides = open_sides();
+    std::vector<std::pair<Halfedge, Halfedge>> pairs;
+    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+      for (last = first; last < sides.size() && sides[last].is_between_those_of(sides[first]);) ++last;
+      if (last - first != 2 || sides[first].is_forward == sides[first + 1].is_forward) continue;
+      const Halfedge h = sides[first].halfedge, other = sides[first + 1].halfedge;
+      const std::array<Vertex, 4> ends{m_.from(h), m_.to(h), m_.from(other), m_.to(other)};
+      if (std::all_of(ends.begin(), ends.end(), [&](Vertex v) { return has_one_gap(v); }))
+        pairs.emplace_back(h, other);
+      else
+        maybe_split_.insert(maybe_split_.end(), ends.begin(), ends.end());
+    }
+    return pairs;
+  }
+
+  // Then its faces form one fan, and no wire ends there.
+  bool has_one_gap(Vertex v) const {
+    std::size_t gaps = 0;
+    for (Halfedge h : outgoing(m_, v)) gaps += m_.is_outside(h);
+    return gaps == 1;
+  }
+
+  Vertex root_of(Vertex v) {
+    Vertex root = v;
+    while (root_of_.at(root) != root) root = root_of_.at(root);
+    while (v != root) v = std::exchange(root_of_.at(v), root);
+    return root;
+  }
+  void unite(Vertex a, Vertex b) {
+    root_of_.try_emplace(a, a);
+    root_of_.try_emplace(b, b);
+    const auto [low, high] = std::minmax({root_of(a), root_of(b)});
+    root_of_.at(high) = low;
+    // A point that is joined to none may have copies that become one.
+    for (Vertex v : {a, b})
+      if (const Vertex p = point_after_[v.index]; !copies_.contains(p))
+        for_each_copy(m_, v, [&](Vertex copy) { copies_[p].push_back(copy); });
+  }
+
+  //      |  f  |            the outer half of h becomes the side of the other face, whose edge goes
+  //   y  a<-h--b  w
+  //      outside
+  //   z  a'-g->b' x
+  //      |  g's  |
+  void close(Halfedge h, Halfedge g) {
+    const Halfedge there = twin(h), back = twin(g);
+    const Halfedge before = m_.prev(there), after = m_.next(there), in = m_.prev(back), out = m_.next(back);
+    if (before != back) edit_.connect(before, out);
+    if (after != back) edit_.connect(in, after);
+    const Face f = m_.face(g);
+    CornerWriter corners(edit_);
+    for (std::size_t k = 0; k < corners.count(); ++k) {
+      corners.set(k, there, corners.index(k, g));
+      corners.set(k, g, no_index);
+    }
+    replace_start(edit_, f, g, there);
+    edit_.connect(m_.prev(g), there);
+    edit_.connect(there, m_.next(g));
+    edit_.set_face(there, f);
+    edit_.remove(edge(g));
+  }
+
+  // The joined vertices become the lowest of them.
+  void rename() {
+    for (const auto& [root, leaving] : leaving_) {
+      Halfedge hold;
+      for (Halfedge h : leaving) {
+        if (!m_.is_alive(h)) continue;
+        edit_.set_from(h, root);
+        if (!hold || m_.is_outside(h)) hold = h;
+      }
+      edit_.set_halfedge(root, hold);
+    }
+  }
+
+  void link_copies() {
+    for (auto& [first, copies] : copies_) {
+      std::erase_if(copies, [&](Vertex v) {
+        if (!root_of_.contains(v) || root_of(v) == v) return false;
+        edit_.set_copy_links(v, v, v);
+        edit_.remove(v);
+        return true;
+      });
+      if (copies.size() > 1 || (!copies.empty() && has_copies(m_, copies[0]))) ryosen::link_copies(edit_, copies);
+      // Reading may join more at a point that was non-manifold before, alone or with isolated ones.
+      std::vector<Vertex> fans = copies;
+      std::erase_if(fans, [&](Vertex v) { return m_.is_isolated(v); });
+      if (fans.size() > 1) maybe_split_.push_back(fans[0]);
+    }
+    for (const JoinedPoints& joined : classes_)
+      for (Vertex v : copies_[joined.points[0]]) edit_.set_position(v, joined.place);
+  }
+
+  // Those that go; of a point without edges the smallest copy stays. Descending.
+  std::vector<Vertex> isolated_copies() {
+    std::vector<Vertex> found;
+    for (const JoinedPoints& joined : classes_) {
+      std::vector<Vertex> isolated = copies_[joined.points[0]];
+      const std::size_t all = isolated.size();
+      std::erase_if(isolated, [&](Vertex v) { return !m_.is_isolated(v); });
+      std::sort(isolated.begin(), isolated.end());
+      found.insert(found.end(), isolated.begin() + (isolated.size() == all), isolated.end());
+    }
+    std::sort(found.begin(), found.end(), [](Vertex a, Vertex b) { return b < a; });
+    return found;
+  }
+
+  Edit& edit_;
+  const Mesh& m_;
+  const std::vector<JoinedPoints>& classes_;
+  std::vector<Vertex> point_after_;                  // by slot
+  std::map<Vertex, std::vector<Vertex>> copies_;     // by point afterwards, of the points concerned
+  std::map<Vertex, Vertex> root_of_;                 // of vertices that are joined to others
+  std::map<Vertex, std::vector<Halfedge>> leaving_;  // by root, before anything is joined
+  std::vector<Vertex> maybe_split_;
+};
 
 }  // namespace
 
@@ -154,6 +342,10 @@ void PointMerger::undo() {
     visits_.erase(key(f.index, last.stays.index));
   }
   for (auto change = last.edges.rbegin(); change != last.edges.rend(); ++change) edges_[change->first] = change->second;
+}
+
+void join_points(Edit& edit, const std::vector<JoinedPoints>& classes) {
+  if (!classes.empty()) Joiner(edit, classes).join();
 }
 
 }  // namespace ryosen

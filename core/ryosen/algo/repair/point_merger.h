@@ -1,4 +1,5 @@
-// Judges which points may become one, by what the list of polygons on points would be: no mesh is changed.
+// Makes points one: PointMerger judges which may be, by what the list of polygons on points would be, with no mesh
+// changed; join_points() does it, with the edges that this closes.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/edit.h"
 
 namespace ryosen {
 
@@ -73,5 +75,16 @@ class PointMerger {
   std::unordered_set<Key> visits_;  // a face and the root of a class at it
   std::vector<Undo> undo_;
 };
+
+// A class of points that become one, ascending, and the place they take. The lowest keeps its number.
+struct JoinedPoints {
+  std::vector<Vertex> points;
+  glm::dvec3 place;
+};
+
+// The result is what reading the merged list of polygons gives. No face may visit two points of a class, and every
+// class is manifold afterwards (PointMerger); points that end wires stay alone. Cost: O(k log k) for k corners at the
+// points and their copies, however many meet at one of them, beside a pass over the vertices.
+void join_points(Edit& edit, const std::vector<JoinedPoints>& classes);
 
 }  // namespace ryosen

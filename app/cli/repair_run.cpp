@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/progress_line.h"
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/io/given_back.h"
 
 namespace ryosen::cli {

@@ -7,7 +7,7 @@
 #include "app/ui/panels.h"
 #include "app/ui/repair_rows.h"
 #include "app/ui/widgets.h"
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/document/quarantine_text.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ryosen/algo/repair/fill_report.h"
-#include "ryosen/algo/repair/new_crossings.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/algo/repair/patch_crossings.h"
 #include "ryosen/algo/repair/remove_degenerate.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/pockets.h"
 #include "ryosen/analysis/problem_sets.h"
 

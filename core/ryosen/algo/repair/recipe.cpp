@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ryosen/algo/repair/guard.h"
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/recipe_goal.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/indexed/lost_vertices.h"

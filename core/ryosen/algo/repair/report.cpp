@@ -6,7 +6,7 @@
 
 #include "ryosen/algo/algorithm_rows.h"
 #include "ryosen/algo/repair/guard.h"
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"

@@ -11,7 +11,7 @@
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/flat_faces.h"
 #include "ryosen/algo/repair/near_points.h"
-#include "ryosen/algo/repair/new_crossings.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/algo/repair/weld_points.h"
 #include "ryosen/analysis/neighbourhood.h"

@@ -7,7 +7,7 @@
 
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/flat_faces.h"
-#include "ryosen/algo/repair/new_crossings.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/algo/repair/pockets.h"
 #include "ryosen/algo/repair/point_merger.h"

@@ -1,4 +1,4 @@
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 
 #include <gtest/gtest.h>
 

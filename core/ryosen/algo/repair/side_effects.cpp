@@ -1,6 +1,10 @@
-#include "ryosen/algo/repair/loose_pieces.h"
+#include "ryosen/algo/repair/side_effects.h"
 
+#include <algorithm>
 #include <map>
+
+#include "ryosen/analysis/self_intersections.h"
+#include "ryosen/base/count_text.h"
 
 namespace ryosen {
 
@@ -35,6 +39,9 @@ std::vector<Piece> pieces_of(const FaceComponents& before, const Mesh& after) {
   return pieces;
 }
 
+// More pairs are of no use to anyone.
+constexpr std::size_t most_pairs = 1000000;
+
 }  // namespace
 
 std::vector<Face> find_loose_pieces(const FaceComponents& before, const Mesh& after) {
@@ -66,5 +73,23 @@ void add_loose_pieces(const FaceComponents& before, const Mesh& after, Algorithm
 }
 
 bool tells_of_loose_pieces(const LeftForReason& left) { return left.reason.en == loose_reason.en; }
+
+void add_new_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result) {
+  const SelfIntersections old = find_self_intersections(before, most_pairs);
+  SelfIntersections now = find_self_intersections(after, most_pairs);
+  std::size_t added = now.count - std::min(now.count, old.count);
+  const bool is_exact = now.is_all() && old.is_all();
+  if (is_exact)
+    added = std::erase_if(
+        now.pairs, [&](const FacePair& pair) { return !std::binary_search(old.pairs.begin(), old.pairs.end(), pair); });
+  result.crossings = added;
+  if (added == 0) return;
+  result.text =
+      result.text +
+      (is_exact ? count_text(added, " One pair of faces meets now that did not.",
+                             " # pairs of faces meet now that did not.", "新たに交わる面が # 組あります。")
+                : count_text(added, " At least one more pair of faces meets now.",
+                             " At least # more pairs of faces meet now.", "交わる面が少なくとも # 組増えました。"));
+}
 
 }  // namespace ryosen

@@ -1,10 +1,11 @@
-// Pieces of the surface that a repair has taken off.
+// What a repair has done beside its task: pieces that came off the surface, and faces that cross.
 #pragma once
 
 #include <vector>
 
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/analysis/components.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
@@ -18,5 +19,9 @@ std::vector<Face> find_loose_pieces(const FaceComponents& before, const Mesh& af
 // Adds them to what a repair has left.
 void add_loose_pieces(const FaceComponents& before, const Mesh& after, AlgorithmResult& result);
 bool tells_of_loose_pieces(const LeftForReason& left);
+
+// Adds to the result of an algorithm, and to its sentence, how many pairs of faces meet now that did not before. Cost:
+// that of two searches for self-intersections.
+void add_new_crossings(const Mesh& before, const Mesh& after, AlgorithmResult& result);
 
 }  // namespace ryosen

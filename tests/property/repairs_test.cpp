@@ -9,7 +9,7 @@
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/repair/give_places.h"
-#include "ryosen/algo/repair/guard.h"
+#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/algo/repair/pockets.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/geometry/is_finite.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ryosen/algo/repair/recipe_goal.h"
+#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/document/document.h"
 #include "ryosen/io/given_back.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ryosen/algo/duplicate/part.h"
-#include "ryosen/algo/repair/guard.h"
+#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/document/quarantine_text.h"
 #include "ryosen/indexed/from_indexed.h"

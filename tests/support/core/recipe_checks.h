@@ -27,7 +27,7 @@ std::string random_recipe(std::uint64_t seed);
 // and read. What is broken of the rules, one line each; empty: nothing.
 //  - sound columns, and those that reading gives
 //  - no more findings of a kind that must_not_grow, but for duplicates by the pockets that closed
-//  - no step is refused by its guard (guard.h): the repairs themselves judge what is sound
+//  - no step is refused by its guard (run_guarded): the repairs themselves judge what is sound
 //  - running it again changes nothing; not asked of a format that loses lines or points, which use vertices
 std::vector<std::string> broken_rules(MeshFile file, const std::string& kinds,
                                       const std::vector<std::string>& formats = {"obj", "ply", "off"});

@@ -1,17 +1,30 @@
 #include "ryosen/algo/repair/recipe.h"
 
 #include <algorithm>
-#include <utility>
+#include <string>
 
-#include "ryosen/algo/repair/guard.h"
+#include "ryosen/algo/repair/orient_faces.h"
+#include "ryosen/algo/repair/pockets.h"
 #include "ryosen/algo/repair/side_effects.h"
-#include "ryosen/algo/repair/recipe_goal.h"
+#include "ryosen/analysis/problem_sets.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/indexed/lost_vertices.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 
 namespace {
+
+AlgorithmResult refusal(const AlgorithmRow& row, const AlgorithmResult& wanted, const ProblemRow& kind,
+                        std::size_t more) {
+  AlgorithmResult result;
+  result.left = wanted.changed + wanted.left;
+  const std::string n = std::to_string(more), id(row.id);
+  result.text = {
+      "Nothing was changed: " + id + " would add " + n + " of the kind " + std::string(kind.id) + ".",
+      "変更していません（" + id + " を行うと「" + std::string(kind.name_ja) + "」が " + n + " 増えるため）。"};
+  return result;
+}
 
 struct State {
   Mesh mesh;
@@ -138,6 +151,41 @@ class RecipeRun {
 
 }  // namespace
 
+FindingCounts count_findings(const Mesh& mesh, std::span<const Vertex> on_lines) {
+  const ProblemSets sets(mesh, 0, on_lines);
+  FindingCounts counts{};
+  for (const ProblemRow& row : problem_table()) counts[static_cast<std::size_t>(row.kind)] = sets.count(row.kind);
+  return counts;
+}
+
+bool must_not_grow(const ProblemRow& row) {
+  return row.severity == ProblemSeverity::problem && row.is_local() && !row.is_of_the_vertex &&
+         row.kind != ProblemKind::hanging_pair;
+}
+
+AlgorithmResult run_guarded(Edit& edit, const AlgorithmRow& row, const AlgorithmInput& input, Progress& progress,
+                            FindingCounts& counts) {
+  FaceComponents components;
+  std::size_t pockets = 0;
+  if (row.is_repair()) {
+    components = components_of(edit.mesh());
+    pockets = pockets_of(edit.mesh()).size();
+  }
+  AlgorithmResult result = row.run(edit, input, progress);
+  if (!row.is_repair() || progress.is_cancelled() || result.changed == 0) return result;
+  const FindingCounts after = count_findings(edit.mesh(), input.on_lines);
+  for (const ProblemRow& kind : problem_table()) {
+    const auto k = static_cast<std::size_t>(kind.kind);
+    if (!must_not_grow(kind) || after[k] <= counts[k]) continue;
+    const std::size_t more = after[k] - counts[k];
+    if (kind.kind == ProblemKind::duplicate_face && pockets + more <= pockets_of(edit.mesh()).size()) continue;
+    return refusal(row, result, kind, more);
+  }
+  counts = after;
+  add_loose_pieces(components, edit.mesh(), result);
+  return result;
+}
+
 void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine, std::size_t KindCount::*at,
                  std::vector<KindCount>& findings) {
   const ProblemSets sets(mesh, 0, input.on_lines);
@@ -155,6 +203,46 @@ void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine
 std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
                                        const RecipeEvents& events) {
   return RecipeRun(steps, input, events).run(mesh);
+}
+
+RecipeGoal::RecipeGoal(std::span<const RecipeStep> steps) {
+  for (const RecipeStep& step : steps) {
+    for (const ProblemKind kind : step.row->solves) is_for_[static_cast<std::size_t>(kind)] = true;
+    is_for_orientation_ = is_for_orientation_ || step.row->run == orient_faces;
+  }
+}
+
+// The second face of each is a duplicate, and that of two triangles closes a hanging pair.
+std::size_t RecipeGoal::problems_of_pockets(const FoundInMesh& found) const {
+  const bool may_have_any = found.counts[static_cast<std::size_t>(ProblemKind::duplicate_face)] > 0;
+  if (!may_have_any) return 0;
+  std::size_t problems = 0;
+  for (const auto& [first, second] : pockets_of(*found.mesh)) {
+    problems += is_for(ProblemKind::duplicate_face);
+    problems += is_for(ProblemKind::hanging_pair) && corner_count(*found.mesh, second) == 3;
+  }
+  return problems;
+}
+
+std::pair<std::size_t, std::size_t> RecipeGoal::measure(const FoundInMesh& found) const {
+  std::size_t problems = 0;
+  for (const ProblemRow& row : problem_table()) {
+    if (!is_for(row.kind) || row.severity != ProblemSeverity::problem) continue;
+    if (!row.quarantined)
+      problems += found.counts[static_cast<std::size_t>(row.kind)];
+    else if (row.kind == ProblemKind::quarantined_face)
+      problems += found.quarantined;
+  }
+  const std::size_t edges = found.counts[static_cast<std::size_t>(ProblemKind::boundary_loop)];
+  problems -= std::min(problems, problems_of_pockets(found));
+  return {problems, is_for(ProblemKind::boundary_loop) ? edges : 0};
+}
+
+bool RecipeGoal::is_nearer(const FoundInMesh& now, const FoundInMesh& before) const {
+  const auto is = measure(now), was = measure(before);
+  if (is != was || !is_for_orientation_) return is < was;
+  Progress unheard;
+  return count_turned_wrong(*now.mesh, unheard) < count_turned_wrong(*before.mesh, unheard);
 }
 
 }  // namespace ryosen

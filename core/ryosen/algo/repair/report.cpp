@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "ryosen/algo/algorithm_rows.h"
-#include "ryosen/algo/repair/guard.h"
+#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/analysis/problems.h"
 #include "ryosen/base/count_text.h"

@@ -8,13 +8,13 @@ namespace ryosen {
 // Closes every boundary loop (of at most the given number of edges, if any) for which there is a sound patch.
 //
 // shape: `flat` adds vertices on the triangles between the corners of the rim alone; `fair` minimises bending, tangent
-// to the faces at the rim (fair_patch.h); `auto` is flat where the rim lies in a plane but for rounding (rim_plane.h),
+// to the faces at the rim (plan_patch.h); `auto` is flat where the rim lies in a plane but for rounding (rim_plane.h),
 // and then new vertices lie in it too, else fair. The text says which was made.
 //
 // Several patches are tried: the triangulation of least folds [Liepa03] and the projected one (hole_triangles.h), each
 // refined (refine_patch.h) and as it is, then a fan around a vertex in the middle. The first is taken that has no
 // degenerate triangle, makes no edge that exists, and crosses neither the surface nor itself nor another patch
-// (patch_crossings.h). Equal rims get equal patches (equal_rims.h). Other loops stay open, the result tells why and
+// (patch_crossings.h). Equal rims get equal patches (rims.h). Other loops stay open, the result tells why and
 // names what was crossed; with `crossing` `allow` such loops are filled at last, and the result counts the pairs of
 // faces that meet. Open stay loops that visit a point twice, contain a cut edge or a non-finite position, and those of
 // three edges that already have a face on the same points.

@@ -41,7 +41,7 @@ struct PlanResult {
 PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
                          HolePatch& patch, Progress& progress);
 
-// Gives an arranged patch, or one moved from an equal rim (equal_rims.h), its final places. No vertex comes, and no
+// Gives an arranged patch, or one moved from an equal rim (rims.h), its final places. No vertex comes, and no
 // triangle is degenerate.
 PlanResult finish_patch(const WayToFill& way, const HoleLoop& hole, const PatchStyle& style, HolePatch& patch,
                         Progress& progress);

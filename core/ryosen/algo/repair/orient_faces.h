@@ -6,8 +6,9 @@
 namespace ryosen {
 
 // As the operator orient, but two triangles on the same points that agree with each other and touch nothing else stay:
-// turning one would make a hanging pair of them. Then whole patches are turned outwards (turn_outwards.h), at the cost
-// of that. Where turning would tear a closed part (pair_faces.h), non-manifold places are taken apart first.
+// turning one would make a hanging pair of them. Then whole patches are turned outwards: closed ones by their
+// nesting, open ones by the side that is seen (seen_area.h), at the cost of these. Where turning would tear a closed
+// part (pair_faces.h), non-manifold places are taken apart first.
 AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progress);
 
 // How many faces of patches that agree with themselves it would turn.

@@ -5,10 +5,11 @@
 
 namespace ryosen {
 
-// Stitches T-junctions (t_junctions.h): the side gets a vertex at the point's place, which is welded to the point
-// together with the parts of the side on both sides of it (weld_near_points). A triangle is cut in two, another face
-// gets a corner. A point of several fans becomes a point for each fan first. A point goes in only where this joins one
-// of these parts to another side, and, where it lies beside the edge, turns no triangle and leaves none without area.
+// Stitches T-junctions, points that lie on a side of a face which has no other face: the side gets a vertex at the
+// point's place, which is welded to the point together with the parts of the side on both sides of it
+// (weld_near_points). A triangle is cut in two, another face gets a corner. A point of several fans becomes a point for
+// each fan first. A point goes in only where this joins one of these parts to another side, and, where it lies beside
+// the edge, turns no triangle and leaves none without area.
 //
 //      +-----------+            +-----------+
 //      |           |            |           |        the point p of the two faces below lies on a side of the one above

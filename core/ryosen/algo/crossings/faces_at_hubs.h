@@ -6,18 +6,32 @@
 //        Y
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
-#include "ryosen/algo/crossings/directions.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/frustum.h"
 #include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/triangle_corners.h"
 
 namespace ryosen {
+
+// Directions of places seen from a point: what two triangles have no direction in common meet at most at that point.
+namespace directions {
+
+// From one place to another. Its largest coordinate is 1, of either sign; all are 0 where that is the same place, and
+// not finite where it is too far.
+glm::dvec3 direction(const glm::dvec3& from, const glm::dvec3& to);
+inline bool is_somewhere(const glm::dvec3& direction) { return is_finite(direction) && direction != glm::dvec3(0); }
+
+// A triangle as thick as rounding; its box where it is too large or small for that.
+Frustum slab_of(const TriangleCorners& triangle);
+
+}  // namespace directions
 
 class FacesAtHubs {
  public:

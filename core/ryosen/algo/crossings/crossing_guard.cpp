@@ -1,14 +1,11 @@
 #include "ryosen/algo/crossings/crossing_guard.h"
 
-#include <algorithm>
-
 #include "ryosen/analysis/overlap_tree.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/surely_apart.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/triangle_corners.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/crossings/met_places.h"
+#include "ryosen/algo/crossings/crossing_guard.h"
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/measure/distance.h"

@@ -5,28 +5,27 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <queue>
+#include <span>
 #include <tuple>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "ryosen/algo/repair/fan_groups.h"
-#include "ryosen/algo/repair/pair_at_edge.h"
 #include "ryosen/algo/repair/point_merger.h"
+#include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/analysis/measures.h"
+#include "ryosen/geometry/around_edge.h"
+#include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/face_polygon.h"
 
 namespace ryosen {
 
 namespace {
-
-struct PairedSide {
-  Vertex low, high;  // places
-  Halfedge halfedge;
-  bool is_forward;  // from low to high
-
-  friend auto operator<=>(const PairedSide&, const PairedSide&) = default;
-  bool is_beside(const PairedSide& other) const { return low == other.low && high == other.high; }
-};
 
 // An edge of three or more faces, and by direction how many of its faces are not free, its ranks and the first of these
 // that may be free.
@@ -35,6 +34,156 @@ struct ManyFaced {
   std::array<std::size_t, 2> count{};
   std::array<std::vector<std::uint32_t>, 2> ranks;
   std::array<std::size_t, 2> cursor{};
+};
+
+// The corners of a polygon in an order that depends neither on its start nor on its direction, so that two faces back
+// to back have the same triangles.
+std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<Vertex>& place,
+                                           const std::vector<Halfedge>& corners) {
+  std::vector<std::uint32_t> order(corners.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto number = [&](std::uint32_t i) { return place[mesh.from(corners[i]).index].index; };
+  const auto lowest = std::min_element(order.begin(), order.end(),
+                                       [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
+  std::rotate(order.begin(), lowest, order.end());
+  if (number(order.back()) < number(order[1])) std::reverse(order.begin() + 1, order.end());
+  return order;
+}
+
+// Orders sides at one angle, given by ascending face: those that end an inside first, the lowest face nearest
+// to its inside.
+template <class Iterator>
+void put_nearest_inside(Iterator begin, Iterator end) {
+  std::reverse(std::stable_partition(begin, end, [](const auto& s) { return !s.begins; }), end);
+}
+
+// Pairs the sides of faces around edges. The mesh, `place`, which has by vertex slot the one that stands for its place,
+// and `across`, which has the pairs known so far by halfedge slot, must outlive it.
+class EdgePairer {
+ public:
+  EdgePairer(const Mesh& mesh, const std::vector<Vertex>& place, std::vector<Halfedge>& across)
+      : mesh_(mesh), place_(place), across_(across) {}
+
+  // All sides run between the same two places, as many in each direction. Around the edge a face is paired with the
+  // first face of the other direction through its inside, which lies behind it, opposite its normal. Where faces lie at
+  // one angle, a face that ends an inside comes before one that begins one, and then the lowest face is the nearest.
+  // Exact. Cost: O(k log k) for k sides, and a triangulation of the faces that are no triangles.
+  void pair(std::span<const Halfedge> sides) {
+    const Vertex from = mesh_.from(sides[0]);
+    const glm::dvec3 start = mesh_.position(from), end = mesh_.position(mesh_.to(sides[0]));
+    std::vector<SideAround> around;
+    for (const Halfedge side : sides)
+      around.push_back({side, mesh_.face(side), place_[mesh_.from(side).index] != place_[from.index],
+                        place_beside(side, start, end)});
+    std::sort(around.begin(), around.end(), [](const SideAround& a, const SideAround& b) {
+      return a.face != b.face ? a.face < b.face : a.side < b.side;
+    });
+    const auto first =
+        std::find_if(around.begin(), around.end(), [](const SideAround& s) { return s.place.has_value(); });
+    if (first != around.end()) {
+      const glm::dvec3 place = *first->place;
+      const AroundEdge order(start, end, place);
+      std::stable_sort(around.begin(), around.end(), [&](const SideAround& a, const SideAround& b) {
+        return order.compare(a.place.value_or(place), b.place.value_or(place)) < 0;
+      });
+      for (auto begin = around.begin(), next = begin; begin != around.end(); begin = next) {
+        next = std::find_if(begin, around.end(), [&](const SideAround& s) {
+          return order.compare(begin->place.value_or(place), s.place.value_or(place)) != 0;
+        });
+        put_nearest_inside(begin, next);
+      }
+    } else {
+      put_nearest_inside(around.begin(), around.end());
+    }
+    match(around);
+  }
+
+ private:
+  struct SideAround {
+    Halfedge side;
+    Face face;
+    bool begins;  // an inside, counter-clockwise around the edge
+    std::optional<glm::dvec3> place;
+  };
+
+  void triangulate(Face f) {
+    if (!triangulated_.insert(f).second) return;
+    const FacePolygon polygon(mesh_, f);
+    if (!polygon.is_finite()) return;
+    const std::vector<Halfedge>& corners = polygon.corners();
+    std::vector<std::uint32_t> order(corners.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::vector<CornerTriangle> triangles;
+    if (polygon.loop_ends().size() == 1) {
+      order = canonical_order(mesh_, place_, corners);
+      std::vector<glm::dvec3> places;
+      for (const std::uint32_t i : order) places.push_back(polygon.places()[i]);
+      ryosen::triangulate(places, triangles);
+    } else {
+      polygon.triangulate(triangles);
+    }
+    for (const CornerTriangle& triangle : triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = order[triangle[i]], b = order[triangle[(i + 1) % 3]], c = order[triangle[(i + 2) % 3]];
+        if (polygon.is_side(a, b)) apexes_.try_emplace(corners[a], polygon.places()[c]);
+        if (polygon.is_side(b, a)) apexes_.try_emplace(corners[b], polygon.places()[c]);
+      }
+  }
+
+  // A corner of the face that lies beside the side as seen within the face; none where it is not finite.
+  std::optional<glm::dvec3> apex(Halfedge side) {
+    if (is_triangle(mesh_, side) && !mesh_.has_rings(mesh_.face(side))) {
+      const glm::dvec3 place = mesh_.position(mesh_.from(mesh_.prev(side)));
+      return is_finite(place) ? std::optional(place) : std::nullopt;
+    }
+    triangulate(mesh_.face(side));
+    const auto found = apexes_.find(side);
+    return found == apexes_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  // A place off the edge's line in the direction of the face. A face without area there has that of a neighbour across
+  // it.
+  std::optional<glm::dvec3> place_beside(Halfedge side, const glm::dvec3& start, const glm::dvec3& end) {
+    constexpr std::size_t most_faces = 16;
+    if (!is_finite(start) || !is_finite(end)) return std::nullopt;
+    std::vector<Halfedge> entered{side};
+    for (std::size_t i = 0; i < entered.size(); ++i) {
+      const std::optional<glm::dvec3> place = apex(entered[i]);
+      if (place && !are_collinear(start, end, *place)) return place;
+      for (const Halfedge h : halfedges_around(mesh_, mesh_.face(entered[i]))) {
+        const Halfedge next = across_[h.index];
+        if (!next || h == entered[i] || entered.size() >= most_faces) continue;
+        if (std::none_of(entered.begin(), entered.end(), [&](Halfedge e) { return mesh_.face(e) == mesh_.face(next); }))
+          entered.push_back(next);
+      }
+    }
+    return std::nullopt;
+  }
+
+  // As brackets are matched, going on from the end at the beginning.
+  void match(std::span<const SideAround> around) {
+    std::vector<Halfedge> open, ends;
+    const auto join = [&](Halfedge closing) {
+      across_[open.back().index] = closing;
+      across_[closing.index] = open.back();
+      open.pop_back();
+    };
+    for (const SideAround& s : around) {
+      if (s.begins)
+        open.push_back(s.side);
+      else if (open.empty())
+        ends.push_back(s.side);
+      else
+        join(s.side);
+    }
+    for (const Halfedge closing : ends) join(closing);
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Vertex>& place_;
+  std::vector<Halfedge>& across_;
+  std::unordered_set<Face> triangulated_;
+  std::unordered_map<Halfedge, glm::dvec3> apexes_;  // by side, of the triangle at it
 };
 
 class Pairing {
@@ -90,8 +239,8 @@ class Pairing {
       const Vertex from = m_.from(h), to = m_.to(h);
       const bool is_joined = !m_.is_outside(twin(h));
       if ((is_shared_[from.index] || is_shared_[to.index]) && !(keeps_joined_ && is_joined)) {
-        const Vertex a = place_[from.index], b = place_[to.index];
-        if (a != b) sides_.push_back({std::min(a, b), std::max(a, b), h, a < b});
+        const SideBetween side(place_[from.index], place_[to.index], h);
+        if (side.low != side.high) sides_.push_back(side);
       } else if (!is_joined) {
         at_boundary_.push_back(m_.face(h));
       } else {
@@ -102,23 +251,20 @@ class Pairing {
 
   void pair_at_shared_places() {
     std::sort(sides_.begin(), sides_.end());
-    for (std::size_t first = 0, last = 0; first < sides_.size(); first = last) {
-      for (last = first; last < sides_.size() && sides_[last].is_beside(sides_[first]);) ++last;
-      if (last - first == 1) at_boundary_.push_back(m_.face(sides_[first].halfedge));
-      if (last - first == 2 && sides_[first].is_forward != sides_[first + 1].is_forward)
-        pair(sides_[first].halfedge, sides_[first + 1].halfedge);
-      if (last - first > 2) add_many_faced(first, last);
-    }
+    for_each_edge(sides_, [&](std::span<const SideBetween> sides) {
+      if (sides.size() == 1) at_boundary_.push_back(m_.face(sides[0].halfedge));
+      if (sides.size() == 2 && sides[0].is_forward != sides[1].is_forward) pair(sides[0].halfedge, sides[1].halfedge);
+      if (sides.size() > 2) add_many_faced(sides);
+    });
     for (const Face f : at_boundary_) has_boundary_[patches_.root(f.index)] = true;
   }
 
-  void add_many_faced(std::size_t first, std::size_t last) {
-    ManyFaced edge;
-    for (std::size_t i = first; i < last; ++i) {
-      edge.sides.push_back(sides_[i].halfedge);
-      ++edge.count[sides_[i].is_forward];
+  void add_many_faced(std::span<const SideBetween> sides) {
+    ManyFaced& edge = edges_.emplace_back();
+    for (const SideBetween& side : sides) {
+      edge.sides.push_back(side.halfedge);
+      ++edge.count[side.is_forward];
     }
-    edges_.push_back(std::move(edge));
   }
 
   std::uint32_t patch(Halfedge side) { return patches_.root(m_.face(side).index); }
@@ -242,7 +388,7 @@ class Pairing {
   DisjointSets patches_;
   std::vector<bool> has_boundary_;  // by patch
   std::vector<Face> at_boundary_;
-  std::vector<PairedSide> sides_;  // at places of several vertices
+  std::vector<SideBetween> sides_;  // at places of several vertices
   std::vector<ManyFaced> edges_;
   std::vector<bool> is_free_;  // by rank
 };

@@ -23,7 +23,7 @@ struct FacePairing {
 // Two opposite faces of an edge, and no third, are paired; faces connected so are a patch. While an edge of three or
 // more faces has more of one direction, the patch of these that has a boundary edge, else the smallest, else the one of
 // the lowest face, is set free: its sides at such edges have no pair. The others at such an edge are paired by their
-// angles (pair_at_edge.h). Two faces in one direction have no pair. O(n log n).
+// angles, exactly. Two faces in one direction have no pair. O(n log n).
 FacePairing pair_faces(const Mesh& mesh);
 
 // The same for points at one place: the sides that have a face beyond are paired with that, and the others between two

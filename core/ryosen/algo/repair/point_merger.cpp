@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -23,16 +24,6 @@ std::uint64_t number_of(Vertex point) {
   x = (x ^ x >> 27u) * 0x94d049bb133111ebu;
   return x ^ x >> 31u;
 }
-
-// A side of a face, between points as they will be.
-struct Side {
-  Vertex low, high;
-  bool is_forward;  // from low to high
-  Halfedge halfedge;
-
-  friend auto operator<=>(const Side&, const Side&) = default;
-  bool is_between_those_of(const Side& other) const { return low == other.low && high == other.high; }
-};
 
 class Joiner {
  public:
@@ -72,16 +63,15 @@ class Joiner {
   }
 
   // The sides of faces at the points that have no face beyond.
-  std::vector<Side> open_sides() const {
-    std::vector<Side> sides;
+  std::vector<SideBetween> open_sides() const {
+    std::vector<SideBetween> sides;
     for (const auto& [first, copies] : copies_)
       for (Vertex v : copies) {
         if (m_.is_isolated(v)) continue;
         for (Halfedge leaving : outgoing(m_, v))
           for (Halfedge h : {leaving, twin(leaving)}) {
             if (m_.is_outside(h) || !m_.is_outside(twin(h))) continue;
-            const Vertex a = point_after_[m_.from(h).index], b = point_after_[m_.to(h).index];
-            sides.push_back({std::min(a, b), std::max(a, b), a < b, h});
+            sides.emplace_back(point_after_[m_.from(h).index], point_after_[m_.to(h).index], h);
           }
       }
     sort_unique(sides);
@@ -90,18 +80,17 @@ class Joiner {
 
   // Two sides, in opposite directions, of what will be one edge with no third face.
   std::vector<std::pair<Halfedge, Halfedge>> sides_to_join() {
-    const std::vector<Side> sides = open_sides();
     std::vector<std::pair<Halfedge, Halfedge>> pairs;
-    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-      for (last = first; last < sides.size() && sides[last].is_between_those_of(sides[first]);) ++last;
-      if (last - first != 2 || sides[first].is_forward == sides[first + 1].is_forward) continue;
-      const Halfedge h = sides[first].halfedge, other = sides[first + 1].halfedge;
+    for_each_edge(open_sides(), [&](std::span<const SideBetween> sides) {
+      if (sides.size() != 2 || sides[0].is_forward == sides[1].is_forward) return;
+      const std::size_t backward = sides[0].is_forward ? 1 : 0;
+      const Halfedge h = sides[backward].halfedge, other = sides[1 - backward].halfedge;
       const std::array<Vertex, 4> ends{m_.from(h), m_.to(h), m_.from(other), m_.to(other)};
       if (std::all_of(ends.begin(), ends.end(), [&](Vertex v) { return has_one_gap(v); }))
         pairs.emplace_back(h, other);
       else
         maybe_split_.insert(maybe_split_.end(), ends.begin(), ends.end());
-    }
+    });
     return pairs;
   }
 

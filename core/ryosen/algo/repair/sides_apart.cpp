@@ -1,9 +1,8 @@
 #include "ryosen/algo/repair/sides_apart.h"
 
-#include <algorithm>
-#include <span>
 #include <utility>
 
+#include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 
@@ -11,66 +10,21 @@ namespace ryosen {
 
 namespace {
 
-struct SideAtPlace {
-  Vertex low, high;  // places
-  Halfedge halfedge;
-  bool is_forward;
-  friend auto operator<=>(const SideAtPlace&, const SideAtPlace&) = default;
-};
-
 // All sides of faces between two places with an end among the points asked for, sorted.
-std::vector<SideAtPlace> sides_between_places(const Mesh& m, const std::vector<Vertex>& point_of,
+std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<Vertex>& point_of,
                                               const std::vector<Vertex>& place, const std::vector<bool>& is_asked) {
-  std::vector<SideAtPlace> sides;
+  std::vector<SideBetween> sides;
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (!m.is_alive(h) || m.is_outside(h)) continue;
     const Vertex a = point_of[m.from(h).index], b = point_of[m.to(h).index];
     const Vertex from = place[a.index], to = place[b.index];
     if (from == to || (!is_asked[a.index] && !is_asked[b.index])) continue;
-    sides.push_back({std::min(from, to), std::max(from, to), h, from < to});
+    sides.emplace_back(from, to, h);
   }
   std::sort(sides.begin(), sides.end());
   return sides;
 }
-
-// Calls visit with all sides between the same two places.
-template <class Visit>
-void for_each_group(const std::vector<SideAtPlace>& sides, Visit visit) {
-  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-    while (last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high) ++last;
-    visit(std::span(sides).subspan(first, last - first));
-  }
-}
-
-// Sets of faces that are turned together or against each other.
-class TurnedSets {
- public:
-  explicit TurnedSets(std::uint32_t faces) : parent_(faces), is_against_(faces, false), size_(faces, 1) {
-    for (std::uint32_t f = 0; f < faces; ++f) parent_[f] = f;
-  }
-
-  // Where the set of a face begins, and whether the face is against that one.
-  std::pair<std::uint32_t, bool> find(std::uint32_t f) const {
-    bool against = false;
-    for (; parent_[f] != f; f = parent_[f]) against ^= is_against_[f];
-    return {f, against};
-  }
-  void join(std::uint32_t f, std::uint32_t g, bool against) {
-    auto [a, a_against] = find(f);
-    auto [b, b_against] = find(g);
-    if (a == b) return;
-    if (size_[a] < size_[b] || (size_[a] == size_[b] && b < a)) std::swap(a, b);
-    parent_[b] = a;
-    size_[a] += size_[b];
-    is_against_[b] = against ^ a_against ^ b_against;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> is_against_;
-  std::vector<std::uint32_t> size_;
-};
 
 }  // namespace
 
@@ -84,7 +38,7 @@ std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex
   }
   if (!is_any) return {};
   std::vector<SidePair> pairs;
-  for_each_group(sides_between_places(m, point_of, place, is_shared), [&](std::span<const SideAtPlace> sides) {
+  for_each_edge(sides_between_places(m, point_of, place, is_shared), [&](std::span<const SideBetween> sides) {
     if (sides.size() != 2) return;
     const Halfedge h = sides[0].halfedge, other = sides[1].halfedge;
     if (!m.is_outside(twin(h)) || !m.is_outside(twin(other))) return;
@@ -104,7 +58,7 @@ std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& point
     for (Vertex v : {m.from(h), m.to(h)}) is_at_boundary[point_of[v.index].index] = true;
   }
   std::vector<Halfedge> lone;
-  for_each_group(sides_between_places(m, point_of, place, is_at_boundary), [&](std::span<const SideAtPlace> sides) {
+  for_each_edge(sides_between_places(m, point_of, place, is_at_boundary), [&](std::span<const SideBetween> sides) {
     const Halfedge h = sides[0].halfedge;
     if (sides.size() == 1 && m.is_outside(twin(h)) && is_finite(m.position(m.from(h))) &&
         is_finite(m.position(m.to(h))))
@@ -116,36 +70,38 @@ std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& point
 
 std::vector<bool> turns_of(const Mesh& m, const std::vector<SidePair>& pairs) {
   if (std::none_of(pairs.begin(), pairs.end(), [](const SidePair& p) { return p.runs_alike; })) return {};
-  TurnedSets sets(m.face_slots());
+  const std::uint32_t n = m.face_slots();
+  DisjointSets sets(2 * n);  // what is to be turned alike: faces as they are, and from n on the same ones turned
+  const auto join = [&](Face f, Face g, bool turns) {
+    const std::uint32_t alike = turns ? g.index + n : g.index, against = turns ? g.index : g.index + n;
+    if (sets.root(f.index) == sets.root(against)) return;
+    sets.join(f.index, alike);
+    sets.join(f.index + n, against);
+  };
   for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
     const Halfedge h = halfedge(Edge(i));
-    if (m.is_alive(h) && !m.is_outside(h) && !m.is_outside(twin(h)))
-      sets.join(m.face(h).index, m.face(twin(h)).index, false);
+    if (m.is_alive(h) && !m.is_outside(h) && !m.is_outside(twin(h))) join(m.face(h), m.face(twin(h)), false);
   }
   for (const bool turns : {false, true})  // where not all can agree, those that agree as they are come first
     for (const SidePair& pair : pairs)
-      if (pair.runs_alike == turns) sets.join(m.face(pair.first).index, m.face(pair.second).index, turns);
-  // Per set how many are against its beginning; the fewer are turned.
-  std::vector<std::uint32_t> faces(m.face_slots(), 0), against(m.face_slots(), 0);
-  for (std::uint32_t f = 0; f < m.face_slots(); ++f) {
-    if (!m.is_alive(Face(f))) continue;
-    const auto [set, is_against] = sets.find(f);
+      if (pair.runs_alike == turns) join(m.face(pair.first), m.face(pair.second), turns);
+  // Which set a face is in, by the lowest face there, and whether it is against that one.
+  const auto set_of = [&](std::uint32_t f) {
+    const std::uint32_t own = sets.root(f), other = sets.root(f + n);
+    return std::pair(std::min(own, other), other < own);
+  };
+  std::vector<std::uint32_t> faces(n, 0), against(n, 0);
+  for (std::uint32_t f = 0; f < n; ++f) {
+    const auto [set, is_against] = set_of(f);
     ++faces[set];
     against[set] += is_against;
   }
-  std::vector<bool> turned(m.face_slots(), false), first_turns(m.face_slots(), false), is_met(m.face_slots(), false);
-  bool is_any = false;
-  for (std::uint32_t f = 0; f < m.face_slots(); ++f) {
-    if (!m.is_alive(Face(f))) continue;
-    const auto [set, is_against] = sets.find(f);
-    if (!is_met[set]) {  // the lowest face stays on a tie
-      is_met[set] = true;
-      first_turns[set] = 2 * against[set] == faces[set] ? is_against : 2 * against[set] > faces[set];
-    }
-    turned[f] = is_against != first_turns[set];
-    is_any = is_any || turned[f];
+  std::vector<bool> turned(n);
+  for (std::uint32_t f = 0; f < n; ++f) {
+    const auto [set, is_against] = set_of(f);
+    turned[f] = is_against != (2 * against[set] > faces[set]);  // the lowest face stays on a tie
   }
-  return is_any ? turned : std::vector<bool>();
+  return std::find(turned.begin(), turned.end(), true) == turned.end() ? std::vector<bool>() : turned;
 }
 
 }  // namespace ryosen

@@ -1,11 +1,35 @@
-// Sides of faces that lie on each other without being joined.
+// Sides of faces between two places, and those that lie on each other without being joined.
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
+
+// A side of a face, ordered by its ends: points or places, of which each has one vertex that stands for it.
+struct SideBetween {
+  SideBetween(Vertex from, Vertex to, Halfedge side)
+      : low(std::min(from, to)), high(std::max(from, to)), halfedge(side), is_forward(from < to) {}
+
+  Vertex low, high;
+  Halfedge halfedge;
+  bool is_forward;  // from low to high
+
+  friend auto operator<=>(const SideBetween&, const SideBetween&) = default;
+};
+
+// Calls visit(sides) with all sides between the same two ends; they are sorted.
+template <class Visit>
+void for_each_edge(std::span<const SideBetween> sorted, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
+    while (last < sorted.size() && sorted[last].low == sorted[first].low && sorted[last].high == sorted[first].high)
+      ++last;
+    visit(sorted.subspan(first, last - first));
+  }
+}
 
 // Halfedges with a face and none beyond, between the same two places; first < second.
 struct SidePair {

@@ -36,27 +36,6 @@ struct ManyFaced {
   std::array<std::size_t, 2> cursor{};
 };
 
-// The corners of a polygon in an order that depends neither on its start nor on its direction, so that two faces back
-// to back have the same triangles.
-std::vector<std::uint32_t> canonical_order(const Mesh& mesh, const std::vector<Vertex>& place,
-                                           const std::vector<Halfedge>& corners) {
-  std::vector<std::uint32_t> order(corners.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto number = [&](std::uint32_t i) { return place[mesh.from(corners[i]).index].index; };
-  const auto lowest = std::min_element(order.begin(), order.end(),
-                                       [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
-  std::rotate(order.begin(), lowest, order.end());
-  if (number(order.back()) < number(order[1])) std::reverse(order.begin() + 1, order.end());
-  return order;
-}
-
-// Orders sides at one angle, given by ascending face: those that end an inside first, the lowest face nearest
-// to its inside.
-template <class Iterator>
-void put_nearest_inside(Iterator begin, Iterator end) {
-  std::reverse(std::stable_partition(begin, end, [](const auto& s) { return !s.begins; }), end);
-}
-
 // Pairs the sides of faces around edges. The mesh, `place`, which has by vertex slot the one that stands for its place,
 // and `across`, which has the pairs known so far by halfedge slot, must outlive it.
 class EdgePairer {
@@ -80,20 +59,18 @@ class EdgePairer {
     });
     const auto first =
         std::find_if(around.begin(), around.end(), [](const SideAround& s) { return s.place.has_value(); });
-    if (first != around.end()) {
-      const glm::dvec3 place = *first->place;
-      const AroundEdge order(start, end, place);
-      std::stable_sort(around.begin(), around.end(), [&](const SideAround& a, const SideAround& b) {
-        return order.compare(a.place.value_or(place), b.place.value_or(place)) < 0;
-      });
-      for (auto begin = around.begin(), next = begin; begin != around.end(); begin = next) {
-        next = std::find_if(begin, around.end(), [&](const SideAround& s) {
-          return order.compare(begin->place.value_or(place), s.place.value_or(place)) != 0;
-        });
-        put_nearest_inside(begin, next);
-      }
-    } else {
-      put_nearest_inside(around.begin(), around.end());
+    std::optional<AroundEdge> order;  // none where no face has a place
+    const glm::dvec3 place = first != around.end() ? *first->place : start;
+    if (first != around.end()) order.emplace(start, end, place);
+    const auto compare = [&](const SideAround& a, const SideAround& b) {
+      return order ? order->compare(a.place.value_or(place), b.place.value_or(place)) : 0;
+    };
+    std::stable_sort(around.begin(), around.end(),
+                     [&](const SideAround& a, const SideAround& b) { return compare(a, b) < 0; });
+    for (auto begin = around.begin(), next = begin; begin != around.end(); begin = next) {
+      next = std::find_if(begin, around.end(), [&](const SideAround& s) { return compare(*begin, s) != 0; });
+      // Of those at one angle, which ascend by face: those that end an inside first, the lowest face nearest to it.
+      std::reverse(std::stable_partition(begin, next, [](const SideAround& s) { return !s.begins; }), next);
     }
     match(around);
   }
@@ -111,11 +88,11 @@ class EdgePairer {
     const FacePolygon polygon(mesh_, f);
     if (!polygon.is_finite()) return;
     const std::vector<Halfedge>& corners = polygon.corners();
+    std::vector<CornerTriangle> triangles;
     std::vector<std::uint32_t> order(corners.size());
     std::iota(order.begin(), order.end(), 0);
-    std::vector<CornerTriangle> triangles;
     if (polygon.loop_ends().size() == 1) {
-      order = canonical_order(mesh_, place_, corners);
+      make_canonical(order, corners);
       std::vector<glm::dvec3> places;
       for (const std::uint32_t i : order) places.push_back(polygon.places()[i]);
       ryosen::triangulate(places, triangles);
@@ -128,6 +105,16 @@ class EdgePairer {
         if (polygon.is_side(a, b)) apexes_.try_emplace(corners[a], polygon.places()[c]);
         if (polygon.is_side(b, a)) apexes_.try_emplace(corners[b], polygon.places()[c]);
       }
+  }
+
+  // Puts the corners of a polygon, given from 0 on, in an order that depends neither on its start nor on its direction,
+  // so that two faces back to back have the same triangles.
+  void make_canonical(std::vector<std::uint32_t>& order, const std::vector<Halfedge>& corners) const {
+    const auto number = [&](std::uint32_t i) { return place_[mesh_.from(corners[i]).index].index; };
+    const auto lowest = std::min_element(order.begin(), order.end(),
+                                         [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
+    std::rotate(order.begin(), lowest, order.end());
+    if (number(order.back()) < number(order[1])) std::reverse(order.begin() + 1, order.end());
   }
 
   // A corner of the face that lies beside the side as seen within the face; none where it is not finite.
@@ -190,10 +177,14 @@ class Pairing {
  public:
   // `place` has the place of each vertex by its slot; `keeps_joined`: faces that are joined may stay so.
   Pairing(const Mesh& mesh, const std::vector<Vertex>& place, bool keeps_joined)
-      : m_(mesh), place_(place), keeps_joined_(keeps_joined), patches_(mesh.face_slots()) {
+      : m_(mesh),
+        place_(place),
+        keeps_joined_(keeps_joined),
+        is_shared_(mesh.vertex_slots(), false),
+        patches_(mesh.face_slots()),
+        has_boundary_(mesh.face_slots(), false) {
     out_.across.resize(mesh.halfedge_slots());
     out_.is_free.resize(mesh.face_slots(), false);
-    has_boundary_.resize(mesh.face_slots(), false);
   }
 
   FacePairing run() {
@@ -219,7 +210,6 @@ class Pairing {
   }
 
   void find_shared_places() {
-    is_shared_.resize(m_.vertex_slots(), false);
     std::vector<Vertex> first(m_.vertex_slots());  // by place
     for (std::uint32_t i = 0; i < m_.vertex_slots(); ++i) {
       if (!m_.is_alive(Vertex(i))) continue;
@@ -241,10 +231,10 @@ class Pairing {
       if ((is_shared_[from.index] || is_shared_[to.index]) && !(keeps_joined_ && is_joined)) {
         const SideBetween side(place_[from.index], place_[to.index], h);
         if (side.low != side.high) sides_.push_back(side);
-      } else if (!is_joined) {
-        at_boundary_.push_back(m_.face(h));
-      } else {
+      } else if (is_joined) {
         pair(h, twin(h));
+      } else {
+        at_boundary_.push_back(m_.face(h));
       }
     }
   }
@@ -254,17 +244,14 @@ class Pairing {
     for_each_edge(sides_, [&](std::span<const SideBetween> sides) {
       if (sides.size() == 1) at_boundary_.push_back(m_.face(sides[0].halfedge));
       if (sides.size() == 2 && sides[0].is_forward != sides[1].is_forward) pair(sides[0].halfedge, sides[1].halfedge);
-      if (sides.size() > 2) add_many_faced(sides);
+      if (sides.size() <= 2) return;
+      ManyFaced& edge = edges_.emplace_back();
+      for (const SideBetween& side : sides) {
+        edge.sides.push_back(side.halfedge);
+        ++edge.count[side.is_forward];
+      }
     });
     for (const Face f : at_boundary_) has_boundary_[patches_.root(f.index)] = true;
-  }
-
-  void add_many_faced(std::span<const SideBetween> sides) {
-    ManyFaced& edge = edges_.emplace_back();
-    for (const SideBetween& side : sides) {
-      edge.sides.push_back(side.halfedge);
-      ++edge.count[side.is_forward];
-    }
   }
 
   std::uint32_t patch(Halfedge side) { return patches_.root(m_.face(side).index); }

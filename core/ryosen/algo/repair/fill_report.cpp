@@ -106,10 +106,8 @@ AlgorithmResult fill_report(const Mesh& mesh, const FilledHoles& filled, std::sp
     result.left += left.elements.size();
     if (!left.elements.empty()) result.left_for.push_back(std::move(left));
   }
-  if (result.left > 0) {
-    const std::string n = std::to_string(result.left);
-    result.text = result.text + Text{"; " + n + " could not be", "。ふさげない穴 " + n};
-  }
+  if (result.left > 0)
+    result.text = result.text + count_text(result.left, "; # could not be", "; # could not be", "。ふさげない穴 #");
   Text between{": ", "："};
   for (const LeftForReason& left : result.left_for) {
     result.text = result.text + between + clause(mesh, left, result.left_for.size() == 1);

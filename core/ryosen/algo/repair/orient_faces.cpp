@@ -260,12 +260,10 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
   result.text =
       count_text(result.changed, "One face was turned round or joined to a neighbour",
                  "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
-  if (const std::string n = std::to_string(result.left); result.left > 0) {
-    result.text.en += "; " + n + (result.left == 1 ? " edge stays" : " edges stay") + " misoriented";
-    result.text.ja += "（向きの揃わない稜線 " + n + "）";
-  }
-  result.text.en += ".";
-  result.text.ja += "。";
+  if (result.left > 0)
+    result.text = result.text + count_text(result.left, "; # edge stays misoriented", "; # edges stay misoriented",
+                                           "（向きの揃わない稜線 #）");
+  result.text = result.text + Text{".", "。"};
   return result;
 }
 

@@ -7,9 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <queue>
-#include <span>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "ryosen/algo/repair/fan_groups.h"

@@ -297,13 +297,8 @@ class Removal {
     if (opened_ > 0)
       result.text = result.text + count_text(opened_, "; this opened one boundary loop",
                                              "; this opened # boundary loops", "。境界ループが # 本増えました");
-    if (result.left > 0) {
-      const std::string n = std::to_string(result.left);
-      result.text.en += "; " + n + (result.left == 1 ? " stays" : " stay");
-      result.text.ja += "。残り " + n;
-    }
-    result.text.en += ".";
-    result.text.ja += "。";
+    if (result.left > 0) result.text = result.text + count_text(result.left, "; # stays", "; # stay", "。残り #");
+    result.text = result.text + Text{".", "。"};
     return result;
   }
 

@@ -5,12 +5,12 @@
 #include <map>
 #include <set>
 
-#include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/flat_faces.h"
-#include "ryosen/algo/repair/side_effects.h"
+#include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/algo/repair/pockets.h"
 #include "ryosen/algo/repair/point_merger.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/analysis/problem_kinds.h"
@@ -240,18 +240,14 @@ AlgorithmResult result_of(const Welded& welded) {
            welded.left);
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に縫合しました");
-  if (welded.points > 0 && welded.turned > 0) {
-    const Text turned = count_text(welded.turned, "; one face was turned round to fit",
-                                   "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
-    result.text = result.text + turned;
-  }
-  if (!welded.left.empty()) {
-    const std::string n = std::to_string(welded.left.size());
-    result.text.en += "; " + n + (welded.left.size() == 1 ? " place was left apart" : " places were left apart");
-    result.text.ja += "（縫合できない箇所 " + n + "）";
-  }
-  result.text.en += ".";
-  result.text.ja += "。";
+  if (welded.points > 0 && welded.turned > 0)
+    result.text =
+        result.text + count_text(welded.turned, "; one face was turned round to fit",
+                                 "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
+  if (result.left > 0)
+    result.text = result.text + count_text(result.left, "; # place was left apart", "; # places were left apart",
+                                           "（縫合できない箇所 #）");
+  result.text = result.text + Text{".", "。"};
   return result;
 }
 

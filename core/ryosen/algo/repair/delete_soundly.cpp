@@ -10,7 +10,6 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/delete.h"
-#include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
 
@@ -38,7 +37,6 @@ Rim rim_of(Neighbourhood& around, const std::vector<Face>& faces) {
 
 // Keeps those that are as asked, or that are not.
 void keep_nonmanifold(Neighbourhood& around, std::vector<Vertex>& points, bool are_nonmanifold) {
-  const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
   std::erase_if(points,
                 [&](Vertex p) { return !around.mesh().is_alive(p) || is_nonmanifold(around, p) != are_nonmanifold; });
 }
@@ -49,14 +47,6 @@ void keep_misoriented(Neighbourhood& around, std::vector<PointPair>& edges, bool
     const StarEdge* const found = around.star(edge.first).edge_to(edge.second);
     return (found && found->faces.is_misoriented()) != are_misoriented;
   });
-}
-
-// At a point that was non-manifold deletion leaves several fans at a vertex, which reading gives vertices of their own.
-void separate_fans(Sheets& sheets, const Mesh& m, Vertex point) {
-  if (!m.is_alive(point)) return;
-  std::vector<Vertex> copies;
-  for_each_copy(m, point, [&](Vertex copy) { copies.push_back(copy); });
-  for (Vertex copy : copies) sheets.separate(copy);
 }
 
 // Whether without the deleted faces an edge has only two triangles on the same three points left.
@@ -104,7 +94,8 @@ std::size_t delete_soundly(Edit& edit, std::vector<Face> faces, bool may_leave_p
   keep_misoriented(before, rim.edges, false);
   Sheets sheets(edit);
   delete_elements(edit, sheets, {std::move(faces), {}, {}});
-  for (Vertex p : points) separate_fans(sheets, m, p);
+  for (Vertex p : points)  // one that was non-manifold may have several fans at a vertex now
+    if (m.is_alive(p)) separate_fans_at(sheets, p);
   Neighbourhood after(m);
   keep_nonmanifold(after, rim.points, true);
   keep_misoriented(after, rim.edges, true);

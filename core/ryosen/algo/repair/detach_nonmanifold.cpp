@@ -13,7 +13,6 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
 
@@ -22,7 +21,6 @@ namespace {
 std::vector<Vertex> nonmanifold_points(const Mesh& m) {
   std::vector<Vertex> found;
   Neighbourhood around(m, Neighbourhood::Reach::whole);
-  const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i)
     if (m.is_alive(Vertex(i)) && is_nonmanifold(around, Vertex(i))) found.emplace_back(i);
   return found;
@@ -127,21 +125,12 @@ class Detaching {
     for (Halfedge& h : were_nonmanifold_) h = now(h);
   }
 
-  void separate_fans_at(Sheets& sheets, Vertex p) const {
-    std::vector<Vertex> copies;
-    for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
-    for (Vertex copy : copies) sheets.separate(copy);
-  }
-
   // The copies of each point by their groups; copies without a face stay alone.
   Groups groups_of_copies() {
     Groups groups;
     for (const Vertex p : points_) {
-      std::vector<Vertex> copies;
-      for_each_copy(m_, p, [&](Vertex copy) { copies.push_back(copy); });
-      std::sort(copies.begin(), copies.end());
       std::map<std::uint32_t, std::size_t> place;  // of the group
-      for (const Vertex copy : copies) {
+      for (const Vertex copy : live_copies(m_, {&p, 1})) {
         const std::optional<std::uint32_t> group = group_of(copy);
         const bool is_new = !group || place.try_emplace(*group, groups.size()).second;
         if (is_new)
@@ -174,7 +163,6 @@ class Detaching {
   void find_what_is_next(const std::vector<Vertex>& parts) {
     Neighbourhood around(m_);
     next_gently = std::move(cut_ends_);
-    const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
     for (Vertex p : parts)
       if (m_.is_alive(p) && is_nonmanifold(around, around.point(p))) next_wholly.push_back(around.point(p));
     for (Halfedge h : were_nonmanifold_) {
@@ -197,7 +185,6 @@ class Detaching {
 // Those that are non-manifold, and in none of the others.
 void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points, const std::vector<Vertex>& others) {
   Neighbourhood around(m);
-  const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
   std::erase_if(points, [&](Vertex p) { return !m.is_alive(p); });
   for (Vertex& p : points) p = around.point(p);
   sort_unique(points);
@@ -207,6 +194,16 @@ void keep_nonmanifold(const Mesh& m, std::vector<Vertex>& points, const std::vec
 }
 
 }  // namespace
+
+bool is_nonmanifold(Neighbourhood& around, Vertex point) {
+  return row_of(ProblemKind::nonmanifold_vertex).vertex(around, point);
+}
+
+void separate_fans_at(Sheets& sheets, Vertex point) {
+  std::vector<Vertex> copies;
+  for_each_copy(sheets.mesh(), point, [&](Vertex copy) { copies.push_back(copy); });
+  for (Vertex copy : copies) sheets.separate(copy);
+}
 
 std::size_t detach_points(Edit& edit, std::vector<Vertex> gently, std::vector<Vertex> wholly) {
   const Mesh& m = edit.mesh();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ryosen/algo/algorithm.h"
+#include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
 
@@ -18,5 +19,11 @@ AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& 
 // misoriented edge and leaves a non-manifold point at its other end, that is detached too. Returns the number of new
 // points.
 std::size_t detach_points(Edit& edit, std::vector<Vertex> gently, std::vector<Vertex> wholly = {});
+
+// Whether the point is non-manifold, as the table of problems has it.
+bool is_nonmanifold(Neighbourhood& around, Vertex point);
+
+// Gives each fan at a vertex of a point a vertex of its own, as reading does.
+void separate_fans_at(Sheets& sheets, Vertex point);
 
 }  // namespace ryosen

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/flat_faces.h"
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/pair_faces.h"
@@ -118,7 +119,6 @@ class Welding {
   // Those that are manifold and have a boundary; the others have no side to join.
   std::vector<Vertex> points_to_merge() const {
     Neighbourhood around(m_);
-    const auto is_nonmanifold = row_of(ProblemKind::nonmanifold_vertex).vertex;
     std::vector<Vertex> found;
     for (const auto& [first, others] : mates_)
       for (Vertex p : others) {

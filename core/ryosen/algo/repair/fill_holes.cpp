@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "ryosen/algo/repair/fill_report.h"
-#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/algo/repair/patch_crossings.h"
 #include "ryosen/algo/repair/remove_degenerate.h"
 #include "ryosen/algo/repair/rims.h"
+#include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -246,14 +246,8 @@ class HoleFiller {
   }
 
   static bool joins_freely(const HoleLoop& hole, const HolePatch& patch) {
-    const std::uint32_t n = patch.corners;
-    for (const CornerTriangle& t : patch.triangles)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-        const bool is_side = b == a + 1 || (a == 0 && b == n - 1);
-        if (b < n && !is_side && !hole.may_join(a, b)) return false;
-      }
-    return true;
+    return std::all_of(patch.triangles.begin(), patch.triangles.end(),
+                       [&](const CornerTriangle& t) { return hole.allows(t); });
   }
 
   void note_crossed(std::uint32_t i, Face crossed) {

@@ -1,13 +1,14 @@
 // The loop of a hole with what surrounds it, and the patch for it, as plain lists beside the mesh.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <unordered_map>
 #include <vector>
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/triangulate.h"
 #include "ryosen/mesh/mesh.h"
 
@@ -39,6 +40,12 @@ struct HoleSurroundings {
   std::vector<CornerTriangle> triangles;  // of the faces; of one with many corners, those at the loop
 };
 
+// Whether an edge of a patch joins two of the corners of the loop, its first vertices, that are not neighbours.
+inline bool is_chord(std::uint32_t a, std::uint32_t b, std::uint32_t corners) {
+  const auto [low, high] = std::minmax(a, b);
+  return high < corners && high != low + 1 && (low != 0 || high != corners - 1);
+}
+
 struct HoleLoop {
   std::vector<Halfedge> sides;        // halfedges without a face, each from its corner to the next
   std::vector<std::uint32_t> points;  // by corner: its point
@@ -50,6 +57,14 @@ struct HoleLoop {
   std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
   // Whether an edge may join two corners that are not neighbours.
   bool may_join(std::uint32_t i, std::uint32_t k) const { return !joined->contains(points[i], points[k]); }
+  // Whether no side of a triangle of a patch joins corners by an edge that exists, but those along the loop.
+  bool allows(const CornerTriangle& t) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_chord(t[k], t[(k + 1) % 3], size()) && !may_join(t[k], t[(k + 1) % 3])) return false;
+    return true;
+  }
+  // Of corners.
+  bool is_flat(const CornerTriangle& t) const { return are_collinear(places[t[0]], places[t[1]], places[t[2]]); }
 };
 
 // Normals of faces by need, each computed once: a large face may lie beside many holes.

@@ -5,8 +5,6 @@
 #include <limits>
 #include <queue>
 
-#include "ryosen/geometry/predicates.h"
-
 namespace ryosen {
 
 namespace {
@@ -31,23 +29,22 @@ struct Normal {
 class HoleWeights {
  public:
   HoleWeights(const HoleLoop& loop, bool joins_all, Progress& progress)
-      : loop_(loop), joins_all_(joins_all), n_(loop.places.size()), parts_(n_ * n_) {
-    for (std::size_t length = 2; length < n_; ++length)
-      for (std::size_t i = 0; i + length < n_ && progress.go_on(); ++i) weigh(i, i + length);
+      : loop_(loop), joins_all_(joins_all), n_(loop.size()), parts_(std::size_t{n_} * n_) {
+    for (std::uint32_t length = 2; length < n_; ++length)
+      for (std::uint32_t i = 0; i + length < n_ && progress.go_on(); ++i) weigh(i, i + length);
     if (progress.is_cancelled()) parts_[n_ - 1].weight = impossible;
   }
 
   std::vector<CornerTriangle> best() const {
     if (!(part(0, n_ - 1).weight < impossible)) return {};
     std::vector<CornerTriangle> triangles;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{0, n_ - 1}};
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, n_ - 1}};
     while (!open.empty()) {
       const auto [i, k] = open.back();
       open.pop_back();
       if (k - i < 2) continue;
-      const std::size_t m = part(i, k).middle;
-      triangles.push_back(
-          {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(k)});
+      const std::uint32_t m = part(i, k).middle;
+      triangles.push_back({i, m, k});
       open.push_back({i, m});
       open.push_back({m, k});
     }
@@ -58,16 +55,12 @@ class HoleWeights {
   struct Part {
     Weight weight;
     glm::dvec3 normal{0.0};  // of the triangle adjacent to the chord
-    std::size_t middle = 0;
+    std::uint32_t middle = 0;
   };
 
-  const Part& part(std::size_t i, std::size_t k) const { return parts_[i * n_ + k]; }
+  const Part& part(std::uint32_t i, std::uint32_t k) const { return parts_[i * n_ + k]; }
 
-  bool is_flat(std::size_t i, std::size_t m, std::size_t k) const {
-    return are_collinear(loop_.places[i], loop_.places[m], loop_.places[k]);
-  }
-
-  Normal normal_of(std::size_t i, std::size_t m, std::size_t k) const {
+  Normal normal_of(std::uint32_t i, std::uint32_t m, std::uint32_t k) const {
     const glm::dvec3& a = loop_.places[i];
     const glm::dvec3 n = glm::cross(loop_.places[m] - a, loop_.places[k] - a);
     const double length = glm::length(n);
@@ -75,7 +68,7 @@ class HoleWeights {
   }
 
   // The fold between a triangle and its neighbour across the side from i to k.
-  double fold(const glm::dvec3& normal, std::size_t i, std::size_t k) const {
+  double fold(const glm::dvec3& normal, std::uint32_t i, std::uint32_t k) const {
     const bool is_side = k == i + 1 || (i == 0 && k == n_ - 1);
     const glm::dvec3& beyond = k == i + 1 ? loop_.normals[i] : is_side ? loop_.normals[n_ - 1] : part(i, k).normal;
     // The face beyond the loop may be unknown.
@@ -83,15 +76,14 @@ class HoleWeights {
     return 1 - glm::dot(normal, beyond);
   }
 
-  void weigh(std::size_t i, std::size_t k) {
+  void weigh(std::uint32_t i, std::uint32_t k) {
     Part& result = parts_[i * n_ + k];
     result.weight = impossible;
     const bool is_whole = i == 0 && k == n_ - 1;
-    if (!is_whole && !joins_all_ && !loop_.may_join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k)))
-      return;
-    for (std::size_t m = i + 1; m < k; ++m) {
+    if (!is_whole && !joins_all_ && !loop_.may_join(i, k)) return;
+    for (std::uint32_t m = i + 1; m < k; ++m) {
       const Weight sides = part(i, m).weight + part(m, k).weight;
-      if (!(sides < result.weight) || is_flat(i, m, k)) continue;
+      if (!(sides < result.weight) || loop_.is_flat({i, m, k})) continue;
       const Normal n = normal_of(i, m, k);
       Weight own{std::max(fold(n.unit, i, m), fold(n.unit, m, k)), n.area};
       if (is_whole) own.fold = std::max(own.fold, fold(n.unit, i, k));
@@ -102,7 +94,7 @@ class HoleWeights {
 
   const HoleLoop& loop_;
   bool joins_all_;  // whatever edges there are
-  std::size_t n_;
+  std::uint32_t n_;
   std::vector<Part> parts_;
 };
 
@@ -137,7 +129,7 @@ class EarCutter {
       if (ears_.empty() || !progress.go_on()) return {{}, cause_};
       cut(ears_.top().corner);
     }
-    if (is_flat(last_[at_], at_, next_[at_])) return {{}, NoTriangles::without_area};
+    if (loop_.is_flat({last_[at_], at_, next_[at_]})) return {{}, WhyOpen::without_area};
     triangles_.push_back({last_[at_], at_, next_[at_]});
     return {std::move(triangles_)};
   }
@@ -150,9 +142,6 @@ class EarCutter {
   };
 
   const glm::dvec3& place(std::uint32_t i) const { return loop_.places[i]; }
-  bool is_flat(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return are_collinear(place(a), place(b), place(c));
-  }
 
   glm::dvec3 normal_at(std::uint32_t i) const {
     const glm::dvec3 n = glm::cross(place(i) - place(last_[i]), place(next_[i]) - place(i));
@@ -163,10 +152,10 @@ class EarCutter {
   void look_at(std::uint32_t i) {
     const std::uint32_t before = last_[i], after = next_[i];
     ++version_[i];
-    if (is_flat(before, i, after)) {
-      cause_ = NoTriangles::without_area;
+    if (loop_.is_flat({before, i, after})) {
+      cause_ = WhyOpen::without_area;
     } else if (!loop_.may_join(before, after)) {
-      cause_ = NoTriangles::edge_exists;
+      cause_ = WhyOpen::edge_exists;
     } else {
       const glm::dvec3 normal = normal_at(i);
       const double fold = 2 - glm::dot(normal, normals_[before]) - glm::dot(normal, normals_[i]);  // 0 to 4
@@ -193,16 +182,14 @@ class EarCutter {
   std::priority_queue<Ear> ears_;
   std::vector<CornerTriangle> triangles_;
   std::uint32_t at_ = 0;  // a corner that is left
-  NoTriangles cause_ = NoTriangles::without_area;
+  WhyOpen cause_ = WhyOpen::without_area;
 };
 
 }  // namespace
 
 HoleTriangles weigh_triangles(const HoleLoop& loop, Progress& progress) {
   HoleTriangles found{HoleWeights(loop, false, progress).best()};
-  if (found.triangles.empty())
-    found.cause =
-        HoleWeights(loop, true, progress).best().empty() ? NoTriangles::without_area : NoTriangles::edge_exists;
+  if (found.triangles.empty() && !HoleWeights(loop, true, progress).best().empty()) found.cause = WhyOpen::edge_exists;
   return found;
 }
 
@@ -215,12 +202,8 @@ HoleTriangles project_triangles(const HoleLoop& loop) {
     halve_convex(0, n - 1, found.triangles);
   }
   for (const CornerTriangle& t : found.triangles) {
-    if (are_collinear(loop.places[t[0]], loop.places[t[1]], loop.places[t[2]])) return {{}, NoTriangles::without_area};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      const bool is_side = high == low + 1 || (low == 0 && high == n - 1);
-      if (!is_side && !loop.may_join(low, high)) return {{}, NoTriangles::edge_exists};
-    }
+    if (loop.is_flat(t)) return {{}, WhyOpen::without_area};
+    if (!loop.allows(t)) return {{}, WhyOpen::edge_exists};
   }
   return found;
 }

@@ -3,16 +3,13 @@
 
 #include <vector>
 
-#include "ryosen/algo/repair/hole_loop.h"
-#include "ryosen/base/progress.h"
+#include "ryosen/algo/repair/find_holes.h"
 
 namespace ryosen {
 
-enum class NoTriangles { none, without_area, edge_exists };
-
 struct HoleTriangles {
   std::vector<CornerTriangle> triangles;
-  NoTriangles cause = NoTriangles::none;  // why there are none
+  WhyOpen cause = WhyOpen::without_area;  // or edge_exists: why there are none
 };
 
 // Larger loops are not weighed.

@@ -246,9 +246,8 @@ PatchPairs pairs_with_an_edge(std::span<const PlannedPatch> planned) {
   for (std::uint32_t k = 0; k < planned.size(); ++k)
     for (const CornerTriangle& t : planned[k].patch.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(t[i], t[(i + 1) % 3]);
-        const bool is_side = b == a + 1 || (a == 0 && b == planned[k].patch.corners - 1);
-        if (b < planned[k].patch.corners && !is_side)
+        const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+        if (is_chord(a, b, planned[k].patch.corners))
           made.emplace_back(std::minmax(planned[k].hole.points[a], planned[k].hole.points[b]), k);
       }
   sort_unique(made);

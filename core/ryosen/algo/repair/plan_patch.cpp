@@ -4,10 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/repair/hole_loop.h"
 #include "ryosen/algo/repair/patch_crossings.h"
 #include "ryosen/algo/repair/refine_patch.h"
-#include "ryosen/base/progress.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/predicates.h"
@@ -262,10 +260,6 @@ constexpr WayToFill planar_ways[] = {
     {fan_around_middle, Fineness::bare},
 };
 
-WhyOpen cause_of(NoTriangles cause) {
-  return cause == NoTriangles::edge_exists ? WhyOpen::edge_exists : WhyOpen::without_area;
-}
-
 void add_middle(HolePatch& patch) {
   glm::dvec3 mean(0.0);
   for (const glm::dvec3& p : patch.places) mean += p / static_cast<double>(patch.places.size());
@@ -319,7 +313,7 @@ std::span<const WayToFill> ways_to_fill(const PatchStyle& style) {
 
 PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const HoleLoop& hole, const PatchStyle& style,
                          HolePatch& patch, Progress& progress) {
-  if (base.triangles.empty()) return {cause_of(base.cause)};
+  if (base.triangles.empty()) return {base.cause};
   patch.corners = hole.size();
   patch.places = hole.places;
   patch.triangles = base.triangles;

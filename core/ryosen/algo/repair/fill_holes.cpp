@@ -120,9 +120,7 @@ class HoleFiller {
  private:
   const Mesh& mesh() const { return edit_.mesh(); }
 
-  std::vector<Hole> all_holes() const {
-    return find_holes(mesh(), values_.most_edges, points_of_vertices(mesh()), progress_);
-  }
+  std::vector<Hole> all_holes() const { return find_holes(mesh(), values_.most_edges, progress_); }
 
   // Removes faces without area at rims that could be filled, and those that then lie there. Returns how many went.
   std::size_t mend() {
@@ -188,8 +186,7 @@ class HoleFiller {
   }
 
   void try_way(Takes takes, std::size_t way, const std::vector<std::uint32_t>& open) {
-    const std::vector<std::uint32_t> points = points_of_vertices(mesh());
-    const JoinedCorners joined = joined_corners(mesh(), holes_, open, points);
+    const JoinedCorners joined = joined_corners(mesh(), holes_, open);
     NormalsOfFaces normals;
     // The first way does most of the work; it tells how far it is, later ones only that they live.
     Progress alive([this](double) { return progress_.go_on(); }, {});
@@ -200,7 +197,7 @@ class HoleFiller {
     for (std::uint32_t k = 0; k < open.size(); ++k) {
       if (is_first_) progress_.begin_part(k, open.size() + 1);
       if (!progress.go_on()) return;
-      plan(takes, way, open[k], {read_hole(mesh(), holes_[open[k]].start, points, joined, normals), {}}, progress);
+      plan(takes, way, open[k], {read_hole(mesh(), holes_[open[k]].start, joined, normals), {}}, progress);
       if (progress.is_cancelled()) return;
     }
     if (is_first_) progress_.begin_part(open.size(), open.size() + 1);
@@ -282,7 +279,7 @@ class HoleFiller {
     const auto& [hole, patch] = planned_[k];
     const PatchStyle& style = rims_.styles[planned_for_[k]];
     const WayToFill& way = ways_to_fill(style)[way_number];
-    for (std::uint32_t point : hole.points) touched_[point] = true;
+    for (Vertex point : hole.points) touched_[point.index] = true;
     insert_patch(edit_, hole, patch);
     count_kind(style, way.fineness);
     filled_.crossing += takes >= Takes::crossing;

@@ -126,13 +126,13 @@ Text name_of_remedy(AlgorithmResult (*run)(Edit&, const AlgorithmInput&, Progres
   return {};
 }
 
-WhyOpen cause_before_trying(const Mesh& m, Halfedge start, const std::vector<std::uint32_t>& point_of) {
+WhyOpen cause_before_trying(const Mesh& m, Halfedge start) {
   std::vector<std::uint32_t> points;
   for (Halfedge h : loop(m, start)) {
     if (!is_finite(m.position(m.from(h)))) return WhyOpen::not_finite;
     const std::uint32_t faces = point_edge(m, h).faces();
     if (faces != 1) return faces == 0 ? WhyOpen::has_wire : WhyOpen::cut_edge;
-    points.push_back(point_of[m.from(h).index]);
+    points.push_back(point(m, m.from(h)).index);
   }
   const std::size_t n = points.size();
   sort_unique(points);
@@ -199,11 +199,10 @@ Text WhyOpenRow::text() const {
 
 std::span<const WhyOpenRow> reasons_to_stay_open() { return why_open_rows; }
 
-std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
-                             const std::vector<std::uint32_t>& points, Progress& progress) {
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges, Progress& progress) {
   std::vector<Hole> holes;
   std::vector<bool> seen(mesh.halfedge_slots(), false);
-  const auto number = [&](Halfedge h) { return points[mesh.from(h).index]; };
+  const auto number = [&](Halfedge h) { return point(mesh, mesh.from(h)); };
   for (std::uint32_t i = 0; i < mesh.halfedge_slots() && progress.go_on(); ++i) {
     Halfedge start(i);
     if (seen[i] || !mesh.is_alive(start) || !mesh.is_outside(start)) continue;
@@ -220,7 +219,7 @@ std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
   const auto order = [&](const Hole& hole) { return std::pair(number(hole.start), number(mesh.next(hole.start))); };
   std::sort(holes.begin(), holes.end(), [&](const Hole& a, const Hole& b) { return order(a) < order(b); });
   for (Hole& hole : holes)
-    if (progress.go_on()) hole.cause = cause_before_trying(mesh, hole.start, points);
+    if (progress.go_on()) hole.cause = cause_before_trying(mesh, hole.start);
   return holes;
 }
 
@@ -255,24 +254,16 @@ void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes) {
   }
 }
 
-std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh) {
-  std::vector<std::uint32_t> points(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    points[i] = mesh.is_alive(Vertex(i)) ? point(mesh, Vertex(i)).index : i;
-  return points;
-}
-
-JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
-                             const std::vector<std::uint32_t>& points) {
+JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen) {
   std::vector<bool> is_corner(mesh.vertex_slots(), false);
   for (std::uint32_t i : chosen)
-    for (Halfedge h : loop(mesh, holes[i].start)) is_corner[points[mesh.from(h).index]] = true;
+    for (Halfedge h : loop(mesh, holes[i].start)) is_corner[point(mesh, mesh.from(h)).index] = true;
   JoinedCorners joined;
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     const Halfedge h = halfedge(Edge(i), 0);
     if (!mesh.is_alive(h)) continue;
-    const std::uint32_t a = points[mesh.from(h).index], b = points[mesh.to(h).index];
-    if (is_corner[a] && is_corner[b]) joined.add(a, b);
+    const Vertex a = point(mesh, mesh.from(h)), b = point(mesh, mesh.to(h));
+    if (is_corner[a.index] && is_corner[b.index]) joined.add(a, b);
   }
   joined.sort();
   return joined;

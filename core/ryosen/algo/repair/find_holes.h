@@ -66,17 +66,13 @@ struct Hole {
 };
 
 // Every boundary loop of at most so many edges, ascending by lowest point. Neither wires nor what is longer is a hole.
-std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges,
-                             const std::vector<std::uint32_t>& points, Progress& progress);
+std::vector<Hole> find_holes(const Mesh& mesh, std::optional<double> most_edges, Progress& progress);
 
 // Gives holes that were tried in vain, and each of whose sides lies on a further open side of a face, that cause:
 // welding is for them. A pass over the halfedges and a sort, if there is such a hole.
 void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes);
 
-// By vertex the number of its point. O(vertices).
-std::vector<std::uint32_t> points_of_vertices(const Mesh& mesh);
 // The edges of the mesh that join corners of these holes. O(edges), and a sort of those.
-JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen,
-                             const std::vector<std::uint32_t>& points);
+JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std::span<const std::uint32_t> chosen);
 
 }  // namespace ryosen

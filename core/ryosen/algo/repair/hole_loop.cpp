@@ -6,6 +6,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
 
 namespace ryosen {
@@ -17,10 +18,10 @@ constexpr std::size_t most_corners_read = 16;
 
 bool is_small(const Mesh& m, Face f) {
   if (m.has_rings(f)) return false;
-  std::size_t corners = 0;
-  for (Halfedge h = m.halfedge(f); corners <= most_corners_read; h = m.next(h)) {
-    ++corners;
-    if (m.next(h) == m.halfedge(f)) return true;
+  Halfedge h = m.halfedge(f);
+  for (std::size_t corners = 0; corners <= most_corners_read; ++corners) {
+    h = m.next(h);
+    if (h == m.halfedge(f)) return true;
   }
   return false;
 }
@@ -114,13 +115,12 @@ const glm::dvec3& NormalsOfFaces::of(const Mesh& mesh, Face f) {
   return at->second;
 }
 
-HoleLoop read_hole(const Mesh& mesh, Halfedge start, const std::vector<std::uint32_t>& points,
-                   const JoinedCorners& joined, NormalsOfFaces& normals) {
+HoleLoop read_hole(const Mesh& mesh, Halfedge start, const JoinedCorners& joined, NormalsOfFaces& normals) {
   HoleLoop hole;
   hole.joined = &joined;
   for (Halfedge h : loop(mesh, start)) {
     hole.sides.push_back(h);
-    hole.points.push_back(points[mesh.from(h).index]);
+    hole.points.push_back(point(mesh, mesh.from(h)));
     hole.places.push_back(mesh.position(mesh.from(h)));
     const Face across = mesh.face(twin(h));
     hole.normals.push_back(across ? normals.of(mesh, across) : glm::dvec3(0.0));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "ryosen/base/sort_unique.h"
@@ -14,22 +15,18 @@
 
 namespace ryosen {
 
-// Which points are joined by edges, as pairs of their numbers.
+// Which points are joined by edges.
 class JoinedCorners {
  public:
-  void add(std::uint32_t a, std::uint32_t b) { keys_.push_back(key(a, b)); }
+  void add(Vertex a, Vertex b) { keys_.push_back(key(a, b)); }
   // Call when all are added.
   void sort() { sort_unique(keys_); }
-  bool contains(std::uint32_t a, std::uint32_t b) const {
-    return std::binary_search(keys_.begin(), keys_.end(), key(a, b));
-  }
+  bool contains(Vertex a, Vertex b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t{std::min(a, b)} << 32u | std::max(a, b);
-  }
+  static std::pair<Vertex, Vertex> key(Vertex a, Vertex b) { return std::minmax(a, b); }
 
-  std::vector<std::uint64_t> keys_;
+  std::vector<std::pair<Vertex, Vertex>> keys_;
 };
 
 // The faces at a hole's corners. Vertices are numbered: first the corners of the loop, then those in `places`.
@@ -47,10 +44,10 @@ inline bool is_chord(std::uint32_t a, std::uint32_t b, std::uint32_t corners) {
 }
 
 struct HoleLoop {
-  std::vector<Halfedge> sides;        // halfedges without a face, each from its corner to the next
-  std::vector<std::uint32_t> points;  // by corner: its point
-  std::vector<glm::dvec3> places;     // by corner; finite
-  std::vector<glm::dvec3> normals;    // of the face across each side; unit, or zero if unknown
+  std::vector<Halfedge> sides;      // halfedges without a face, each from its corner to the next
+  std::vector<Vertex> points;       // by corner: its point
+  std::vector<glm::dvec3> places;   // by corner; finite
+  std::vector<glm::dvec3> normals;  // of the face across each side; unit, or zero if unknown
   HoleSurroundings around;
   const JoinedCorners* joined = nullptr;
 
@@ -77,9 +74,8 @@ class NormalsOfFaces {
   std::unordered_map<Face, glm::dvec3> known_;
 };
 
-// Reads the loop from the corner at `start`. `points` holds the point of each vertex.
-HoleLoop read_hole(const Mesh& mesh, Halfedge start, const std::vector<std::uint32_t>& points,
-                   const JoinedCorners& joined, NormalsOfFaces& normals);
+// Reads the loop from the corner at `start`.
+HoleLoop read_hole(const Mesh& mesh, Halfedge start, const JoinedCorners& joined, NormalsOfFaces& normals);
 
 struct HolePatch {
   std::uint32_t corners = 0;              // of the loop; they are the first vertices

@@ -241,7 +241,7 @@ class CrossingSearch {
 
 // The pairs of patches that would make the same edge between points of loops.
 PatchPairs pairs_with_an_edge(std::span<const PlannedPatch> planned) {
-  using Made = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;  // points, patch
+  using Made = std::pair<std::pair<Vertex, Vertex>, std::uint32_t>;  // points, patch
   std::vector<Made> made;
   for (std::uint32_t k = 0; k < planned.size(); ++k)
     for (const CornerTriangle& t : planned[k].patch.triangles)

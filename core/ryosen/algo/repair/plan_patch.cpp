@@ -261,9 +261,7 @@ constexpr WayToFill planar_ways[] = {
 };
 
 void add_middle(HolePatch& patch) {
-  glm::dvec3 mean(0.0);
-  for (const glm::dvec3& p : patch.places) mean += p / static_cast<double>(patch.places.size());
-  patch.places.push_back(mean);
+  patch.places.push_back(mean_of(patch.places));
   patch.parents.push_back({no_index, no_index, no_index});
 }
 

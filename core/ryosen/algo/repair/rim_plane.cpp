@@ -42,12 +42,6 @@ bool looks_single(std::span<const glm::dvec3> rim) {
   return decimals == 0 || 2 * decimals >= 3 * rim.size();
 }
 
-glm::dvec3 mean_of(std::span<const glm::dvec3> places) {
-  glm::dvec3 mean(0.0);
-  for (const glm::dvec3& p : places) mean += p / static_cast<double>(places.size());
-  return mean;
-}
-
 // A unit vector across n.
 glm::dvec3 across(const glm::dvec3& n) {
   const glm::dvec3 a = glm::abs(n);
@@ -76,6 +70,12 @@ glm::dvec3 fitted(const glm::dvec3& n, std::span<const glm::dvec3> places, const
 }
 
 }  // namespace
+
+glm::dvec3 mean_of(std::span<const glm::dvec3> places) {
+  glm::dvec3 mean(0.0);
+  for (const glm::dvec3& p : places) mean += p / static_cast<double>(places.size());
+  return mean;
+}
 
 bool are_all_floats(std::span<const glm::dvec3> places) {
   return std::all_of(places.begin(), places.end(),

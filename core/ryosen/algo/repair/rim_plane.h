@@ -9,6 +9,7 @@
 
 namespace ryosen {
 
+glm::dvec3 mean_of(std::span<const glm::dvec3> places);
 // Whether all finite places are floats, as those of a file of floats are.
 bool are_all_floats(std::span<const glm::dvec3> places);
 

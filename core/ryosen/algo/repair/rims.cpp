@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "ryosen/geometry/is_finite.h"
+#include "ryosen/algo/unit_scale.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
 
@@ -66,8 +66,7 @@ std::optional<Frame> frame_of(RimPlaces rim, const FrameCorners& corners, bool i
 class KnownRim {
  public:
   explicit KnownRim(RimPlaces rim) : rim_(rim) {
-    glm::dvec3 mean(0.0);
-    for (const glm::dvec3& p : rim) mean += p / static_cast<double>(rim.size());
+    const glm::dvec3 mean = mean_of(rim);
     for (std::size_t i = 0; i < rim.size(); ++i) {
       reaches_.push_back(glm::distance(rim[i], mean));
       length_ += glm::distance(rim[i], rim[(i + 1) % rim.size()]);
@@ -119,13 +118,6 @@ class KnownRim {
   double length_ = 0;
   std::uint32_t farthest_ = 0;
 };
-
-double largest_coordinate(std::span<const glm::dvec3> places) {
-  double largest = 0;
-  for (const glm::dvec3& p : places)
-    if (is_finite(p)) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return largest;
-}
 
 // Goes over the sheets at the rims, each once.
 class Sheeting {
@@ -216,7 +208,7 @@ HolePatch patch_like(const HolePatch& other, const EqualRim& equal, const HoleLo
 
 Rims read_rims(const Mesh& mesh, std::span<const Hole> holes, std::string_view shape,
                std::optional<bool> holds_floats) {
-  const double largest = largest_coordinate(mesh.positions());
+  const double largest = largest_finite_coordinate(mesh.positions());
   const bool has_floats = holds_floats.value_or(true) && are_all_floats(mesh.positions());
   Rims rims{std::vector<std::vector<glm::dvec3>>(holes.size()),
             std::vector<std::optional<RimPlane>>(holes.size()),

@@ -29,12 +29,11 @@ IndexedMesh wavy_cup(std::uint32_t corners, double height) {
 IndexedMesh with_guards(IndexedMesh list) {
   const Mesh mesh = from_indexed(list);
   Progress unheard;
-  const std::vector<std::uint32_t> points = points_of_vertices(mesh);
-  const std::vector<Hole> holes = find_holes(mesh, {}, points, unheard);
+  const std::vector<Hole> holes = find_holes(mesh, {}, unheard);
   const std::vector<std::uint32_t> first{0};
-  const JoinedCorners joined = joined_corners(mesh, holes, first, points);
+  const JoinedCorners joined = joined_corners(mesh, holes, first);
   NormalsOfFaces normals;
-  const HoleLoop hole = read_hole(mesh, holes.at(0).start, points, joined, normals);
+  const HoleLoop hole = read_hole(mesh, holes.at(0).start, joined, normals);
   for (const CornerTriangle& t : weigh_triangles(hole, unheard).triangles) {
     const glm::dvec3 &a = hole.places[t[0]], &b = hole.places[t[1]], &c = hole.places[t[2]];
     const glm::dvec3 middle = (a + b + c) / 3.0, up = glm::normalize(glm::cross(b - a, c - a)) * 1e-6;

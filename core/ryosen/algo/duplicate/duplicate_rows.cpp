@@ -74,8 +74,7 @@ std::size_t weld(Edit& edit, const std::vector<std::pair<Vertex, Vertex>>& pairs
   const Mesh& mesh = edit.mesh();
   std::vector<Vertex> points;
   for (const auto& [v, image] : pairs) points.insert(points.end(), {v, image});
-  const std::vector<Vertex> point_of = points_by_slot(mesh);
-  PointMerger merger(mesh, point_of, points);
+  PointMerger merger(mesh, points);
   std::vector<std::pair<Vertex, Vertex>> joined;
   for (const auto& [v, image] : pairs)
     if (merger.merge(v, image)) joined.emplace_back(v, image);

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ryosen/algo/repair/flat_faces.h"
-#include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -143,22 +142,14 @@ class Growth {
 }  // namespace
 
 bool ends_a_wire(const Mesh& m, Vertex p) {
-  bool found = false;
-  for_each_copy(m, p, [&](Vertex copy) {
-    if (m.is_boundary(copy))
-      for (Edge e : edges_around(m, copy)) found = found || m.is_wire(e);
+  return any_of_copies(m, p, [&](Vertex copy) {
+    const auto edges = edges_around(m, copy);
+    return m.is_boundary(copy) && std::any_of(edges.begin(), edges.end(), [&](Edge e) { return m.is_wire(e); });
   });
-  return found;
 }
 
 bool is_isolated_point(const Mesh& m, Vertex p) {
   return !any_of_copies(m, p, [&](Vertex copy) { return !m.is_isolated(copy); });
-}
-
-bool NearPoints::are_any() const {
-  for (std::uint32_t i = 0; i < first.size(); ++i)
-    if (first[i] && first[i] != Vertex(i)) return true;
-  return false;
 }
 
 NearPoints find_near_points(const Mesh& m, const Reach& reach) {
@@ -166,17 +157,20 @@ NearPoints find_near_points(const Mesh& m, const Reach& reach) {
     return std::binary_search(reach.used.begin(), reach.used.end(), v) && is_isolated_point(m, v);
   };
   const auto may_be_near = [&](std::uint32_t i) { return !reach.only || (i < reach.only->size() && (*reach.only)[i]); };
-  NearPoints near{points_by_slot(m), std::vector<Vertex>(m.vertex_slots())};
+  NearPoints near{std::vector<Vertex>(m.vertex_slots())};
   PointGrid grid(m, reach.distance);
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
     const Vertex v(i);
-    if (near.point_of[i] != v) continue;
-    near.first[i] = v;
-    if (!may_be_near(i) || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
-    if (const Vertex other = grid.first_near(m.position(v)))
+    if (!m.is_alive(v)) continue;
+    const Vertex p = point(m, v);
+    near.first[i] = p == v ? v : near.first[p.index];
+    if (p != v || !may_be_near(i) || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
+    if (const Vertex other = grid.first_near(m.position(v))) {
       near.first[i] = other;
-    else if (!stays_in_file(v))
+      near.are_any = true;
+    } else if (!stays_in_file(v)) {
       grid.add(v);
+    }
   }
   return near;
 }

@@ -18,14 +18,11 @@ struct Reach {
 };
 
 struct NearPoints {
-  std::vector<Vertex> point_of;  // points_by_slot()
-  // By slot of a point the first point in file order that is no farther away than the distance and is itself a first
-  // one; the point itself where it is that, where its position is not finite, or where a wire ends at it. None for
-  // vertices that are no points. Isolated points that are used elsewhere are no first ones.
+  // By slot of a vertex the first point in file order that is no farther away from its point than the distance and is
+  // itself a first one; the point itself where it is that, where its position is not finite, or where a wire ends at
+  // it. Isolated points that are used elsewhere are no first ones. None for dead vertices.
   std::vector<Vertex> first;
-
-  // Whether there is a point that is not the first one at its place.
-  bool are_any() const;
+  bool are_any = false;  // there is a point that is not the first one at its place
 };
 // O(vertices).
 NearPoints find_near_points(const Mesh& mesh, const Reach& reach);

@@ -205,8 +205,7 @@ std::vector<Vertex> points_by_slot(const Mesh& mesh) {
   return points;
 }
 
-PointMerger::PointMerger(const Mesh& mesh, const std::vector<Vertex>& point_of, std::span<const Vertex> points)
-    : mesh_(mesh) {
+PointMerger::PointMerger(const Mesh& mesh, std::span<const Vertex> points) : mesh_(mesh) {
   for (Vertex p : points) classes_[p];
   std::vector<Face> faces;
   for (Vertex p : points)
@@ -216,13 +215,13 @@ PointMerger::PointMerger(const Mesh& mesh, const std::vector<Vertex>& point_of, 
     });
   sort_unique(faces);
   std::vector<Vertex> corners;
-  for (Face f : faces) add_face(f, corners, point_of);
+  for (Face f : faces) add_face(f, corners);
 }
 
-void PointMerger::add_face(Face f, std::vector<Vertex>& corners, const std::vector<Vertex>& point_of) {
+void PointMerger::add_face(Face f, std::vector<Vertex>& corners) {
   corners.clear();
   for (Halfedge h : halfedges_around(mesh_, f)) {
-    const Vertex a = point_of[mesh_.from(h).index], b = point_of[mesh_.to(h).index];
+    const Vertex a = point(mesh_, mesh_.from(h)), b = point(mesh_, mesh_.to(h));
     corners.push_back(a);
     const auto at_a = classes_.find(a), at_b = classes_.find(b);
     if (at_a == classes_.end() && at_b == classes_.end()) continue;

@@ -25,8 +25,8 @@ std::vector<Vertex> points_by_slot(const Mesh& mesh);
 // two classes is renamed.
 class PointMerger {
  public:
-  // `points`: those that may be merged; manifold or isolated ones. `point_of` is points_by_slot().
-  PointMerger(const Mesh& mesh, const std::vector<Vertex>& point_of, std::span<const Vertex> points);
+  // `points`: those that may be merged; manifold or isolated ones.
+  PointMerger(const Mesh& mesh, std::span<const Vertex> points);
 
   // Lets two faces be on the same set of points. Each is in one pocket at most.
   void let_be_pocket(Face f, Face g) {
@@ -60,7 +60,7 @@ class PointMerger {
 
   static Key key(std::uint32_t a, std::uint32_t b) { return Key{a} << 32u | b; }
   static Key key_of_pair(Vertex a, Vertex b) { return key(std::min(a, b).index, std::max(a, b).index); }
-  void add_face(Face f, std::vector<Vertex>& corners, const std::vector<Vertex>& point_of);
+  void add_face(Face f, std::vector<Vertex>& corners);
   bool may_join(Vertex goes, Vertex stays) const;
   bool is_taken(Face f, Key shape) const;
   void rename_face(Face f, Vertex from, Vertex to);

@@ -4,23 +4,22 @@
 
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen {
 
 namespace {
 
-// All sides of faces between two places with an end among the points asked for, sorted.
-std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<Vertex>& point_of,
-                                              const std::vector<Vertex>& place, const std::vector<bool>& is_asked) {
+// All sides of faces between two places with an end at a point asked for, sorted.
+std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<Vertex>& place,
+                                              const std::vector<bool>& is_asked) {
   std::vector<SideBetween> sides;
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (!m.is_alive(h) || m.is_outside(h)) continue;
-    const Vertex a = point_of[m.from(h).index], b = point_of[m.to(h).index];
-    const Vertex from = place[a.index], to = place[b.index];
-    if (from == to || (!is_asked[a.index] && !is_asked[b.index])) continue;
-    sides.emplace_back(from, to, h);
+    const Vertex from = place[m.from(h).index], to = place[m.to(h).index];
+    const bool is_one = is_asked[point(m, m.from(h)).index] || is_asked[point(m, m.to(h)).index];
+    if (from != to && is_one) sides.emplace_back(from, to, h);
   }
   std::sort(sides.begin(), sides.end());
   return sides;
@@ -28,37 +27,31 @@ std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<V
 
 }  // namespace
 
-std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex>& point_of,
-                                         const std::vector<Vertex>& place) {
+std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex>& place) {
   std::vector<bool> is_shared(m.vertex_slots(), false);
-  bool is_any = false;
-  for (Vertex p : point_of) {
-    if (!p || place[p.index] == p) continue;
-    is_shared[p.index] = is_shared[place[p.index].index] = is_any = true;
-  }
-  if (!is_any) return {};
+  for (std::uint32_t i = 0; i < place.size(); ++i)
+    if (const Vertex v(i); m.is_alive(v) && place[i] != point(m, v))
+      is_shared[point(m, v).index] = is_shared[place[i].index] = true;
   std::vector<SidePair> pairs;
-  for_each_edge(sides_between_places(m, point_of, place, is_shared), [&](std::span<const SideBetween> sides) {
+  for_each_edge(sides_between_places(m, place, is_shared), [&](std::span<const SideBetween> sides) {
     if (sides.size() != 2) return;
     const Halfedge h = sides[0].halfedge, other = sides[1].halfedge;
     if (!m.is_outside(twin(h)) || !m.is_outside(twin(other))) return;
-    const auto points = [&](Halfedge of) {
-      return std::minmax({point_of[m.from(of).index], point_of[m.to(of).index]});
-    };
+    const auto points = [&](Halfedge of) { return std::minmax({point(m, m.from(of)), point(m, m.to(of))}); };
     if (points(h) != points(other)) pairs.push_back({h, other, sides[0].is_forward == sides[1].is_forward});
   });
   return pairs;
 }
 
-std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& point_of, const std::vector<Vertex>& place) {
+std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& place) {
   std::vector<bool> is_at_boundary(m.vertex_slots(), false);
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (!m.is_alive(h) || m.is_outside(h) || !m.is_outside(twin(h))) continue;
-    for (Vertex v : {m.from(h), m.to(h)}) is_at_boundary[point_of[v.index].index] = true;
+    for (Vertex v : {m.from(h), m.to(h)}) is_at_boundary[point(m, v).index] = true;
   }
   std::vector<Halfedge> lone;
-  for_each_edge(sides_between_places(m, point_of, place, is_at_boundary), [&](std::span<const SideBetween> sides) {
+  for_each_edge(sides_between_places(m, place, is_at_boundary), [&](std::span<const SideBetween> sides) {
     const Halfedge h = sides[0].halfedge;
     if (sides.size() == 1 && m.is_outside(twin(h)) && is_finite(m.position(m.from(h))) &&
         is_finite(m.position(m.to(h))))

@@ -37,16 +37,14 @@ struct SidePair {
   bool runs_alike;  // both run in the same direction
 };
 
-// The pairs that are the only sides of faces between two places, in the order of the places. `point_of` is
-// points_by_slot(), `place` names the place of each point. Only pairs that are not between the same two points already.
+// The pairs that are the only sides of faces between two places, in the order of the places. `place` has by vertex slot
+// the point that stands for its place. Only pairs that are not between the same two points already.
 // O(n log n).
-std::vector<SidePair> sides_at_one_place(const Mesh& mesh, const std::vector<Vertex>& point_of,
-                                         const std::vector<Vertex>& place);
+std::vector<SidePair> sides_at_one_place(const Mesh& mesh, const std::vector<Vertex>& place);
 
 // Halfedges with a face and none beyond that are the only sides of faces between two places, both finite; ascending.
 // O(n log n).
-std::vector<Halfedge> lone_sides(const Mesh& mesh, const std::vector<Vertex>& point_of,
-                                 const std::vector<Vertex>& place);
+std::vector<Halfedge> lone_sides(const Mesh& mesh, const std::vector<Vertex>& place);
 
 // The faces to turn, as few as possible, so that as many pairs as can run in opposite directions while neighbours stay
 // turned alike; empty where none is to be turned. O(n log n).

@@ -94,7 +94,7 @@ double number_of_direction(const glm::dvec3& p, const glm::dvec3& q) {
 class Search {
  public:
   Search(const Mesh& m, const NearPoints& near, double distance)
-      : m_(m), near_(near), distance_(distance), sides_(lone_sides(m, near.point_of, near.first)) {}
+      : m_(m), near_(near), distance_(distance), sides_(lone_sides(m, near.first)) {}
 
   std::vector<TJunction> run() {
     collect_points();
@@ -118,7 +118,7 @@ class Search {
   // The lowest of several points at one place.
   void collect_points() {
     for (const Halfedge side : sides_)
-      for (const Vertex v : {m_.from(side), m_.to(side)}) points_.push_back(near_.point_of[v.index]);
+      for (const Vertex v : {m_.from(side), m_.to(side)}) points_.push_back(point(m_, v));
     const auto key = [&](Vertex v) {
       const glm::dvec3& p = m_.position(v);
       return std::tuple(p.x, p.y, p.z);
@@ -231,7 +231,7 @@ class Search {
     return segment.a[axis] < segment.b[axis] ? x > y : x < y;
   }
 
-  Vertex place_of(Vertex v) const { return near_.first[near_.point_of[v.index].index]; }
+  Vertex place_of(Vertex v) const { return near_.first[v.index]; }
 
   const Mesh& m_;
   const NearPoints& near_;
@@ -300,9 +300,9 @@ class Stitching {
     std::vector<bool> is_place(mesh.vertex_slots(), false);
     for (const TJunction& junction : junctions)
       for (const Vertex v : {junction.point, mesh.from(junction.side), mesh.to(junction.side)})
-        is_place[near.first[near.point_of[v.index].index].index] = true;
+        is_place[near.first[v.index].index] = true;
     for (std::uint32_t i = 0; i < is_concerned_.size(); ++i)
-      is_concerned_[i] = near.point_of[i] && is_place[near.first[near.point_of[i].index].index];
+      is_concerned_[i] = near.first[i] && is_place[near.first[i].index];
   }
 
   // Points of one side come from its end to its start, so the side is always the part at the start.

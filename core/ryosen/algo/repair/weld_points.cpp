@@ -34,21 +34,23 @@ struct Welded {
 // Which points become one, chosen side by side, so that the faces at every one of them stay one fan.
 class Welding {
  public:
-  Welding(const Mesh& m, const NearPoints& near, const Reach& reach)
-      : m_(m), point_of_(near.point_of), place_(near.first), used_(reach.used) {
-    for (Vertex p : point_of_)
-      if (p && point_of_[p.index] == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
-    sort_mates();
+  Welding(const Mesh& m, const NearPoints& near, const Reach& reach) : m_(m), place_(near.first), used_(reach.used) {
+    for (std::uint32_t i = 0; i < place_.size(); ++i)
+      if (const Vertex p(i); m.is_alive(p) && point_of(p) == p && place_[i] != p) mates_[place_[i]].push_back(p);
+    for (auto& [first, others] : mates_) {
+      others.push_back(first);
+      sort_unique(others);
+    }
   }
 
   // The faces to turn so that sides that lie on each other run in opposite directions, where they can; empty: none.
-  std::vector<bool> faces_to_turn() const { return turns_of(m_, sides_at_one_place(m_, point_of_, place_)); }
+  std::vector<bool> faces_to_turn() const { return turns_of(m_, sides_at_one_place(m_, place_)); }
 
   Welded weld(Edit& edit, Progress& progress) {
     Welded welded;
-    PointMerger merger(m_, point_of_, points_to_merge());
+    PointMerger merger(m_, points_to_merge());
     merger_ = &merger;
-    const std::vector<Halfedge> across = pair_at_places(m_, place_by_slot()).across;
+    const std::vector<Halfedge> across = pair_at_places(m_, place_).across;
     for (const auto& [f, g] : find_pockets(m_, across))
       if (would_close(f, across)) merger.let_be_pocket(f, g);
     const std::vector<SidePair> all = pairs(across);
@@ -66,7 +68,7 @@ class Welding {
   // Says what is left where nothing is done.
   Welded leave() {
     Welded welded;
-    PointMerger merger(m_, point_of_, points_to_merge());
+    PointMerger merger(m_, points_to_merge());
     merger_ = &merger;
     joined_classes(welded);
     return welded;
@@ -78,42 +80,27 @@ class Welding {
   bool would_close(Face f, const std::vector<Halfedge>& across) const {
     for (const Halfedge h : halfedges_around(m_, f)) {
       const Halfedge other = across[h.index];
-      if (twin(h) != other && point_of_[m_.from(h).index] == point_of_[m_.to(other).index] &&
-          point_of_[m_.to(h).index] == point_of_[m_.from(other).index])
+      if (twin(h) != other && same_point(m_, m_.from(h), m_.to(other)) && same_point(m_, m_.to(h), m_.from(other)))
         return false;
     }
     return true;
   }
 
-  std::vector<Vertex> place_by_slot() const {
-    std::vector<Vertex> place(m_.vertex_slots());
-    for (std::uint32_t i = 0; i < place.size(); ++i)
-      if (m_.is_alive(Vertex(i))) place[i] = place_[point_of_[i].index];
-    return place;
-  }
+  Vertex point_of(Vertex v) const { return point(m_, v); }
 
   // The sides that are paired across points, in the order of their places.
   std::vector<SidePair> pairs(const std::vector<Halfedge>& across) const {
-    const std::vector<Vertex> place = place_by_slot();
-    const auto ends = [&](Halfedge h, const std::vector<Vertex>& of) {
-      return std::minmax({of[m_.from(h).index], of[m_.to(h).index]});
-    };
+    const auto points = [&](Halfedge h) { return std::minmax({point_of(m_.from(h)), point_of(m_.to(h))}); };
+    const auto places = [&](Halfedge h) { return std::minmax({place_[m_.from(h).index], place_[m_.to(h).index]}); };
     std::vector<SidePair> found;
     for (std::uint32_t i = 0; i < across.size(); ++i) {
       const Halfedge h(i), other = across[i];
-      if (other && h < other && ends(h, point_of_) != ends(other, point_of_)) found.push_back({h, other, false});
+      if (other && h < other && points(h) != points(other)) found.push_back({h, other, false});
     }
     std::sort(found.begin(), found.end(), [&](const SidePair& a, const SidePair& b) {
-      return std::pair(ends(a.first, place), a.first) < std::pair(ends(b.first, place), b.first);
+      return std::pair(places(a.first), a.first) < std::pair(places(b.first), b.first);
     });
     return found;
-  }
-
-  void sort_mates() {
-    for (auto& [first, others] : mates_) {
-      others.push_back(first);
-      sort_unique(others);
-    }
   }
 
   // Those that are manifold and have a boundary; the others have no side to join.
@@ -123,15 +110,14 @@ class Welding {
     for (const auto& [first, others] : mates_)
       for (Vertex p : others) {
         if (m_.is_isolated(p) || ends_a_wire(m_, p)) continue;
-        bool is_inside = true;
-        for_each_copy(m_, p, [&](Vertex copy) { is_inside = is_inside && !m_.is_boundary(copy); });
-        if (!is_inside && !is_nonmanifold(around, p)) found.push_back(p);
+        const bool has_boundary = any_of_copies(m_, p, [&](Vertex copy) { return m_.is_boundary(copy); });
+        if (has_boundary && !is_nonmanifold(around, p)) found.push_back(p);
       }
     return found;
   }
 
   glm::dvec3 place_of(Vertex v) const {
-    const Vertex p = point_of_[v.index];
+    const Vertex p = point_of(v);
     return moved_.contains(p) ? m_.position(place_[p.index]) : m_.position(p);
   }
 
@@ -155,8 +141,8 @@ class Welding {
   }
 
   bool join(const SidePair& pair) {
-    const std::array<Vertex, 4> ends{point_of_[m_.from(pair.first).index], point_of_[m_.to(pair.second).index],
-                                     point_of_[m_.to(pair.first).index], point_of_[m_.from(pair.second).index]};
+    const std::array<Vertex, 4> ends{point_of(m_.from(pair.first)), point_of(m_.to(pair.second)),
+                                     point_of(m_.to(pair.first)), point_of(m_.from(pair.second))};
     std::vector<Vertex> merged;
     std::size_t merges = 0;
     bool is_sound = true;
@@ -223,8 +209,7 @@ class Welding {
   }
 
   const Mesh& m_;
-  const std::vector<Vertex>& point_of_;
-  const std::vector<Vertex>& place_;             // by point the first one there
+  const std::vector<Vertex>& place_;             // by vertex the first point there
   std::span<const Vertex> used_;                 // elsewhere
   std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
@@ -303,7 +288,7 @@ Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Wel
 
 Welded weld_near(Edit& edit, const Reach& reach, Progress& progress) {
   const NearPoints near = find_near_points(edit.mesh(), reach);
-  if (!near.are_any()) return {};
+  if (!near.are_any) return {};
   return weld_and_turn(edit, near, reach, [&](Edit& on, const NearPoints& now) {
     return Welding(on.mesh(), now, reach).weld(on, progress);
   });
@@ -323,7 +308,7 @@ WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress)
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Reach reach{input.values.length("distance"), input.used_elsewhere};
   const NearPoints near = find_near_points(edit.mesh(), reach);
-  if (!near.are_any()) return result_of({});
+  if (!near.are_any) return result_of({});
   const Mesh before = edit.mesh();
   const Welded welded = weld_and_turn(edit, near, reach, [&](Edit& on, const NearPoints& at_first) {
     const std::size_t collapsed = collapse_near(on, at_first, progress);

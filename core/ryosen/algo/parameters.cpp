@@ -191,8 +191,7 @@ ParameterValues::ParameterValues(std::span<const ParameterRow> rows) : rows_(row
 }
 
 std::optional<Text> ParameterValues::set(std::string_view id, std::string_view text, std::string_view called) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].id != id) continue;
+  if (const std::size_t i = index_of(id); i < rows_.size()) {
     std::optional<ParameterValue> value = read_value(rows_[i], text);
     if (!value) return fault_of_value(rows_[i], text, called);
     values_[i] = std::move(value);
@@ -248,10 +247,9 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
       value.is_percent = false;
       value.was_percent = true;
       if (value.number == 0 && !is_none && !is_in_range(rows_[i], 0)) return of_no_extent(rows_[i], this->text_at(i));
-      if (!std::isfinite(value.number) || !is_in_range(rows_[i], value.number))
-        return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     }
-    if (!std::isfinite(value.number) || !is_finite(value.place))
+    const bool is_wrong_length = value.was_percent && !is_in_range(rows_[i], value.number);
+    if (!std::isfinite(value.number) || !is_finite(value.place) || is_wrong_length)
       return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
     for (const std::string& name : value.names) {
       if (const auto range = parse_slot_range(name)) {
@@ -267,23 +265,27 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
 }
 
 ParameterValue& ParameterValues::value_to_set(std::string_view id, ParameterKind kind) {
-  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
-  assert(row != rows_.end() && row->kind == kind);
+  const std::size_t i = index_of(id);
+  assert(i < rows_.size() && rows_[i].kind == kind);
   static_cast<void>(kind);
-  return values_[static_cast<std::size_t>(row - rows_.begin())].emplace();
+  return values_[i].emplace();
+}
+
+std::size_t ParameterValues::index_of(std::string_view id) const {
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
+  return static_cast<std::size_t>(row - rows_.begin());
 }
 
 bool ParameterValues::has(std::string_view id) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (rows_[i].id == id) return values_[i].has_value();
-  return false;
+  const std::size_t i = index_of(id);
+  return i < rows_.size() && values_[i];
 }
 
 const ParameterValue& ParameterValues::value(std::string_view id, ParameterKind kind) const {
-  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
-  assert(row != rows_.end() && row->kind == kind && values_[static_cast<std::size_t>(row - rows_.begin())]);
+  const std::size_t i = index_of(id);
+  assert(i < rows_.size() && rows_[i].kind == kind && values_[i]);
   static_cast<void>(kind);
-  return *values_[static_cast<std::size_t>(row - rows_.begin())];
+  return *values_[i];
 }
 
 std::size_t ParameterValues::count(std::string_view id) const {
@@ -296,8 +298,7 @@ double ParameterValues::angle_rad(std::string_view id) const {
 
 std::string_view ParameterValues::choice(std::string_view id) const {
   const auto place = static_cast<std::size_t>(value(id, ParameterKind::choice).number);
-  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const ParameterRow& r) { return r.id == id; });
-  return row->choices[place].id;
+  return rows_[index_of(id)].choices[place].id;
 }
 
 const std::vector<Element>& ParameterValues::elements(std::string_view id) const {
@@ -325,9 +326,8 @@ std::string ParameterValues::text_at(std::size_t i) const {
 }
 
 std::string ParameterValues::text(std::string_view id) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (rows_[i].id == id) return text_at(i);
-  return {};
+  const std::size_t i = index_of(id);
+  return i < rows_.size() ? text_at(i) : std::string();
 }
 
 std::string ParameterValues::line(bool without_first_name) const {

@@ -118,6 +118,8 @@ class ParameterValues {
   const ParameterValue* at(std::size_t i) const { return values_[i] ? &*values_[i] : nullptr; }
 
  private:
+  // By place in rows(); behind them where there is none.
+  std::size_t index_of(std::string_view id) const;
   const ParameterValue& value(std::string_view id, ParameterKind kind) const;
   ParameterValue& value_to_set(std::string_view id, ParameterKind kind);
   std::string text_at(std::size_t i) const;

@@ -281,17 +281,13 @@ class HoleFiller {
     const WayToFill& way = ways_to_fill(style)[way_number];
     for (Vertex point : hole.points) touched_[point.index] = true;
     insert_patch(edit_, hole, patch);
-    count_kind(style, way.fineness);
+    ++(way.fineness == Fineness::bare   ? filled_.bare
+       : !style.fairs                   ? filled_.flat
+       : way.fineness == Fineness::fair ? filled_.fair
+                                        : filled_.unfaired);
     filled_.crossing += takes >= Takes::crossing;
     filled_.faces += patch.triangles.size();
     filled_.vertices += patch.new_vertices();
-  }
-
-  void count_kind(const PatchStyle& style, Fineness fineness) {
-    ++(fineness == Fineness::bare   ? filled_.bare
-       : !style.fairs               ? filled_.flat
-       : fineness == Fineness::fair ? filled_.fair
-                                    : filled_.unfaired);
   }
 
   Edit& edit_;

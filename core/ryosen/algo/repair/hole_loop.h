@@ -85,6 +85,7 @@ struct HolePatch {
   std::vector<CornerTriangle> parents;
   std::vector<double> spacing;  // by vertex: the wanted length of its edges; once it has been refined
 
+  bool is_flat(const CornerTriangle& t) const { return are_collinear(places[t[0]], places[t[1]], places[t[2]]); }
   std::uint32_t new_vertices() const { return static_cast<std::uint32_t>(places.size()) - corners; }
 };
 

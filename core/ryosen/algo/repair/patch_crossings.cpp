@@ -201,17 +201,15 @@ class CrossingSearch {
     tree_.visit(may, [&](std::uint32_t q) {
       if (is_out(p)) return false;
       if ((p != no_index && q <= p) || is_out(q)) return true;
-      const bool is_clear =
-          parts_[q].tree.visit(may, [&](std::uint32_t i) { return !meet(triangle, triangles_[parts_[q].first + i]); });
+      const bool is_clear = parts_[q].tree.visit(may, [&](std::uint32_t i) {
+        const NumberedTriangle& other = triangles_[parts_[q].first + i];
+        return are_surely_apart(triangle.places, other.places) || !meet_elsewhere(triangle, other);
+      });
       if (is_clear) return true;
       if (f) found_.crossed[q] = f;
       note(p, q);
       return true;
     });
-  }
-
-  static bool meet(const NumberedTriangle& a, const NumberedTriangle& b) {
-    return !are_surely_apart(a.places, b.places) && meet_elsewhere(a, b);
   }
 
   bool is_out(std::uint32_t patch) const { return patch != no_index && found_.crosses[patch]; }

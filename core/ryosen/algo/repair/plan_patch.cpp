@@ -8,7 +8,6 @@
 #include "ryosen/algo/repair/refine_patch.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
-#include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/single_precision.h"
 
 namespace ryosen {
@@ -266,9 +265,8 @@ void add_middle(HolePatch& patch) {
 }
 
 bool has_flat_triangle(const HolePatch& patch) {
-  return std::any_of(patch.triangles.begin(), patch.triangles.end(), [&](const CornerTriangle& t) {
-    return are_collinear(patch.places[t[0]], patch.places[t[1]], patch.places[t[2]]);
-  });
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const CornerTriangle& t) { return patch.is_flat(t); });
 }
 
 // In the last turn no more vertices come.

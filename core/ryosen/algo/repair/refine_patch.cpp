@@ -40,7 +40,11 @@ class PatchRefiner {
 
   void even_out_all() {
     constexpr int last_rounds = 6;
-    for (int round = 0; round < last_rounds && progress_.go_on(); ++round) even_out();
+    for (int round = 0; round < last_rounds && progress_.go_on(); ++round) {
+      relax();
+      move_to_middles();
+      relax_all();
+    }
   }
 
   void relax_all() {
@@ -58,9 +62,7 @@ class PatchRefiner {
   std::uint32_t to(std::uint32_t side) const { return from(next(side)); }
   std::uint32_t apex(std::uint32_t side) const { return from(last(side)); }
   const glm::dvec3& place(std::uint32_t v) const { return patch_.places[v]; }
-  bool are_flat(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return are_collinear(place(a), place(b), place(c));
-  }
+  bool are_flat(std::uint32_t a, std::uint32_t b, std::uint32_t c) const { return patch_.is_flat({a, b, c}); }
 
   double mean_spacing() const {
     double sum = 0;
@@ -154,12 +156,6 @@ class PatchRefiner {
     edges_.insert(edge_of(p, q));
     for (std::uint32_t s : {t, t + 2, u, u + 2}) doubtful_.push_back(s);
     return true;
-  }
-
-  void even_out() {
-    relax();
-    move_to_middles();
-    relax_all();
   }
 
   // Moves each new vertex along the patch to the middle of its neighbours, but for those whose triangles this would

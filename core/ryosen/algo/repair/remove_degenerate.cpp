@@ -48,8 +48,9 @@ bool collapse_short_edge(Edit& edit, Face f) {
                      [&](Halfedge h) { return collapse_if_sound(edit, h) || collapse_if_sound(edit, twin(h)); });
 }
 
-// The side opposite the middle one of three collinear corners at three places; else none.
+// The side of a plain triangle opposite the middle one of its collinear corners, which are at three places; else none.
 Halfedge long_side(const Mesh& m, Face f) {
+  if (!is_plain_triangle(m, f)) return Halfedge();
   const Halfedge h = m.halfedge(f);
   for (Halfedge side : {h, m.next(h), m.prev(h)}) {
     const glm::dvec3 &a = m.position(m.from(side)), &b = m.position(m.to(side)), &c = m.position(m.to(m.next(side)));
@@ -63,10 +64,8 @@ Halfedge long_side(const Mesh& m, Face f) {
 
 bool give_corner_away(Edit& edit, Face f) {
   const Mesh& m = edit.mesh();
-  if (!is_plain_triangle(m, f)) return false;
   const Halfedge side = long_side(m, f);
-  if (!side) return false;
-  const Face other = m.face(twin(side));
+  const Face other = side ? m.face(twin(side)) : Face();
   if (!other || is_flat(m, other)) return false;
   if (is_plain_triangle(m, other) && apply_if_legal(edit, SwapEdge{side})) return true;
   return apply_if_legal(edit, Dissolve{side});
@@ -84,10 +83,8 @@ std::size_t give_corners_away(Edit& edit, std::span<const Halfedge> sides) {
 
 bool shorten_common_side(Edit& edit, Face f) {
   const Mesh& m = edit.mesh();
-  if (!is_plain_triangle(m, f)) return false;
   const Halfedge side = long_side(m, f);
-  if (!side) return false;
-  const Face other = m.face(twin(side));
+  const Face other = side ? m.face(twin(side)) : Face();
   if (!other || other == f || !is_plain_triangle(m, other) || !is_flat(m, other)) return false;
   const glm::dvec3 &c = m.position(m.to(m.next(side))), &d = m.position(m.to(m.next(twin(side))));
   return glm::distance(c, d) < length_of(m, side) && apply_if_legal(edit, SwapEdge{side});
@@ -199,7 +196,7 @@ class Removal {
       for (Face g : beside)
         if (is_left(g)) queue.push_back(g);
     }
-    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    forget_gone();
     return any;
   }
 
@@ -209,7 +206,6 @@ class Removal {
     if (!may_go_on()) return false;
     std::map<Face, std::vector<Halfedge>> sides;
     for (Face f : flat_) {
-      if (!is_plain_triangle(m_, f)) continue;
       const Halfedge side = long_side(m_, f);
       if (side && m_.face(twin(side))) sides[m_.face(twin(side))].push_back(side);
     }
@@ -217,7 +213,7 @@ class Removal {
     for (const auto& [face, at_face] : sides)
       if (m_.is_alive(face) && at_face.size() >= many && !is_flat(m_, face))
         given_ += give_corners_away(edit_, at_face);
-    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
+    forget_gone();
     return given_ > before;
   }
 
@@ -241,34 +237,34 @@ class Removal {
     for (Face f : flat_)
       if (is_left(f) && is_loose(m_, f) && !is_alone(f)) loose.push_back(f);
     if (loose.empty()) return false;
-    const std::size_t gone = delete_soundly(edit_, std::move(loose));
+    const bool any = count_deleted(delete_soundly(edit_, std::move(loose)));
+    forget_gone();
+    return any;
+  }
+
+  bool count_deleted(std::size_t gone) {
     deleted_ += gone;
-    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
     return gone > 0;
+  }
+  void forget_gone() {
+    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
   }
 
   bool leave_border(Face f) {
     if (!is_at_border(m_, f)) return false;
-    std::size_t gone = 1;
-    if (is_alone(f)) {  // then nothing else can become unsound
-      Sheets sheets(edit_);
-      delete_elements(edit_, sheets, {{f}, {}, {}});
-    } else {
-      gone = delete_soundly(edit_, {f});
-    }
-    deleted_ += gone;
-    return gone > 0;
+    if (!is_alone(f)) return count_deleted(delete_soundly(edit_, {f}));
+    Sheets sheets(edit_);  // where it is alone nothing else can become unsound
+    delete_elements(edit_, sheets, {{f}, {}, {}});
+    return count_deleted(1);
   }
 
   // Deletes what no other way takes away. Whether some face went.
   bool open_holes() {
     const std::size_t before = boundary_loops(m_);
-    const std::size_t gone = delete_soundly(edit_, flat_);
-    const std::size_t after = boundary_loops(m_);
-    deleted_ += gone;
-    opened_ += after > before ? after - before : 0;
-    std::erase_if(flat_, [&](Face f) { return !is_left(f); });
-    return gone > 0;
+    const bool any = count_deleted(delete_soundly(edit_, flat_));
+    opened_ += std::max(boundary_loops(m_), before) - before;
+    forget_gone();
+    return any;
   }
 
   // How many in each way: ": 2 edges collapsed, 3 deleted".

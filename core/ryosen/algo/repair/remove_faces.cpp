@@ -84,18 +84,13 @@ LoopForm shape_of(const Mesh& m, Face f) {
 struct FaceOnPoints {
   PointList points;  // ascending
   Face face;
+
+  friend auto operator<=>(const FaceOnPoints&, const FaceOnPoints&) = default;
 };
 
 // Faces that share their set of points with another.
 std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std::uint32_t>& duplicates) {
-  std::vector<FaceOnPoints> found;
   std::vector<Vertex> at;
-  const auto points_of = [&](Face f) {
-    PointList points;
-    for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v).index);
-    std::sort(points.begin(), points.end());
-    return points;
-  };
   std::vector<Face> faces;
   for (std::uint32_t i : duplicates)
     for (Vertex v : vertices_around(m, Face(i))) at.push_back(point(m, v));
@@ -106,10 +101,13 @@ std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std
         if (f) faces.push_back(f);
     });
   sort_unique(faces);
-  for (Face f : faces) found.push_back({points_of(f), f});
-  std::sort(found.begin(), found.end(), [](const FaceOnPoints& a, const FaceOnPoints& b) {
-    return a.points != b.points ? a.points < b.points : a.face < b.face;
-  });
+  std::vector<FaceOnPoints> found;
+  for (Face f : faces) {
+    found.push_back({{}, f});
+    for (Vertex v : vertices_around(m, f)) found.back().points.push_back(point(m, v).index);
+    std::sort(found.back().points.begin(), found.back().points.end());
+  }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -152,7 +150,8 @@ class LoopChoice {
       for (const Member& member : members) goes_[member.face.index] = !is_closed(member.face);
     drop_equal_parts();
     for (const Class& members : classes_)
-      for (const Member& member : members) keep_where_needed(member.face);
+      for (const Member& member : members)
+        if (goes(member.face) && is_needed(member.face)) keep(member.face);
     for (const Class& members : classes_)
       if (std::all_of(members.begin(), members.end(), [&](const Member& member) { return goes(member.face); }))
         keep(members[0].face);
@@ -190,10 +189,6 @@ class LoopChoice {
       if (other && !goes(m_.face(other))) return true;
     }
     return false;
-  }
-
-  void keep_where_needed(Face f) {
-    if (goes(f) && is_needed(f)) keep(f);
   }
 
   void keep(Face f) {
@@ -235,8 +230,8 @@ EqualLoops find_equal_loops(const Mesh& mesh) {
         going += choice.goes(member.face);
         alike.closed += !choice.goes(member.face) && choice.is_closed(member.face);
       }
-      for (auto face = alike.faces.end() - static_cast<std::ptrdiff_t>(going); face != alike.faces.end(); ++face)
-        found.highest.push_back(*face);
+      found.highest.insert(found.highest.end(), alike.faces.end() - static_cast<std::ptrdiff_t>(going),
+                           alike.faces.end());
       found.alike.push_back(std::move(alike));
     }
     bool is_first = true;

@@ -12,6 +12,7 @@
 #include "ryosen/analysis/surface_triangles.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/ray.h"
 
 namespace ryosen {
@@ -47,8 +48,7 @@ class Looking {
   std::vector<SeenArea> look(const std::vector<std::uint32_t>& patch, std::uint32_t patches, Progress& progress) const {
     std::vector<std::uint32_t> numbers;
     for (const std::uint32_t slot : asked_) numbers.push_back(number_[slot]);
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sort_unique(numbers);
     const auto count = static_cast<std::uint32_t>(numbers.size());
     std::vector<std::uint8_t> seen(slots_.size(), nowhere);
     constexpr std::uint32_t step = 1 << 14;

@@ -1,6 +1,7 @@
 #include "ryosen/algo/repair/fill_holes.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "ryosen/algo/repair/fill_report.h"
@@ -19,67 +20,49 @@ namespace ryosen {
 
 namespace {
 
-class PatchInserter {
- public:
-  PatchInserter(Edit& edit, const HoleLoop& hole, const HolePatch& patch) : edit_(edit), hole_(hole), patch_(patch) {}
-
-  void run() {
-    for (std::uint32_t i = 0; i < hole_.size(); ++i) {
-      vertices_.push_back(mesh().from(hole_.sides[i]));
-      halfedges_[key(i, (i + 1) % hole_.size())] = hole_.sides[i];
-    }
-    loop_ = vertices_;
-    for (std::uint32_t v = patch_.corners; v < patch_.places.size(); ++v) add_vertex(v);
-    for (const CornerTriangle& t : patch_.triangles) add_triangle(t);
-    for (Vertex v : loop_) hold_outside(edit_, v);
+// Puts a planned patch into the mesh. The faces take the values (material, group) of a face at the loop, new vertices
+// the mean of those around them. The boundary vertices may then need Sheets::make_manifold. Cost: the patch and the
+// valences at the loop.
+void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) {
+  const std::uint32_t n = patch.corners;
+  std::vector<Vertex> loop;
+  std::unordered_map<std::uint64_t, Halfedge> halfedges;
+  const auto known = [&](std::uint32_t a, std::uint32_t b) -> Halfedge& {
+    return halfedges[std::uint64_t{a} << 32u | b];
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    loop.push_back(edit.mesh().from(hole.sides[i]));
+    known(i, (i + 1) % n) = hole.sides[i];
   }
-
- private:
-  const Mesh& mesh() const { return edit_.mesh(); }
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return std::uint64_t{a} << 32u | b; }
-
-  void add_vertex(std::uint32_t v) {
-    const Vertex vertex = edit_.add_vertex(patch_.places[v]);
-    const CornerTriangle& parents = patch_.parents[v - patch_.corners];
-    if (parents[0] == no_index) {
-      mean_vertex_values(edit_, loop_, vertex);
-    } else {
-      const std::array<Vertex, 3> from{vertices_[parents[0]], vertices_[parents[1]], vertices_[parents[2]]};
-      mean_vertex_values(edit_, from, vertex);
-    }
-    vertices_.push_back(vertex);
+  std::vector<Vertex> vertices = loop;
+  for (std::uint32_t v = n; v < patch.places.size(); ++v) {
+    vertices.push_back(edit.add_vertex(patch.places[v]));
+    const auto& [a, b, c] = patch.parents[v - n];
+    if (a == no_index)
+      mean_vertex_values(edit, loop, vertices[v]);
+    else
+      mean_vertex_values(edit, std::array{vertices[a], vertices[b], vertices[c]}, vertices[v]);
   }
-
-  Halfedge side(std::uint32_t a, std::uint32_t b) {
-    if (const auto known = halfedges_.find(key(a, b)); known != halfedges_.end()) return known->second;
-    const Halfedge h = edit_.add_edge(vertices_[a], vertices_[b]);
-    halfedges_[key(a, b)] = h;
-    halfedges_[key(b, a)] = twin(h);
-    if (a >= patch_.corners) edit_.set_halfedge(vertices_[a], h);
-    if (b >= patch_.corners) edit_.set_halfedge(vertices_[b], twin(h));
+  const auto side = [&](std::uint32_t a, std::uint32_t b) {
+    if (const Halfedge h = known(a, b)) return h;
+    const Halfedge h = edit.add_edge(vertices[a], vertices[b]);
+    known(a, b) = h;
+    known(b, a) = twin(h);
+    if (a >= n) edit.set_halfedge(vertices[a], h);
+    if (b >= n) edit.set_halfedge(vertices[b], twin(h));
     return h;
-  }
-
-  void add_triangle(const CornerTriangle& t) {
+  };
+  for (const CornerTriangle& t : patch.triangles) {
     const std::array<Halfedge, 3> h{side(t[0], t[1]), side(t[1], t[2]), side(t[2], t[0])};
-    const Face f = edit_.add_face(h[0]);
+    const Face f = edit.add_face(h[0]);
     for (std::size_t k = 0; k < 3; ++k) {
-      edit_.connect(h[k], h[(k + 1) % 3]);
-      edit_.set_face(h[k], f);
+      edit.connect(h[k], h[(k + 1) % 3]);
+      edit.set_face(h[k], f);
     }
-    copy_face_values(edit_, mesh().face(twin(hole_.sides[0])), f);
+    copy_face_values(edit, edit.mesh().face(twin(hole.sides[0])), f);
   }
-
-  Edit& edit_;
-  const HoleLoop& hole_;
-  const HolePatch& patch_;
-  std::vector<Vertex> vertices_, loop_;
-  std::unordered_map<std::uint64_t, Halfedge> halfedges_;
-};
-
-// The faces take the values (material, group) of a face at the loop, new vertices the mean of those around them. The
-// boundary vertices may then need Sheets::make_manifold. Cost: the patch and the valences at the loop.
-void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) { PatchInserter(edit, hole, patch).run(); }
+  for (Vertex v : loop) hold_outside(edit, v);
+}
 
 struct FillValues {
   std::optional<double> most_edges;

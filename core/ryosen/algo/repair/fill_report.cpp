@@ -30,12 +30,11 @@ Text names_of(const Mesh& mesh, std::span<const Element> elements) {
 
 // Names the faces that cross, and the value that fills anyway.
 Text crossed_text(const Mesh& mesh, std::span<const Hole> holes) {
-  std::vector<Element> crossed;
   std::vector<Face> faces;
   for (const Hole& hole : holes)
     if (hole.cause == WhyOpen::crosses && hole.crossed) faces.push_back(hole.crossed);
   sort_unique(faces);
-  crossed.assign(faces.begin(), faces.end());
+  const std::vector<Element> crossed(faces.begin(), faces.end());
   const Text names = names_of(mesh, crossed);
   const Text at = crossed.empty() ? Text{} : Text{" at " + names.en, "（" + names.ja + "）"};
   return at + Text{", crossing=allow fills anyway", "、crossing=allow でふさげます"};

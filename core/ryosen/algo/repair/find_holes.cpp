@@ -89,8 +89,6 @@ bool may_become_one(const Mesh& m, Vertex v, Vertex w) {
   return true;
 }
 
-bool is_plain(const Mesh& m, Halfedge h) { return is_finite(m.position(m.from(h))) && point_edge(m, h).faces() == 1; }
-
 constexpr std::array<WhyOpenRow, 10> why_open_rows{{
     {WhyOpen::not_finite, "a corner is not a finite place", "座標が有限でない点を通るため"},
     {WhyOpen::visits_twice,
@@ -154,7 +152,8 @@ std::vector<Vertex> part_loops(Edit& edit) {
       seen[h.index] = true;
       sides.push_back(h);
     }
-    if (!std::all_of(sides.begin(), sides.end(), [&](Halfedge h) { return is_plain(m, h); })) continue;
+    const auto is_plain = [&](Halfedge h) { return is_finite(m.position(m.from(h))) && point_edge(m, h).faces() == 1; };
+    if (!std::all_of(sides.begin(), sides.end(), is_plain)) continue;
     const std::vector<Part> found = parts_of(m, sides);
     parts.insert(parts.end(), found.begin(), found.end());
   }

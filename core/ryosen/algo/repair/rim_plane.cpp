@@ -10,16 +10,13 @@
 #include "ryosen/geometry/exact_sum.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/single_precision.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 
 namespace {
 
 constexpr double most_units = 4;
-
-glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-}
 
 // dot(n, p - at), rounded once: a rim far from the origin leaves its plane by less than a plain sum errs.
 double height(const glm::dvec3& n, const glm::dvec3& p, const glm::dvec3& at) {
@@ -92,7 +89,7 @@ std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double lar
   plane.snaps_ = plane.is_single_ && looks;
   plane.box_ = box_of(rim);
   std::vector<glm::dvec3> places;
-  for (const glm::dvec3& p : rim) places.push_back(scaled(p, -plane.exponent_));
+  for (const glm::dvec3& p : rim) places.push_back(times_power_of_two(p, -plane.exponent_));
   plane.normal_ = polygon_normal(places);
   if (plane.normal_ == glm::dvec3(0.0)) return std::nullopt;
   plane.at_ = mean_of(places);
@@ -111,12 +108,12 @@ std::optional<RimPlane> RimPlane::of(std::span<const glm::dvec3> rim, double lar
 double RimPlane::tolerance() const { return std::ldexp(most_units * (is_single_ ? 0x1p-23 : 0x1p-52), exponent_); }
 
 double RimPlane::distance(const glm::dvec3& p) const {
-  return std::ldexp(std::abs(height(normal_, scaled(p, -exponent_), at_)), exponent_);
+  return std::ldexp(std::abs(height(normal_, times_power_of_two(p, -exponent_), at_)), exponent_);
 }
 
 glm::dvec3 RimPlane::nearest(const glm::dvec3& p) const {
-  const glm::dvec3 q = scaled(p, -exponent_);
-  const glm::dvec3 foot = scaled(q - height(normal_, q, at_) * normal_, exponent_);
+  const glm::dvec3 q = times_power_of_two(p, -exponent_);
+  const glm::dvec3 foot = times_power_of_two(q - height(normal_, q, at_) * normal_, exponent_);
   return glm::clamp(snaps_ ? to_single(foot) : foot, box_.lowest, box_.highest);
 }
 

@@ -14,6 +14,7 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/ray.h"
+#include "ryosen/mesh/triangle_corners.h"
 
 namespace ryosen {
 
@@ -63,7 +64,7 @@ class Looking {
     for (const std::uint32_t slot : asked_) {
       const SurfaceTriangle t = surface_.at(mesh_, slot);
       const std::uint32_t number = number_[slot];
-      const double area = glm::length(area_normal(t));
+      const double area = glm::length(area_normal(corners_of(t)));
       SeenArea& sum = areas[patch[t.face]];
       const bool is_over = is_turned_[slot] != is_turned_[slots_[number]];
       if ((seen[number] & from_front) != 0) (is_over ? sum.behind : sum.front) += area;
@@ -114,23 +115,18 @@ class Looking {
     tree_ = BoxTree(std::move(boxes));
   }
 
-  std::array<glm::dvec3, 3> corners_of(const SurfaceTriangle& t) const {
+  TriangleCorners corners_of(const SurfaceTriangle& t) const {
     return {places_[t.corners[0]], places_[t.corners[1]], places_[t.corners[2]]};
-  }
-  glm::dvec3 area_normal(const SurfaceTriangle& t) const {
-    const auto [a, b, c] = corners_of(t);
-    return glm::cross(b - a, c - a);
   }
 
   std::uint8_t seen_from(std::uint32_t slot) const {
     stop_if_interrupted();
     const SurfaceTriangle t = surface_.at(mesh_, slot);
-    const glm::dvec3 normal = area_normal(t);
+    const TriangleCorners corners = corners_of(t);
+    const glm::dvec3 normal = area_normal(corners), middle = box_of(corners).middle();
     const double area = glm::length(normal);
     if (!(area > 0)) return nowhere;
-    const auto [a, b, c] = corners_of(t);
-    const glm::dvec3 centre = (a + b + c) / 3.0;
-    const glm::dvec3 middle = box_of(corners_of(t)).middle();
+    const glm::dvec3 centre = (corners[0] + corners[1] + corners[2]) / 3.0;
     const auto is_free = [&](double sign) { return !meets_any({centre, normal * (sign / area), first_step}, middle); };
     return static_cast<std::uint8_t>((is_free(1) ? from_front : nowhere) | (is_free(-1) ? from_behind : nowhere));
   }

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/geometry/trees/nearest.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/surgery.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "ryosen/algo/repair/delete_soundly.h"
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/copies.h"

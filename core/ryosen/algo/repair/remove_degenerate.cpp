@@ -6,8 +6,7 @@
 #include <map>
 #include <span>
 
-#include "ryosen/algo/repair/delete_soundly.h"
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/analysis/boundary_loop_count.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/count_text.h"

@@ -13,7 +13,7 @@ namespace ryosen {
 //  4. two flat triangles swap their common long side for a shorter one, which makes another step possible;
 //  5. a corner moves along the face onto another one, if that makes no other face flat and turns none;
 //  6. the face is deleted, which opens a hole, and the surface is taken apart where it would not be manifold
-//     (delete_soundly.h). The text says how many boundary loops that opened.
+//     (sound_changes.h). The text says how many boundary loops that opened.
 // Each step removes a face, or shortens an edge (4). Cost: their one-rings, for a few rounds.
 AlgorithmResult remove_degenerate_faces(Edit& edit, const AlgorithmInput&, Progress& progress);
 

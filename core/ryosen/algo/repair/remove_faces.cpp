@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "ryosen/algo/repair/delete_soundly.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/analysis/equal_faces.h"

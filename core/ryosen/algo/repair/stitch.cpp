@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/sides_apart.h"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/algo/repair/pockets.h"

@@ -1,4 +1,4 @@
-#include "ryosen/algo/repair/delete_soundly.h"
+#include "ryosen/algo/repair/sound_changes.h"
 
 #include <algorithm>
 #include <map>
@@ -7,13 +7,31 @@
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/sort_unique.h"
-#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/delete.h"
+#include "ryosen/ops/rules/face_lists.h"
 
 namespace ryosen {
 
 namespace {
+
+bool makes_flat(const Mesh& m, Halfedge h) {
+  const Vertex goes = m.from(h), stays = m.to(h);
+  const auto place = [&](Vertex v) { return m.position(v == goes ? stays : v); };
+  for (Face f : faces_around(m, goes)) {
+    if (!f) continue;
+    const bool vanishes = (f == m.face(h) || f == m.face(twin(h))) && corner_count(m, f) == 3;
+    if (!vanishes && !is_flat(m, f) && is_flat_at(m, f, place)) return true;
+  }
+  return false;
+}
+
+bool makes_hanging_pair(const Mesh& m, Halfedge h) {
+  for (Halfedge side : {h, twin(h)})
+    if (const Face f = m.face(side); f && corner_count(m, f) == 4 && equal_face(m, f)) return true;
+  return false;
+}
 
 using PointPair = std::pair<Vertex, Vertex>;
 
@@ -65,6 +83,11 @@ bool has_only_a_pair_left(Neighbourhood& around, Halfedge h, const std::vector<F
 }
 
 }  // namespace
+
+bool collapses_soundly(const Mesh& m, Halfedge h) {
+  const CollapseEdge op{h, CollapseEdge::Place::end};
+  return !makes_flat(m, h) && !makes_hanging_pair(m, h) && op.is_legal(m) && op.directed(m) == h;
+}
 
 std::size_t delete_soundly(Edit& edit, std::vector<Face> faces, bool may_leave_pairs) {
   const Mesh& m = edit.mesh();

@@ -5,10 +5,9 @@
 #include <optional>
 
 #include "ryosen/algo/repair/fill_report.h"
-#include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/algo/repair/patch_crossings.h"
+#include "ryosen/algo/repair/plan_patch.h"
 #include "ryosen/algo/repair/remove_degenerate.h"
-#include "ryosen/algo/repair/rims.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

@@ -8,7 +8,7 @@ namespace ryosen {
 // Closes every boundary loop (of at most the given number of edges, if any) for which there is a sound patch.
 //
 // shape: `flat` adds vertices on the triangles between the corners of the rim alone; `fair` minimises bending, tangent
-// to the faces at the rim (plan_patch.h); `auto` is flat where the rim lies in a plane but for rounding (rim_plane.h),
+// to the faces at the rim (plan_patch.h); `auto` is flat where the rim lies in a plane but for rounding (rims.h),
 // and then new vertices lie in it too, else fair. The text says which was made.
 //
 // Several patches are tried: the triangulation of least folds [Liepa03] and the projected one (hole_triangles.h), each

@@ -3,9 +3,8 @@
 
 #include <span>
 
-#include "ryosen/algo/repair/find_holes.h"
 #include "ryosen/algo/repair/hole_triangles.h"
-#include "ryosen/algo/repair/rim_plane.h"
+#include "ryosen/algo/repair/rims.h"
 
 namespace ryosen {
 
@@ -18,14 +17,6 @@ enum class Fineness : std::uint8_t {
 struct WayToFill {
   HoleTriangles (*triangulate)(const HoleLoop&, Progress&);
   Fineness fineness;
-};
-
-// The kind of patch for a hole.
-struct PatchStyle {
-  bool fairs = false;
-  std::optional<RimPlane> plane;  // in which its vertices are to lie
-  bool snaps_to_floats = false;   // new places are floats
-  bool may_cross = false;
 };
 
 // Returns the ways in the order in which they are to be tried.

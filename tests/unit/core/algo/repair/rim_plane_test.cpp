@@ -1,4 +1,4 @@
-#include "ryosen/algo/repair/rim_plane.h"
+#include "ryosen/algo/repair/rims.h"
 
 #include <gtest/gtest.h>
 

@@ -44,7 +44,12 @@ constexpr std::size_t most_pairs = 1000000;
 
 }  // namespace
 
-std::vector<Face> find_loose_pieces(const FaceComponents& before, const Mesh& after) {
+FaceComponents components_of(const Mesh& mesh) {
+  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
+  return find_face_components(around);
+}
+
+void add_loose_pieces(const FaceComponents& before, const Mesh& after, AlgorithmResult& result) {
   const std::vector<Piece> pieces = pieces_of(before, after);
   std::map<std::uint32_t, const Piece*> main;  // by component before
   for (const Piece& piece : pieces) {
@@ -56,20 +61,10 @@ std::vector<Face> find_loose_pieces(const FaceComponents& before, const Mesh& af
     };
     if (!best || is_better()) best = &piece;
   }
-  std::vector<Face> loose;
+  std::vector<Element> loose;
   for (const Piece& piece : pieces)
-    if (piece.whole != no_index && piece.is_open && main[piece.whole] != &piece) loose.push_back(piece.first);
-  return loose;
-}
-
-FaceComponents components_of(const Mesh& mesh) {
-  Neighbourhood around(mesh, Neighbourhood::Reach::whole);
-  return find_face_components(around);
-}
-
-void add_loose_pieces(const FaceComponents& before, const Mesh& after, AlgorithmResult& result) {
-  const std::vector<Face> loose = find_loose_pieces(before, after);
-  add_left(result.left_for, loose_reason, {loose.begin(), loose.end()});
+    if (piece.whole != no_index && piece.is_open && main[piece.whole] != &piece) loose.emplace_back(piece.first);
+  add_left(result.left_for, loose_reason, std::move(loose));
 }
 
 bool tells_of_loose_pieces(const LeftForReason& left) { return left.reason.en == loose_reason.en; }

@@ -16,16 +16,14 @@ namespace ryosen {
 template <class Place>
 bool is_flat_at(const Mesh& mesh, Face f, Place place) {
   std::optional<glm::dvec3> a, b;
-  bool is_flat = true;
   for (Vertex v : vertices_around(mesh, f)) {
     const glm::dvec3 p = place(v);
     if (!is_finite(p)) return false;
     if (!a) a = p;
     if (!b && p != *a) b = p;
-    if (b && is_flat) is_flat = are_collinear(*a, *b, p);
-    if (!is_flat) break;
+    if (b && !are_collinear(*a, *b, p)) return false;
   }
-  return is_flat;
+  return true;
 }
 
 inline bool is_flat(const Mesh& mesh, Face f) {

@@ -133,6 +133,18 @@ Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_
           name + " は" + expected.ja + "です（「" + wrong + "」は使えません）"};
 }
 
+ReadValues malformed(Text sentence) { return {std::nullopt, NameError::malformed, {}, std::move(sentence)}; }
+
+ReadValues of_no_extent(const ParameterRow& row, const std::string& share) {
+  const std::string id(row.id);
+  return {std::nullopt,
+          NameError::none,
+          {},
+          {"all points of the mesh are at one place or there are none, so that " + id + " " + share + " is no length",
+           "メッシュの点がないか一か所にあり、対角線の長さが 0 のため、" + id + " の " + share + " は長さになりません"},
+          true};
+}
+
 }  // namespace
 
 std::string first_text(const ParameterRow& row, const Mesh& mesh) {
@@ -222,22 +234,8 @@ std::optional<Text> ParameterValues::fault_of_missing(
   return std::nullopt;
 }
 
-namespace {
-
-ReadValues of_no_extent(const ParameterRow& row, const std::string& share) {
-  const std::string id(row.id);
-  return {std::nullopt,
-          NameError::none,
-          {},
-          {"all points of the mesh are at one place or there are none, so that " + id + " " + share + " is no length",
-           "メッシュの点がないか一か所にあり、対角線の長さが 0 のため、" + id + " の " + share + " は長さになりません"},
-          true};
-}
-
-}  // namespace
-
 ReadValues ParameterValues::on(const Mesh& mesh) const {
-  ReadValues read{*this, NameError::none, {}, {}, false};
+  ReadValues read{*this};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (!values_[i]) continue;
     ParameterValue& value = *read.values->values_[i];
@@ -250,7 +248,7 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     }
     const bool is_wrong_length = value.was_percent && !is_in_range(rows_[i], value.number);
     if (!std::isfinite(value.number) || !is_finite(value.place) || is_wrong_length)
-      return {std::nullopt, NameError::malformed, {}, fault_of_value(rows_[i], text_at(i), rows_[i].id)};
+      return malformed(fault_of_value(rows_[i], text_at(i), rows_[i].id));
     for (const std::string& name : value.names) {
       if (const auto range = parse_slot_range(name)) {
         add_living(mesh, *range, value.elements);
@@ -343,6 +341,59 @@ std::string ParameterValues::line(bool without_first_name) const {
 
 bool means_selection(const ParameterRow& row, std::string_view text) {
   return row.kind == ParameterKind::elements && text == selection_word;
+}
+
+ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::string_view> words,
+                       const std::vector<std::string>* selected) {
+  ReadValues read{ParameterValues(rows)};
+  std::vector<std::string_view> given;
+  for (std::string_view word : words) {
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const bool is_first = equals == word.size() && word.data() == words[0].data() && !rows.empty();
+    const std::string_view id = is_first ? rows[0].id : word.substr(0, equals);
+    const std::string_view text = is_first ? word : word.substr(std::min(equals + 1, word.size()));
+    if (std::find(given.begin(), given.end(), id) != given.end()) {
+      const std::string name(id);
+      return malformed({name + " is given twice", name + " が二度指定されています"});
+    }
+    given.push_back(id);
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const ParameterRow& r) { return r.id == id; });
+    if (selected && row != rows.end() && means_selection(*row, text))
+      read.values->set_names(id, *selected);
+    else if (auto fault = read.values->set(id, text, id))
+      return malformed(std::move(*fault));
+  }
+  if (auto fault = read.values->fault_of_missing([](const ParameterRow& row) { return std::string(row.id); }))
+    return malformed(std::move(*fault));
+  return read;
+}
+
+ReadValues read_fields(std::span<const ParameterRow> rows, std::span<const std::string> texts,
+                       const std::vector<std::string>* selected) {
+  assert(texts.size() == rows.size());
+  ReadValues read{ParameterValues(rows)};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (texts[i].empty()) continue;
+    if (selected && means_selection(rows[i], texts[i])) {
+      read.values->set_names(rows[i].id, *selected);
+      continue;
+    }
+    if (const auto fault = read.values->set(rows[i].id, texts[i], rows[i].name_en))
+      return malformed({fault->en, read.values->set(rows[i].id, texts[i], rows[i].name_ja)->ja});
+  }
+  if (const auto fault = read.values->fault_of_missing([](const ParameterRow& r) { return std::string(r.name_en); }))
+    return malformed(
+        {fault->en, read.values->fault_of_missing([](const ParameterRow& r) { return std::string(r.name_ja); })->ja});
+  return read;
+}
+
+std::string syntax_of(std::span<const ParameterRow> rows) {
+  std::string syntax;
+  for (const ParameterRow& row : rows) {
+    const std::string word = std::string(row.id) + "=" + placeholder(row);
+    syntax += (syntax.empty() ? "" : " ") + (row.is_required ? word : "[" + word + "]");
+  }
+  return syntax;
 }
 
 }  // namespace ryosen

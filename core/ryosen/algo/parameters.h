@@ -132,8 +132,8 @@ class ParameterValues {
 struct ReadValues {
   std::optional<ParameterValues> values;
   NameError error = NameError::none;
-  std::string name;  // of the element that is not there
-  Text sentence;
+  std::string name = {};  // of the element that is not there
+  Text sentence = {};
   bool lacks_extent = false;  // a length is a share of the diagonal, and that of this mesh is 0
 };
 

@@ -2,20 +2,14 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/mesh/rings.h"
 #include "ryosen/ops/poke.h"
 #include "ryosen/ops/rules/corner_values.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/triangulate.h"
 
 namespace ryosen {
 
 namespace {
-
-bool has_bridge(const Mesh& mesh, Face f) {
-  for (const Halfedge h : loop(mesh, mesh.halfedge(f)))
-    if (is_bridge(mesh, h)) return true;
-  return false;
-}
 
 // From a new vertex in the middle, as poke does, which leaves a face alone that another lies on. No rings, no bridges.
 void cut_from_middle(Edit& edit, Face face) {
@@ -66,7 +60,7 @@ std::optional<Text> cut_faces(Edit& edit, std::span<const Face> faces) {
     const Triangulate by_diagonals{f};
     if (by_diagonals.check(mesh).legal()) {
       by_diagonals.apply(edit);
-    } else if (!mesh.has_rings(f) && !has_bridge(mesh, f)) {
+    } else if (is_one_simple_loop(mesh, f)) {
       cut_from_middle(edit, f);
     } else {
       const std::string name = name_of(mesh, f);

@@ -176,11 +176,7 @@ void NearFaces::put(Face f, std::uint32_t group, const TriangleCorners& corners)
     spot = {group, faces.add(f, corners)};
   else
     faces.change(spot.slot, corners);
-  enlarge(group);
-}
-
-void NearFaces::enlarge(std::uint32_t group) {
-  const Box& all = groups_[group].faces.reach();
+  const Box& all = faces.reach();
   const bool is_known = around_groups_.primitive(group).size() > 0;
   if (is_known && all.lowest == ends_[2 * group] && all.highest == ends_[2 * group + 1]) return;
   ends_[2 * group] = all.lowest;

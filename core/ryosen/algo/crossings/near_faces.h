@@ -68,7 +68,6 @@ class NearFaces {
   std::uint32_t group_of(const std::array<std::uint32_t, 2>& hubs);
   void put(Face f, bool has_only_moved = false);
   void put(Face f, std::uint32_t group, const TriangleCorners& corners);
-  void enlarge(std::uint32_t group);
 
   const Mesh& mesh_;
   Bvh tree_;  // of the faces of no hub, by face

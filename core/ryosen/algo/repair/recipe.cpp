@@ -120,6 +120,8 @@ class RecipeRun {
   }
 
   void add_round(RecipeResult& result, bool is_undone) const {
+    const Text undone{"Undone, since the repairs together take away nothing that they are for.",
+                      "修復全体で対象の問題が減らないため、元に戻しました。"};
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       AlgorithmResult& sum = result.steps[i];
       const AlgorithmResult& now = results_[i];
@@ -127,7 +129,7 @@ class RecipeRun {
       if (!is_undone) sum.left_for = now.left_for;
       if (is_undone) sum.left += now.changed;
       if (is_undone || now.changed == 0) {
-        if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone_text() : now.text;
+        if (sum.changed == 0) sum.text = is_undone && now.changed > 0 ? undone : now.text;
         continue;
       }
       sum.text = sum.changed == 0 ? now.text : sum.text + Text{" ", ""} + now.text;
@@ -135,11 +137,6 @@ class RecipeRun {
       if (now.crossings) sum.crossings = sum.crossings.value_or(0) + *now.crossings;
       sum.drops_quarantined |= now.drops_quarantined;
     }
-  }
-
-  static Text undone_text() {
-    return {"Undone, since the repairs together take away nothing that they are for.",
-            "修復全体で対象の問題が減らないため、元に戻しました。"};
   }
 
   std::span<const RecipeStep> steps_;
@@ -214,8 +211,7 @@ RecipeGoal::RecipeGoal(std::span<const RecipeStep> steps) {
 
 // The second face of each is a duplicate, and that of two triangles closes a hanging pair.
 std::size_t RecipeGoal::problems_of_pockets(const FoundInMesh& found) const {
-  const bool may_have_any = found.counts[static_cast<std::size_t>(ProblemKind::duplicate_face)] > 0;
-  if (!may_have_any) return 0;
+  if (found.counts[static_cast<std::size_t>(ProblemKind::duplicate_face)] == 0) return 0;
   std::size_t problems = 0;
   for (const auto& [first, second] : pockets_of(*found.mesh)) {
     problems += is_for(ProblemKind::duplicate_face);

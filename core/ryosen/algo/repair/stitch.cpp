@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
-#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/sides_apart.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/weld_points.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/count_text.h"
@@ -112,7 +112,8 @@ class Search {
     bool is_beside;  // not exactly on it
     Vertex point;
     std::uint32_t number;  // in points_
-    auto order() const { return std::tie(side, place, is_beside, point); }
+
+    friend auto operator<=>(const Found&, const Found&) = default;
   };
 
   // The lowest of several points at one place.
@@ -209,7 +210,7 @@ class Search {
     std::erase_if(found_, [&](const Found& f) {
       return is_crowded(f.number) || std::binary_search(crowded.begin(), crowded.end(), f.side);
     });
-    std::sort(found_.begin(), found_.end(), [](const Found& f, const Found& g) { return f.order() < g.order(); });
+    std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end(),
                              [](const Found& f, const Found& g) { return f.side == g.side && f.place == g.place; }),
                  found_.end());
@@ -271,7 +272,7 @@ class Stitching {
   // Returns for each junction whether one of its parts was joined.
   std::vector<bool> weld(Progress& progress) {
     Edit edit(mesh, nullptr);
-    std::vector<Edge> joined = weld_near_points(edit, {reach_.distance, reach_.used, &is_concerned_}, progress).joined;
+    std::vector<Edge> joined = weld_near_points(edit, {reach_.distance, reach_.used, &is_concerned_}, progress);
     edit.commit();
     sort_unique(joined);
     std::vector<bool> is_joined;

@@ -6,13 +6,13 @@
 #include <set>
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
-#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/near_points.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/algo/repair/pockets.h"
 #include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/algo/repair/sides_apart.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/base/count_text.h"
@@ -300,9 +300,8 @@ AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput& input, Progr
   return result_of(weld_near(edit, {0, input.used_elsewhere}, progress));
 }
 
-WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress) {
-  Welded welded = weld_near(edit, reach, progress);
-  return {welded.points, std::move(welded.joined)};
+std::vector<Edge> weld_near_points(Edit& edit, const Reach& reach, Progress& progress) {
+  return weld_near(edit, reach, progress).joined;
 }
 
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress) {

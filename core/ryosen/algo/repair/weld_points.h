@@ -26,11 +26,8 @@ AlgorithmResult weld_equal_points(Edit& edit, const AlgorithmInput&, Progress& p
 // of faces that meet afterwards and did not before. Cost: that of two searches for self-intersections.
 AlgorithmResult weld_close_points(Edit& edit, const AlgorithmInput& input, Progress& progress);
 
-struct WeldedSides {
-  std::size_t points = 0;    // that were welded to others
-  std::vector<Edge> joined;  // the sides that were joined, by the numbers that their edges had
-};
-// The common part of both: welds points that are near each other, edges between them apart. The only write of the edit.
-WeldedSides weld_near_points(Edit& edit, const Reach& reach, Progress& progress);
+// The common part of both: welds points that are near each other, edges between them apart. Returns the sides that were
+// joined, by the numbers that their edges had. The only write of the edit.
+std::vector<Edge> weld_near_points(Edit& edit, const Reach& reach, Progress& progress);
 
 }  // namespace ryosen

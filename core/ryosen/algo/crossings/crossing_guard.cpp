@@ -168,29 +168,18 @@ std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, s
   // Where one is enough it is mostly found between neighbours around the vertex.
   for (std::size_t i = 1; most == 1 && i < faces.size(); ++i)
     if (meet(faces[i - 1], faces[i])) return 1;
-  std::vector<std::pair<std::uint32_t, glm::dvec3>> corners;
-  const auto for_all = [&](const auto& visit) {
-    for (const Changed& one : faces) visit(one.triangle);
-    for (const Changed& one : near_) visit(one.triangle);
-  };
-  for_all([&](const NumberedTriangle& t) {
-    for (std::size_t k = 0; k < 3; ++k) corners.emplace_back(t.numbers[k], t.places[k]);
-  });
-  const auto by_number = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(corners.begin(), corners.end(), by_number);
-  corners.erase(
-      std::unique(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
-      corners.end());
   std::vector<glm::dvec3> places;
-  for (const auto& corner : corners) places.push_back(corner.second);
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  for_all([&](const NumberedTriangle& t) {
-    std::array<std::uint32_t, 3>& own = triangles.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k)
-      own[k] = static_cast<std::uint32_t>(
-          std::lower_bound(corners.begin(), corners.end(), std::pair(t.numbers[k], glm::dvec3(0)), by_number) -
-          corners.begin());
-  });
+  std::unordered_map<std::uint32_t, std::uint32_t> place_of;  // by number
+  for (const std::vector<Changed>* part : {&faces, &std::as_const(near_)})
+    for (const Changed& one : *part) {
+      std::array<std::uint32_t, 3>& own = triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [at, is_new] = place_of.try_emplace(one.triangle.numbers[k], places.size());
+        if (is_new) places.push_back(one.triangle.places[k]);
+        own[k] = at->second;
+      }
+    }
   const NumberedSurface surface(std::move(places), std::move(triangles));
   const OverlapTree tree(surface, 1);
   std::size_t found = 0;

@@ -262,9 +262,9 @@ JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std:
     const Halfedge h = halfedge(Edge(i), 0);
     if (!mesh.is_alive(h)) continue;
     const Vertex a = point(mesh, mesh.from(h)), b = point(mesh, mesh.to(h));
-    if (is_corner[a.index] && is_corner[b.index]) joined.add(a, b);
+    if (is_corner[a.index] && is_corner[b.index]) joined.emplace_back(std::minmax(a, b));
   }
-  joined.sort();
+  sort_unique(joined);
   return joined;
 }
 

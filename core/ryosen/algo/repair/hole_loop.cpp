@@ -1,6 +1,5 @@
 #include "ryosen/algo/repair/hole_loop.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "ryosen/geometry/is_finite.h"
@@ -24,6 +23,15 @@ bool is_small(const Mesh& m, Face f) {
     if (h == m.halfedge(f)) return true;
   }
   return false;
+}
+
+const glm::dvec3& normal_of(const Mesh& mesh, Face f, NormalsOfFaces& known) {
+  const auto [at, is_new] = known.emplace(f, glm::dvec3(0.0));
+  if (is_new) {
+    const FacePolygon polygon(mesh, f);
+    if (polygon.is_finite()) at->second = polygon_normal(polygon.keyhole_walk());
+  }
+  return at->second;
 }
 
 class SurroundingsReader {
@@ -79,7 +87,7 @@ class SurroundingsReader {
   void add_corner(std::uint32_t i, Halfedge h) {
     const Vertex before = m_.from(m_.prev(h)), after = m_.to(h);
     const glm::dvec3 &at = hole_.places[i], &p = m_.position(before), &q = m_.position(after);
-    if (is_finite(p) && is_finite(q) && glm::dot(glm::cross(q - at, p - at), normals_.of(m_, m_.face(h))) > 0)
+    if (is_finite(p) && is_finite(q) && glm::dot(glm::cross(q - at, p - at), normal_of(m_, m_.face(h), normals_)) > 0)
       around().triangles.push_back({number_of(before), i, number_of(after)});
     else
       around().is_open[i] = true;
@@ -106,15 +114,6 @@ class SurroundingsReader {
 
 }  // namespace
 
-const glm::dvec3& NormalsOfFaces::of(const Mesh& mesh, Face f) {
-  const auto [at, is_new] = known_.emplace(f, glm::dvec3(0.0));
-  if (is_new) {
-    const FacePolygon polygon(mesh, f);
-    if (polygon.is_finite()) at->second = polygon_normal(polygon.keyhole_walk());
-  }
-  return at->second;
-}
-
 HoleLoop read_hole(const Mesh& mesh, Halfedge start, const JoinedCorners& joined, NormalsOfFaces& normals) {
   HoleLoop hole;
   hole.joined = &joined;
@@ -123,7 +122,7 @@ HoleLoop read_hole(const Mesh& mesh, Halfedge start, const JoinedCorners& joined
     hole.points.push_back(point(mesh, mesh.from(h)));
     hole.places.push_back(mesh.position(mesh.from(h)));
     const Face across = mesh.face(twin(h));
-    hole.normals.push_back(across ? normals.of(mesh, across) : glm::dvec3(0.0));
+    hole.normals.push_back(across ? normal_of(mesh, across, normals) : glm::dvec3(0.0));
   }
   SurroundingsReader(mesh, hole, normals).run();
   return hole;

@@ -15,19 +15,8 @@
 
 namespace ryosen {
 
-// Which points are joined by edges.
-class JoinedCorners {
- public:
-  void add(Vertex a, Vertex b) { keys_.push_back(key(a, b)); }
-  // Call when all are added.
-  void sort() { sort_unique(keys_); }
-  bool contains(Vertex a, Vertex b) const { return std::binary_search(keys_.begin(), keys_.end(), key(a, b)); }
-
- private:
-  static std::pair<Vertex, Vertex> key(Vertex a, Vertex b) { return std::minmax(a, b); }
-
-  std::vector<std::pair<Vertex, Vertex>> keys_;
-};
+// Which points are joined by edges, the lower first; sorted.
+using JoinedCorners = std::vector<std::pair<Vertex, Vertex>>;
 
 // The faces at a hole's corners. Vertices are numbered: first the corners of the loop, then those in `places`.
 struct HoleSurroundings {
@@ -53,7 +42,10 @@ struct HoleLoop {
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(places.size()); }
   // Whether an edge may join two corners that are not neighbours.
-  bool may_join(std::uint32_t i, std::uint32_t k) const { return !joined->contains(points[i], points[k]); }
+  bool may_join(std::uint32_t i, std::uint32_t k) const {
+    return !std::binary_search(joined->begin(), joined->end(),
+                               JoinedCorners::value_type(std::minmax(points[i], points[k])));
+  }
   // Whether no side of a triangle of a patch joins corners by an edge that exists, but those along the loop.
   bool allows(const CornerTriangle& t) const {
     for (std::size_t k = 0; k < 3; ++k)
@@ -64,15 +56,9 @@ struct HoleLoop {
   bool is_flat(const CornerTriangle& t) const { return are_collinear(places[t[0]], places[t[1]], places[t[2]]); }
 };
 
-// Normals of faces by need, each computed once: a large face may lie beside many holes.
-class NormalsOfFaces {
- public:
-  // Unit; zero where there is none.
-  const glm::dvec3& of(const Mesh& mesh, Face f);
-
- private:
-  std::unordered_map<Face, glm::dvec3> known_;
-};
+// Unit normals of faces, zero where there is none: by need, each computed once, since a large face may lie beside many
+// holes.
+using NormalsOfFaces = std::unordered_map<Face, glm::dvec3>;
 
 // Reads the loop from the corner at `start`.
 HoleLoop read_hole(const Mesh& mesh, Halfedge start, const JoinedCorners& joined, NormalsOfFaces& normals);

@@ -20,11 +20,6 @@ struct Weight {
 
 constexpr Weight impossible{std::numeric_limits<double>::infinity(), 0};
 
-struct Normal {
-  glm::dvec3 unit{0.0};
-  double area = 0;
-};
-
 // Dynamic programming over the optimal triangulations of all sub-polygons from corner i to k, closed by the chord i-k.
 class HoleWeights {
  public:
@@ -60,13 +55,6 @@ class HoleWeights {
 
   const Part& part(std::uint32_t i, std::uint32_t k) const { return parts_[i * n_ + k]; }
 
-  Normal normal_of(std::uint32_t i, std::uint32_t m, std::uint32_t k) const {
-    const glm::dvec3& a = loop_.places[i];
-    const glm::dvec3 n = glm::cross(loop_.places[m] - a, loop_.places[k] - a);
-    const double length = glm::length(n);
-    return {length > 0 ? n / length : glm::dvec3(0.0), length / 2};
-  }
-
   // The fold between a triangle and its neighbour across the side from i to k.
   double fold(const glm::dvec3& normal, std::uint32_t i, std::uint32_t k) const {
     const bool is_side = k == i + 1 || (i == 0 && k == n_ - 1);
@@ -84,11 +72,14 @@ class HoleWeights {
     for (std::uint32_t m = i + 1; m < k; ++m) {
       const Weight sides = part(i, m).weight + part(m, k).weight;
       if (!(sides < result.weight) || loop_.is_flat({i, m, k})) continue;
-      const Normal n = normal_of(i, m, k);
-      Weight own{std::max(fold(n.unit, i, m), fold(n.unit, m, k)), n.area};
-      if (is_whole) own.fold = std::max(own.fold, fold(n.unit, i, k));
+      const glm::dvec3& a = loop_.places[i];
+      const glm::dvec3 across = glm::cross(loop_.places[m] - a, loop_.places[k] - a);
+      const double length = glm::length(across);
+      const glm::dvec3 normal = length > 0 ? across / length : glm::dvec3(0.0);
+      Weight own{std::max(fold(normal, i, m), fold(normal, m, k)), length / 2};
+      if (is_whole) own.fold = std::max(own.fold, fold(normal, i, k));
       const Weight sum = sides + own;
-      if (sum < result.weight) result = {sum, n.unit, m};
+      if (sum < result.weight) result = {sum, normal, m};
     }
   }
 

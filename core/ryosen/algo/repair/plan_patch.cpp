@@ -139,10 +139,8 @@ class PlateEquations {
   std::vector<Row> rows_;
 };
 
-// Conjugate gradients on the normal equations, preconditioned by their diagonal. Calls go_on(step, most steps) before
-// each step.
-template <class GoOn>
-Places minimise_bending(const PlateEquations& plate, Places x, std::size_t most_steps, const GoOn& go_on) {
+// Conjugate gradients on the normal equations, preconditioned by their diagonal.
+Places minimise_bending(const PlateEquations& plate, Places x, std::size_t most_steps, Progress& progress) {
   const std::vector<double> inverse = plate.inverse_diagonal();
   const auto scaled = [&](Places places) {
     for (std::size_t i = 0; i < places.size(); ++i) places[i] *= inverse[i];
@@ -153,7 +151,8 @@ Places minimise_bending(const PlateEquations& plate, Places x, std::size_t most_
   Places direction = scaled(residual);
   double size = inner_product(residual, direction);
   const double enough = size * 1e-18;
-  for (std::size_t step = 0; step < most_steps && size > enough && size > 0 && go_on(step, most_steps); ++step) {
+  for (std::size_t step = 0; step < most_steps && size > enough && size > 0 && progress.go_on(step, most_steps);
+       ++step) {
     const Places image = plate.values(direction, false);
     const double bend = inner_product(image, image);
     if (!(bend > 0)) break;
@@ -205,9 +204,8 @@ void fair(HolePatch& patch, const HoleLoop& loop, FairMove move, Progress& progr
   if (n == 0 || is_flat(loop)) return;
   constexpr std::size_t most_work = 1000000;  // what a tenth of a second does or so
   const std::size_t steps = std::clamp<std::size_t>(most_work / n, 20, std::min<std::size_t>(4 * n + 100, 1000));
-  const auto go_on = [&](std::size_t step, std::size_t all) { return progress.go_on(step, all); };
   const Places x = minimise_bending(PlateEquations(patch, loop),
-                                    {patch.places.begin() + patch.corners, patch.places.end()}, steps, go_on);
+                                    {patch.places.begin() + patch.corners, patch.places.end()}, steps, progress);
   const Places normals = move == FairMove::along_normals ? normals_of(patch) : Places();
   for (std::size_t i = 0; i < n; ++i) {
     if (!is_finite(x[i])) continue;
@@ -284,14 +282,6 @@ void fair_in_turn(std::size_t turn, HolePatch& patch, const HoleLoop& hole, Prog
   fair(patch, hole, moves[turn], of_turn);
 }
 
-// The weights and the spacing follow the places, so that both are done in turns; so many that the places stay.
-void fair_and_refine(HolePatch& patch, const HoleLoop& hole, Progress& progress) {
-  for (std::size_t turn = 0; turn < last_turn; ++turn) {
-    fair_in_turn(turn, patch, hole, progress);
-    refine(patch, hole, growth_of_fair, progress);
-  }
-}
-
 void round_places(const PatchStyle& style, HolePatch& patch) {
   for (std::uint32_t v = patch.corners; v < patch.places.size(); ++v) {
     glm::dvec3& place = patch.places[v];
@@ -320,7 +310,11 @@ PlanResult arrange_patch(const WayToFill& way, const HoleTriangles& base, const 
   if (!style.may_cross && is_flat(hole))
     if (const auto side = side_on_surroundings(hole, patch)) return {WhyOpen::crosses, hole.sides[*side]};
   if (refines) refine(patch, hole, fairs ? growth_of_fair : growth_of_flat, progress);
-  if (fairs) fair_and_refine(patch, hole, progress);
+  // The weights and the spacing follow the places, so that both are done in turns; so many that the places stay.
+  for (std::size_t turn = 0; fairs && turn < last_turn; ++turn) {
+    fair_in_turn(turn, patch, hole, progress);
+    refine(patch, hole, growth_of_fair, progress);
+  }
   return {};
 }
 

@@ -38,17 +38,13 @@ void FanGroups::find_fans(const std::vector<std::vector<Halfedge>>& edges) {
   groups_.reset(fans_);
 }
 
-bool FanGroups::begin_together(Halfedge a, Halfedge b) const {
-  const Vertex v = mesh_.from(a), w = mesh_.from(b);
-  return place_ ? (*place_)[v.index] == (*place_)[w.index] : same_point(mesh_, v, w);
-}
-
 // Forward as the first side runs.
 std::vector<FanGroups::Pair> FanGroups::pairs_of(std::span<const Halfedge> sides) const {
+  const auto place_of = [&](Vertex v) { return place_ ? (*place_)[v.index] : point(mesh_, v); };
   std::vector<Pair> pairs;
   for (const Halfedge side : sides) {
     const Halfedge other = across_.at(side);
-    if (begin_together(side, sides[0]))
+    if (place_of(mesh_.from(side)) == place_of(mesh_.from(sides[0])))
       pairs.push_back({side, other, fan_.at(side), fan_.at(mesh_.next(side))});
     else if (!other)
       pairs.push_back({other, side, fan_.at(mesh_.next(side)), fan_.at(side)});

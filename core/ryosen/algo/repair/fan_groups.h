@@ -46,7 +46,6 @@ class FanGroups {
   bool exchange_two(std::span<const Halfedge> sides);
   void set_pair(Halfedge forward, Halfedge backward);
   void give_new_fan(Halfedge corner);
-  bool begin_together(Halfedge a, Halfedge b) const;
 
   const Mesh& mesh_;
   const std::vector<Vertex>* place_;

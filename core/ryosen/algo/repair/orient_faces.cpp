@@ -9,10 +9,10 @@
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/pair_faces.h"
 #include "ryosen/algo/repair/seen_area.h"
+#include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/analysis/shells.h"
 #include "ryosen/base/count_text.h"
-#include "ryosen/base/interruption.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
@@ -55,16 +55,8 @@ class Patches {
     auto edge() const { return std::tie(low, high, patch); }
   };
 
-  template <class Visit>
-  void for_each_side(Visit visit) {
-    for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i) {
-      stop_if_interrupted(i);
-      if (const Halfedge h(i); mesh_.is_alive(h) && !mesh_.is_outside(h)) visit(h);
-    }
-  }
-
   void join() {
-    for_each_side([&](Halfedge h) {
+    for_each_side(mesh_, [&](Halfedge h) {
       if (const Halfedge other = around_.across(h)) sets_.join(mesh_.face(h).index, mesh_.face(other).index);
     });
   }
@@ -81,7 +73,7 @@ class Patches {
 
   void judge() {
     std::vector<CrowdedSide> crowded;
-    for_each_side([&](Halfedge h) {
+    for_each_side(mesh_, [&](Halfedge h) {
       const std::uint32_t patch = of_face_[mesh_.face(h).index];
       const PointEdge faces = around_.edge(h);
       if (!is_finite(mesh_.position(mesh_.from(h))) || faces.is_misoriented()) {

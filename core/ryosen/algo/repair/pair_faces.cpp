@@ -221,9 +221,7 @@ class Pairing {
 
   // Where no end shares its place an edge has the faces that its links say.
   void pair_at_plain_edges() {
-    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
-      const Halfedge h(i);
-      if (!m_.is_alive(h) || m_.is_outside(h)) continue;
+    for_each_side(m_, [&](Halfedge h) {
       const Vertex from = m_.from(h), to = m_.to(h);
       const bool is_joined = !m_.is_outside(twin(h));
       if ((is_shared_[from.index] || is_shared_[to.index]) && !(keeps_joined_ && is_joined)) {
@@ -234,7 +232,7 @@ class Pairing {
       } else {
         at_boundary_.push_back(m_.face(h));
       }
-    }
+    });
   }
 
   void pair_at_shared_places() {
@@ -338,12 +336,11 @@ class Pairing {
       edges.push_back(std::move(edge.sides));
     }
     FanGroups fans(m_, &place_);
-    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i) {
-      const Halfedge corner(i);
-      if (!m_.is_alive(corner) || m_.is_outside(corner) || !is_end[place_[m_.from(corner).index].index]) continue;
+    for_each_side(m_, [&](Halfedge corner) {
+      if (!is_end[place_[m_.from(corner).index].index]) return;
       fans.add_corner(corner);
       for (const Halfedge side : {corner, m_.prev(corner)}) fans.add_side(side, out_.across[side.index]);
-    }
+    });
     fans.find_fans(edges);
     for (const std::vector<Halfedge>& sides : edges)
       for (const Halfedge side : sides) out_.across[side.index] = fans.across(side);
@@ -354,9 +351,9 @@ class Pairing {
     for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i)
       if (const Halfedge other = out_.across[i]) parts.join(m_.face(Halfedge(i)).index, m_.face(other).index);
     std::vector<bool> is_open(m_.face_slots(), false);
-    for (std::uint32_t i = 0; i < m_.halfedge_slots(); ++i)
-      if (m_.is_alive(Halfedge(i)) && !m_.is_outside(Halfedge(i)) && !out_.across[i])
-        is_open[parts.root(m_.face(Halfedge(i)).index)] = true;
+    for_each_side(m_, [&](Halfedge h) {
+      if (!out_.across[h.index]) is_open[parts.root(m_.face(h).index)] = true;
+    });
     out_.part.resize(m_.face_slots());
     out_.is_closed.resize(m_.face_slots());
     for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {

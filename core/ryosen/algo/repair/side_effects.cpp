@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
 
@@ -30,12 +31,10 @@ std::vector<Piece> pieces_of(const FaceComponents& before, const Mesh& after) {
     if (piece.faces++ == 0) piece.first = Face(f);
     if (piece.whole == no_index && f < before.of_face.size()) piece.whole = before.of_face[f];
   }
-  for (std::uint32_t i = 0; i < after.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!after.is_alive(h) || after.is_outside(h)) continue;
+  for_each_side(after, [&](Halfedge h) {
     Piece& piece = pieces[components.of_face[after.face(h).index]];
     piece.is_open = piece.is_open || (after.is_outside(twin(h)) && around.edge(h).is_boundary());
-  }
+  });
   return pieces;
 }
 

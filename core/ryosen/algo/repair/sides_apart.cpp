@@ -14,13 +14,11 @@ namespace {
 std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<Vertex>& place,
                                               const std::vector<bool>& is_asked) {
   std::vector<SideBetween> sides;
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!m.is_alive(h) || m.is_outside(h)) continue;
+  for_each_side(m, [&](Halfedge h) {
     const Vertex from = place[m.from(h).index], to = place[m.to(h).index];
     const bool is_one = is_asked[point(m, m.from(h)).index] || is_asked[point(m, m.to(h)).index];
     if (from != to && is_one) sides.emplace_back(from, to, h);
-  }
+  });
   std::sort(sides.begin(), sides.end());
   return sides;
 }
@@ -45,11 +43,10 @@ std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex
 
 std::vector<Halfedge> lone_sides(const Mesh& m, const std::vector<Vertex>& place) {
   std::vector<bool> is_at_boundary(m.vertex_slots(), false);
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!m.is_alive(h) || m.is_outside(h) || !m.is_outside(twin(h))) continue;
+  for_each_side(m, [&](Halfedge h) {
+    if (!m.is_outside(twin(h))) return;
     for (Vertex v : {m.from(h), m.to(h)}) is_at_boundary[point(m, v).index] = true;
-  }
+  });
   std::vector<Halfedge> lone;
   for_each_edge(sides_between_places(m, place, is_at_boundary), [&](std::span<const SideBetween> sides) {
     const Halfedge h = sides[0].halfedge;

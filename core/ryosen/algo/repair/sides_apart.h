@@ -5,9 +5,19 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/base/interruption.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
+
+// Calls visit(side) with each halfedge that has a face.
+template <class Visit>
+void for_each_side(const Mesh& mesh, Visit visit) {
+  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+    stop_if_interrupted(i);
+    if (const Halfedge h(i); mesh.is_alive(h) && !mesh.is_outside(h)) visit(h);
+  }
+}
 
 // A side of a face, ordered by its ends: points or places, of which each has one vertex that stands for it.
 struct SideBetween {

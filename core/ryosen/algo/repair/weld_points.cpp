@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "ryosen/algo/repair/detach_nonmanifold.h"
@@ -48,11 +49,10 @@ class Welding {
 
   Welded weld(Edit& edit, Progress& progress) {
     Welded welded;
-    PointMerger merger(m_, points_to_merge());
-    merger_ = &merger;
+    merger_.emplace(m_, points_to_merge());
     const std::vector<Halfedge> across = pair_at_places(m_, place_).across;
     for (const auto& [f, g] : find_pockets(m_, across))
-      if (would_close(f, across)) merger.let_be_pocket(f, g);
+      if (would_close(f, across)) merger_->let_be_pocket(f, g);
     const std::vector<SidePair> all = pairs(across);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!progress.go_on(i, all.size())) return welded;
@@ -68,8 +68,7 @@ class Welding {
   // Says what is left where nothing is done.
   Welded leave() {
     Welded welded;
-    PointMerger merger(m_, points_to_merge());
-    merger_ = &merger;
+    merger_.emplace(m_, points_to_merge());
     joined_classes(welded);
     return welded;
   }
@@ -213,7 +212,7 @@ class Welding {
   std::span<const Vertex> used_;                 // elsewhere
   std::map<Vertex, std::vector<Vertex>> mates_;  // all points at a place of several, ascending
   std::set<Vertex> moved_;
-  PointMerger* merger_ = nullptr;
+  std::optional<PointMerger> merger_;
 };
 
 AlgorithmResult result_of(const Welded& welded) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/algo/repair/pockets.h"
+#include "ryosen/algo/repair/recipe.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/indexed/from_indexed.h"

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/algo/repair/detach_nonmanifold.h"
 #include "ryosen/algo/repair/pair_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/analysis/equal_faces.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"

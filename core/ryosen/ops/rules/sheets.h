@@ -11,12 +11,14 @@
 
 #include <functional>
 #include <limits>
+#include <set>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "ryosen/mesh/edit.h"
 #include "ryosen/ops/op.h"
-#include "ryosen/ops/rules/copy_rings.h"
 
 namespace ryosen {
 
@@ -45,6 +47,37 @@ std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f,
 // The same, but also stops after the first face that satisfies `is_last`.
 std::vector<Face> faces_of_sheet(const Mesh& mesh, Face f, std::size_t enough,
                                  const std::function<bool(Face)>& is_last);
+
+// Copies of points: one surgery adds many and takes many out, each at a cost that does not grow with their number.
+//
+// The links of a mesh lead from a copy to the next one alone, so that the one before it is found by a walk around all
+// of them. Here it is kept for points with many copies, from the second walk on. Knows of changes that are made through
+// it alone.
+class CopyRings {
+ public:
+  explicit CopyRings(Edit& edit) : edit_(edit) {}
+
+  // As join_copies().
+  void join(Vertex a, Vertex b);
+  // As leave_copies(); where v is the copy after another one, which is named, without a walk around all of them.
+  void leave(Vertex v, Vertex other);
+  // Unlinks these copies of one point, each once. Where the representative goes and others stay, one of these is
+  // unlinked in its place, which is returned: the last one with edges or, if there is none, the last one.
+  Vertex leave_all(std::span<const Vertex> going);
+
+ private:
+  bool knows(Vertex p) const { return rings_.contains(p); }
+  // At the second call for a point with so many copies that walks around them cost more than what is kept.
+  bool get_to_know(Vertex p);
+  void know(Vertex p);
+  void unlink(Vertex v, Vertex before);
+  Vertex leave_small(std::span<const Vertex> going);
+
+  Edit& edit_;
+  std::unordered_map<Vertex, std::set<Vertex>> rings_;  // by point
+  std::unordered_map<Vertex, Vertex> before_;           // of the copies there
+  std::unordered_set<Vertex> walked_;                   // points
+};
 
 // What is known of a point that others are joined to, one after another: all around it is as make_manifold() leaves it,
 // but for what is listed.

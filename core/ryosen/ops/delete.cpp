@@ -1,16 +1,21 @@
 #include "ryosen/ops/delete.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/rings.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/manifold_points.h"
 #include "ryosen/ops/rules/pinch.h"
-#include "ryosen/ops/rules/pinch_watch.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -94,6 +99,119 @@ std::vector<Reason> Delete::warnings(const Mesh& mesh) const {
   return reasons;
 }
 
+namespace {
+
+// Points from which faces are taken away one after another: what is to be cut and joined there is found at the edges
+// that lose a face, not at all copies of the points. In between nothing else changes the mesh.
+//
+// Around a manifold point (Sheets::make_manifold) the loss of a face changes two things: an edge may be left with two
+// faces in opposite directions, which are joined; and where a closed fan opens, an edge at which two faces of it were
+// not cut apart may have to be. Both are rare, and then all is made manifold as for a single deletion.
+class ManifoldPoints {
+ public:
+  explicit ManifoldPoints(Sheets& sheets) : sheets_(sheets) {}
+
+  // Before the face is taken away.
+  void loses(Face f);
+  // Afterwards: as Sheets::make_manifold() at the points of these faces.
+  void make_manifold();
+
+ private:
+  struct Side {
+    Vertex low, high;  // points
+    bool is_forward;
+  };
+
+  const Mesh& mesh() const { return sheets_.mesh(); }
+  Side side_of(Halfedge h) const;
+  // The faces along the edge, counted at the first call.
+  PointEdge& faces_at(const Side& side);
+  bool is_manifold_where_lost();
+  bool opens_an_edge(Vertex v, Vertex p) const;
+
+  Sheets& sheets_;
+  std::unordered_set<Vertex> manifold_;
+  std::unordered_map<std::uint64_t, PointEdge> edges_;
+  // Sides and points of the deleted faces, and the vertices where a closed fan opens, with their points.
+  std::vector<Side> sides_;
+  std::vector<Vertex> points_;
+  std::vector<std::pair<Vertex, Vertex>> opened_;
+};
+
+ManifoldPoints::Side ManifoldPoints::side_of(Halfedge h) const {
+  const Vertex a = point(mesh(), mesh().from(h)), b = point(mesh(), mesh().to(h));
+  return {std::min(a, b), std::max(a, b), a < b};
+}
+
+PointEdge& ManifoldPoints::faces_at(const Side& side) {
+  const auto [edge, is_new] = edges_.try_emplace(std::uint64_t{side.low.index} << 32 | side.high.index);
+  PointEdge& faces = edge->second;
+  if (!is_new) return faces;
+  const Mesh& m = mesh();
+  const std::array<std::uint32_t, 2> ends{side.low.index, side.high.index};
+  const bool is_low = loneliest_point(m, ends) == side.low;
+  for (Halfedge h : sheets_between(m, is_low ? side.low : side.high, is_low ? side.high : side.low)) {
+    faces.forward += !m.is_outside(is_low ? h : twin(h));
+    faces.backward += !m.is_outside(is_low ? twin(h) : h);
+  }
+  return faces;
+}
+
+void ManifoldPoints::loses(Face f) {
+  const Mesh& m = mesh();
+  if (!m.has_copies()) return;
+  for (const Halfedge h : halfedges_around(m, f)) {
+    const Vertex v = m.from(h);
+    points_.push_back(point(m, v));
+    if (!m.is_boundary(v)) opened_.emplace_back(v, points_.back());
+    if (!has_copies(m, v) && !has_copies(m, m.to(h))) continue;  // at most one face is left there
+    sides_.push_back(side_of(h));
+    faces_at(sides_.back());
+  }
+}
+
+// Whether an edge at the vertex, whose fan has a gap now, is to be cut. A copy may have taken the number of its point.
+bool ManifoldPoints::opens_an_edge(Vertex v, Vertex p) const {
+  const Mesh& m = mesh();
+  if (!m.is_alive(v)) return m.is_alive(p) && opens_an_edge(p, p);
+  if (m.is_isolated(v)) return false;
+  for (const Halfedge h : outgoing(m, v))
+    if (!m.is_outside(h) && !m.is_outside(twin(h)) && is_cut_on_points(m, h)) return true;
+  return false;
+}
+
+bool ManifoldPoints::is_manifold_where_lost() {
+  for (const Side& side : sides_) {
+    PointEdge& faces = faces_at(side);
+    --(side.is_forward ? faces.forward : faces.backward);
+  }
+  const bool has_pair = std::any_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+    const PointEdge& faces = faces_at(side);
+    return faces.forward == 1 && faces.backward == 1;
+  });
+  if (has_pair) return false;
+  return std::none_of(opened_.begin(), opened_.end(),
+                      [&](const auto& at) { return opens_an_edge(at.first, at.second); });
+}
+
+void ManifoldPoints::make_manifold() {
+  sort_unique(points_);
+  std::vector<Vertex> others;
+  for (const Vertex p : points_)
+    if (!manifold_.contains(p)) others.push_back(p);
+  if (is_manifold_where_lost() && sheets_.is_manifold(others)) {
+    manifold_.insert(others.begin(), others.end());
+  } else {
+    for (const Vertex v : sheets_.make_manifold(points_))
+      if (mesh().is_alive(v)) manifold_.erase(point(mesh(), v));
+  }
+  sides_.clear();
+  points_.clear();
+  opened_.clear();
+}
+
+// The same as the one without it or, where it is one of several in a row, which share what they know, at the cost of
+// what is near the faces.
 void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, ManifoldPoints* known) {
   const Mesh& m = edit.mesh();
   std::vector<Halfedge> unused = deletion.wires;
@@ -121,6 +239,12 @@ void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, Manif
     known->make_manifold();
   else
     sheets.make_manifold(points);
+}
+
+}  // namespace
+
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion) {
+  delete_elements(edit, sheets, deletion, nullptr);
 }
 
 OpEffect Delete::apply(Edit& edit) const {

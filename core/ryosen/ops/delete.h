@@ -19,7 +19,6 @@
 
 namespace ryosen {
 
-class ManifoldPoints;
 class Sheets;
 // Each costs what is near the faces that go, not all copies of their points.
 std::unique_ptr<OpSeries> deletes_in_series(Edit& edit);
@@ -44,8 +43,7 @@ struct Deletion {
   std::vector<Vertex> vertices;
 };
 
-// Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points, or where it is one
-// of several in a row, which share what they know (rules/manifold_points.h), what is near the faces.
-void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion, ManifoldPoints* known = nullptr);
+// Deletes them, and edges and vertices that become unused. Cost: the one-rings of the faces' points.
+void delete_elements(Edit& edit, Sheets& sheets, const Deletion& deletion);
 
 }  // namespace ryosen

@@ -13,7 +13,6 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/raise.h"
-#include "ryosen/ops/rules/region.h"
 
 namespace ryosen {
 

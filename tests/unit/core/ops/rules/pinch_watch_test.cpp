@@ -1,5 +1,4 @@
 // Points that deletions would pinch, asked about one after another, against the question by itself.
-#include "ryosen/ops/rules/pinch_watch.h"
 
 #include <gtest/gtest.h>
 

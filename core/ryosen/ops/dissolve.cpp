@@ -11,7 +11,6 @@
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/plain_faces.h"
-#include "ryosen/ops/rules/shared_chain.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {

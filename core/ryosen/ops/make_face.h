@@ -19,6 +19,8 @@
 
 namespace ryosen {
 
+class Sheets;
+
 struct MakeFace {
   std::vector<Vertex> corners;
 
@@ -31,5 +33,9 @@ struct MakeFace {
   OpEffect apply(Edit& edit) const;
   bool operator==(const MakeFace&) const = default;
 };
+
+// The face on these corners, as make_face allows it: on free sides where there are any, on new edges elsewhere. Its
+// points are to be made manifold then. Cost: the fans at its corners.
+Face attach_face(Edit& edit, Sheets& sheets, std::span<const Vertex> corners);
 
 }  // namespace ryosen

@@ -16,7 +16,7 @@
 
 namespace ryosen {
 
-// See rules/equal_face_index.h.
+// See EqualFaceIndex (rules/face_lists.h).
 std::unique_ptr<OpSeries> pokes_in_series(Edit& edit);
 
 struct Poke {

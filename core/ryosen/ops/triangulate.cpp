@@ -6,7 +6,6 @@
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
-#include "ryosen/ops/rules/equal_face_index.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/face_triangles.h"

@@ -18,7 +18,7 @@
 
 namespace ryosen {
 
-// See rules/equal_face_index.h.
+// See EqualFaceIndex (rules/face_lists.h).
 std::unique_ptr<OpSeries> triangulations_in_series(Edit& edit);
 
 struct Triangulate {

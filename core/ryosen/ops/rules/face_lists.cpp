@@ -4,6 +4,8 @@
 #include <unordered_set>
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen {
 
@@ -121,6 +123,24 @@ Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
 Face equal_face(const Mesh& mesh, Face f) {
   const Face except[] = {f};
   return face_on(mesh, point_set(loops_of(mesh, f).corners), except);
+}
+
+void EqualFaceIndex::read_faces_at(Vertex p) {
+  read_.insert(p);
+  for_each_copy(mesh_, p, [&](Vertex copy) {
+    if (mesh_.is_isolated(copy)) return;
+    for (const Face f : faces_around(mesh_, copy))
+      if (f && known_.insert(f).second) ++count_[point_set(loops_of(mesh_, f).corners)];
+  });
+}
+
+// All faces on the same points are known where one of these has been read.
+bool EqualFaceIndex::has_equal(Face f) {
+  const std::vector<std::uint32_t> points = point_set(loops_of(mesh_, f).corners);
+  const bool is_read =
+      std::any_of(points.begin(), points.end(), [&](std::uint32_t p) { return read_.contains(Vertex(p)); });
+  if (!is_read) read_faces_at(point(mesh_, loneliest_point(mesh_, points)));
+  return count_[points] > 1;
 }
 
 }  // namespace ryosen

@@ -2,13 +2,17 @@
 // duplicate face.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 #include "ryosen/base/verdict.h"
 #include "ryosen/mesh/bridges.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/rings.h"
 
 namespace ryosen {
@@ -43,5 +47,24 @@ Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
                     const std::function<bool(Face)>& is_left_out);
 // Another face on the points of f, or none.
 Face equal_face(const Mesh& mesh, Face f);
+
+// Which faces have another face on their points, for many questions: the faces at a point are read once. Meanwhile a
+// face may change that has no equal one, if it has got points that no face asked about has.
+class EqualFaceIndex {
+ public:
+  explicit EqualFaceIndex(const Mesh& mesh) : mesh_(mesh) {}
+
+  // See equal_face(). Cost: the corners of the face, and where no point of it has been read yet those of the faces at
+  // its point of lowest valence.
+  bool has_equal(Face f);
+
+ private:
+  void read_faces_at(Vertex p);
+
+  const Mesh& mesh_;
+  std::unordered_set<Vertex> read_;  // points
+  std::unordered_set<Face> known_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> count_;  // of faces by their points
+};
 
 }  // namespace ryosen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/rings.h"
@@ -26,6 +27,13 @@ void unlink_edge(Edit& edit, Halfedge h);
 // link_edge inside a face, between the corners after two of its sides. The edge has the face on both sides; its corners
 // get the values of the corners it starts from.
 Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b);
+
+// Chains of edges between the same two faces, through vertices with exactly two edges. The chain from h on, h first.
+std::vector<Halfedge> chain_from(const Mesh& mesh, Halfedge h);
+// The whole chain that an edge lies in, in the direction of its twin; one that has no end begins with h.
+std::vector<Halfedge> chain_through(const Mesh& mesh, Halfedge h);
+// The vertices within a chain.
+std::vector<Vertex> inner_vertices(const Mesh& mesh, std::span<const Halfedge> chain);
 
 // Unites the two faces along a chain of edges into the lower one, without the chain; vertices within it become
 // isolated. Returns the face that is gone.

@@ -15,7 +15,7 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"
-#include "ryosen/ops/groups.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/ops/parameters/op_line.h"
 
 namespace ryosen {

@@ -13,7 +13,7 @@
 #include "app/ui/style.h"
 #include "app/ui/widgets.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/groups.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/long_run.h"

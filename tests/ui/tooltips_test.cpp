@@ -12,7 +12,7 @@
 #include "app/editor/session/session.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/ops/groups.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 #include "tests/support/core/long_run.h"

@@ -7,7 +7,7 @@
 #include "app/editor/session/selecting.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "ryosen/ops/groups.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 

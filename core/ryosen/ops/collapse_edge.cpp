@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <optional>
+#include <unordered_map>
+#include <vector>
 
+#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/rings.h"
+#include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/collapse_links.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/local_facts.h"
 
 namespace ryosen {
 
@@ -43,6 +50,89 @@ constinit const OpInfo CollapseEdge::info{
 namespace {
 
 constexpr std::size_t usual_valence = 12;  // for reserving lists
+
+// Interpolates corner values around the edge: corners in the same chart (up to seams) as a side take its value at
+// `along`.
+void blend_corners(Edit& edit, Halfedge h, double along) {
+  CornerWriter corners(edit);
+  const Mesh& m = edit.mesh();
+  for (std::size_t k = 0; k < corners.count(); ++k) {
+    struct Chart {
+      std::uint32_t gone, kept, blended;
+    };
+    std::vector<Chart> charts;
+    for (Halfedge side : {h, twin(h)}) {
+      if (m.is_outside(side)) continue;
+      const Halfedge at_gone = side == h ? side : m.next(side), at_kept = side == h ? m.next(side) : side;
+      const std::uint32_t gone = corners.index(k, at_gone), kept = corners.index(k, at_kept);
+      if (std::none_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.gone == gone && c.kept == kept; }))
+        charts.push_back({gone, kept, corners.blend(k, gone, kept, along)});
+    }
+    const auto update = [&](Vertex v, std::uint32_t Chart::*old) {
+      if (std::all_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.*old == c.blended; })) return;
+      for (Halfedge corner : outgoing(m, v)) {
+        if (m.is_outside(corner)) continue;
+        for (const Chart& chart : charts) {
+          if (chart.*old != corners.index(k, corner)) continue;
+          corners.set(k, corner, chart.blended);
+          break;
+        }
+      }
+    };
+    update(m.from(h), &Chart::gone);
+    update(m.to(h), &Chart::kept);
+  }
+}
+
+// Removes a triangle that has become a face with two sides: `going` starts or ends at the removed vertex, `staying` is
+// the other side. `staying` replaces the twin of `going` in the adjacent face or boundary loop.
+void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  const Halfedge beyond = twin(going);
+  const Face dropped = m.face(staying), face = m.face(beyond);
+  const Vertex apex = m.from(going) == m.to(staying) ? m.from(going) : m.to(going);
+  const Halfedge from_apex = m.from(going) == apex ? going : beyond;
+  CornerWriter corners(edit);
+  for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, staying, corners.index(k, beyond));
+  edit.connect(m.prev(beyond), staying);
+  edit.connect(staying, m.next(beyond));
+  edit.set_face(staying, face);
+  if (face) replace_start(edit, face, beyond, staying);
+  if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
+  edit.remove(edge(going));
+  edit.remove(dropped);
+  effect.deleted.push_back(edge(going));
+  effect.deleted.push_back(dropped);
+}
+
+// Deletes the edge of h and the triangles at it, so that both ends have one cycle. Gives a halfedge of it: the first
+// after h, or beyond a free end of a wire. Which vertex the halfedges leave, and which one that vertex stores, is for
+// the caller.
+Halfedge take_edge_out(Edit& edit, Halfedge h, OpEffect& effect) {
+  const Mesh& m = edit.mesh();
+  const Halfedge o = twin(h);
+  const auto is_plain_triangle = [&](Halfedge side) {
+    return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
+  };
+  const bool left_two_gon = is_plain_triangle(h), right_two_gon = is_plain_triangle(o);
+  const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
+  // A wire may have a free end, where its halves follow each other.
+  const bool tip_kept = h_next == o, tip_gone = o_next == h;
+  for (Halfedge side : {h, o}) {
+    const Face f = m.face(side);
+    if (f) replace_start(edit, f, side, m.next(side));
+  }
+  if (!tip_kept && !tip_gone) {
+    edit.connect(h_prev, h_next);
+    edit.connect(o_prev, o_next);
+  } else {
+    edit.connect(tip_kept ? h_prev : o_prev, tip_kept ? o_next : h_next);
+  }
+  if (left_two_gon) close_two_gon(edit, h_prev, h_next, effect);
+  if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
+  edit.remove(edge(h));
+  return tip_kept ? o_next : h_next;
+}
 
 }  // namespace
 
@@ -137,5 +227,120 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   });
   return effect;
 }
+
+namespace {
+
+// Many edges collapsed one after another: the same mesh as by one call each, at the cost of the smaller end of each
+// edge.
+//
+// By itself a call looks at both ends and renames the halfedges of the one that goes, which is quadratic where one
+// vertex meets all others. Here the smaller of two ends takes over the slot of the larger, and the number that the
+// vertex goes by is kept beside it until the end. n edges cost n log n looks at halfedges.
+class CollapseSeries : public OneByOne {
+ public:
+  explicit CollapseSeries(Edit& edit) : OneByOne(edit) {}
+
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    return std::get<CollapseEdge>(op).broken_rule(mesh(), known_);
+  }
+  void apply(const AnyOp& any) override {
+    const CollapseEdge& op = std::get<CollapseEdge>(any);
+    const Mesh& m = mesh();
+    const Halfedge h = op.directed(m, known_);
+    const Vertex gone = m.from(h), kept = m.to(h);
+    std::optional<glm::dvec3> moved;
+    if (op.place != CollapseEdge::Place::automatic) moved = op.position(m);
+    if (!corner_attributes(m).empty())
+      blend_corners(edit_, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1);
+    known_.collapses(m, h);
+    join(h, moved);
+  }
+  Vertex number(Vertex slot) const override {
+    const auto found = numbers_.find(slot);
+    return found == numbers_.end() ? slot : found->second;
+  }
+  // Gives the vertices their numbers. Until then the mesh has others.
+  void finish() override {
+    for (const auto& [slot, stays] : numbers_) {
+      if (slot == stays) continue;
+      for (const Halfedge g : outgoing(mesh(), slot)) edit_.set_from(g, stays);
+      edit_.set_halfedge(stays, mesh().halfedge(slot));
+      edit_.set_position(stays, mesh().position(slot));
+      edit_.remove(slot);
+    }
+    known_ = {};
+    numbers_.clear();
+    gaps_.clear();
+  }
+
+ private:
+  const Mesh& mesh() const { return edit_.mesh(); }
+  std::uint32_t gaps(Vertex v) {
+    const auto [count, is_new] = gaps_.try_emplace(v, 0);
+    if (!is_new) return count->second;
+    for (const Halfedge g : outgoing(mesh(), v)) count->second += mesh().is_outside(g);
+    return count->second;
+  }
+  bool kept_is_smaller(Halfedge h) const {
+    for (Halfedge g = h, k = twin(h);;) {
+      g = mesh().counter_clockwise(g);
+      k = mesh().counter_clockwise(k);
+      if (g == h) return false;
+      if (k == twin(h)) return true;
+    }
+  }
+  // The gap where the two ends have one between them, as it will be when the edge and the triangles at it are gone.
+  Halfedge only_gap_left(Halfedge h) const {
+    const Mesh& m = mesh();
+    const Halfedge at_kept = m.halfedge(m.to(h)), at_gone = m.halfedge(m.from(h));
+    if (at_kept != twin(h) && m.is_outside(at_kept)) return at_kept;
+    // A side that vanishes with its triangle hands its gap to the other one.
+    return !m.is_outside(h) && is_triangle(m, h) && at_gone == twin(m.prev(h)) ? m.next(h) : at_gone;
+  }
+  // As the call by itself has it, which goes around counter-clockwise and takes the last.
+  Halfedge first_gap_clockwise(Halfedge from) const {
+    for (Halfedge g = mesh().clockwise(from); g != from; g = mesh().clockwise(g))
+      if (mesh().is_outside(g)) return g;
+    return from;
+  }
+  void join(Halfedge h, std::optional<glm::dvec3> moved) {
+    const Mesh& m = mesh();
+    const Halfedge o = twin(h);
+    const Vertex gone = m.from(h), kept = m.to(h);
+    const std::uint32_t gaps_left = gaps(gone) + gaps(kept) - m.is_outside(h) - m.is_outside(o);
+    Halfedge hold;
+    if (gaps_left == 0 && m.halfedge(kept) != o) hold = m.halfedge(kept);
+    if (gaps_left == 1 && !m.is_wire(edge(h))) hold = only_gap_left(h);
+    const bool moves_in = !known_.has_several_fans(m, kept) && kept_is_smaller(h);
+    const Vertex slot = moves_in ? gone : kept, other = moves_in ? kept : gone;
+    std::vector<Halfedge> renamed;
+    for (const Halfedge g : outgoing(m, other)) renamed.push_back(g);
+
+    OpEffect unheard;
+    const Halfedge some = take_edge_out(edit_, h, unheard);
+    for (const Halfedge g : renamed)
+      if (m.is_alive(g)) edit_.set_from(g, slot);
+    if (!hold) hold = gaps_left == 0 ? some : first_gap_clockwise(some);
+    edit_.set_halfedge(slot, hold);
+    move_point(edit_, slot, moved ? *moved : m.position(kept));
+    give_number(slot, other, number(kept));
+    gaps_.erase(other);
+    gaps_[slot] = gaps_left;
+  }
+  void give_number(Vertex slot, Vertex other, Vertex stays) {
+    for (const Vertex v : {other, number(slot), number(other)})
+      if (v != slot && v != stays && mesh().is_alive(v)) edit_.remove(v);
+    numbers_.erase(other);
+    numbers_[slot] = stays;
+  }
+
+  LocalFacts known_;
+  std::unordered_map<Vertex, Vertex> numbers_;      // by slot, where it is another
+  std::unordered_map<Vertex, std::uint32_t> gaps_;  // outside halfedges that leave it, by slot
+};
+
+}  // namespace
+
+std::unique_ptr<OpSeries> collapses_in_series(Edit& edit) { return std::make_unique<CollapseSeries>(edit); }
 
 }  // namespace ryosen

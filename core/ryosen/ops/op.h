@@ -15,6 +15,8 @@
 // them. tests/property/laws_test.cpp has a row for each such line and each inverse.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -36,7 +38,7 @@ namespace ryosen {
 // edge or face under the pointer, whichever is picked; the other two are none.
 enum class OpTargetKind { none, vertex, edge, face, selection, any };
 
-// What an operator is for (groups.h).
+// What an operator is for (op_groups, all.h).
 enum class OpGroup { refine, join, fill, orient, euler };
 
 // Whether an operator may change how many boundaries, wires, parts and handles there are (B, W, I, S, G), or nothing
@@ -119,7 +121,12 @@ struct OpTarget {
   bool is_small = false;  // on the screen; the thirds of the edge are not told apart
 
   // The parameter to put something at: the middle from near by, else the nearest tenth; where free, of a thousand.
-  double snapped_along() const;
+  double snapped_along() const {
+    constexpr double near_middle = 0.08;
+    const double parts = is_free ? 1000 : 10;
+    if (!is_free && std::abs(along - 0.5) < near_middle) return 0.5;
+    return std::clamp(std::round(along * parts), 1.0, parts - 1) / parts;
+  }
 };
 
 // What an operator did. `changed` holds the faces whose corners changed, including new ones.

@@ -29,8 +29,14 @@ class OpSeries {
 class OneByOne : public OpSeries {
  public:
   explicit OneByOne(Edit& edit) : edit_(edit) {}
-  std::optional<Rule> broken_rule(const AnyOp& op) override;
-  std::optional<Rule> doubt(const AnyOp& op) override;
+  std::optional<Rule> broken_rule(const AnyOp& op) override {
+    const Verdict verdict = check(edit_.mesh(), op);
+    return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  }
+  std::optional<Rule> doubt(const AnyOp& op) override {
+    const std::vector<Reason> doubts = warnings(edit_.mesh(), op);
+    return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);
+  }
   void apply(const AnyOp& op) override { ryosen::apply(edit_, op); }
 
  protected:
@@ -38,6 +44,8 @@ class OneByOne : public OpSeries {
 };
 
 // The one that the row of the operator names, else each call by itself.
-std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit);
+inline std::unique_ptr<OpSeries> series_of(const OpInfo& op, Edit& edit) {
+  return op.in_series ? op.in_series(edit) : std::make_unique<OneByOne>(edit);
+}
 
 }  // namespace ryosen

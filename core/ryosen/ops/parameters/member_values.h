@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ryosen/base/element.h"
-#include "ryosen/ops/parameters/argument_reader.h"
+#include "ryosen/ops/parameters/op_line.h"
 #include "ryosen/ops/parameters/op_parameter.h"
 
 namespace ryosen::parameters {

@@ -4,7 +4,6 @@
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/ops/collapse_edge.h"
-#include "ryosen/ops/rules/common_neighbours.h"
 #include "ryosen/ops/rules/plain_check.h"
 
 namespace ryosen {

@@ -1,6 +1,7 @@
 // A cache of answers to questions about the edges of a mesh, for asking about many.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -11,6 +12,11 @@
 
 namespace ryosen {
 
+// How far a question about an edge goes: whether a face or hole at the edge of the operator has more than `most` sides
+// or, for a collapse, more edges than that meet at one of its ends, over all copies. False for operators on other
+// elements. O(most).
+bool reaches_further(const Mesh& mesh, const AnyOp& op, std::size_t most);
+
 struct Answer {
   Verdict verdict;
   std::vector<Reason> warnings;
@@ -19,8 +25,8 @@ struct Answer {
 // Valid while the mesh does not change. An edge with the same subject (op.h) as one before costs the size of its
 // answer, unless that names the edge or, along a cycle, has several reasons. All questions must be about the same
 // operator without further arguments, and with the same `geometry`. One whose subject is the edge alone and that
-// reaches further than 400 sides or edges (reach.h) gets the warning shape_unseen instead of those about its shape, or
-// n of them would cost n squared.
+// reaches further than 400 sides or edges gets the warning shape_unseen instead of those about its shape, or n of them
+// would cost n squared.
 class KnownAnswers {
  public:
   // With the warnings of a preview, or with none. The mesh is byte-equal afterwards.

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/preview/shape_warnings.h"
 #include "ryosen/ops/rules/crossings.h"
 
 namespace ryosen {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ryosen/ops/all.h"
-#include "ryosen/ops/preview/ghost_face.h"
+#include "ryosen/ops/preview/shape_warnings.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/preview/reach.h"
+#include "ryosen/ops/preview/known_answers.h"
 
 namespace ryosen {
 

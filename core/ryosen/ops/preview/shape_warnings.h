@@ -6,9 +6,16 @@
 #include <vector>
 
 #include "ryosen/base/verdict.h"
-#include "ryosen/ops/preview/ghost_face.h"
+#include "ryosen/mesh/face_polygon.h"
 
 namespace ryosen {
+
+// A face that would be new or different, as it would lie.
+struct GhostFace {
+  Face face;
+  FacePolygon polygon;
+  std::vector<Vertex> vertices = {};  // of its corners
+};
 
 // Pairs of different points at one place that are corners of one of the faces or joined by an edge at one of the
 // vertices, the lower number first; ascending. With an isolated vertex any point may make a pair, where the mesh has at

@@ -5,7 +5,6 @@
 #include <array>
 #include <vector>
 
-#include "ryosen/base/verdict.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/local_facts.h"
@@ -56,8 +55,5 @@ struct CollapsePlace {
   std::vector<Halfedge> smaller_;  // what begins at the end of lower valence, over all copies
   Vertex beyond_;                  // the other end
 };
-
-// Refuses a collapse that gives two faces the same points; nothing else may be in the way of it.
-void check_duplicates(const CollapsePlace& place, Verdict& verdict);
 
 }  // namespace ryosen

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "ryosen/mesh/prefetch.h"
-#include "ryosen/ops/rules/common_neighbours.h"
 
 namespace ryosen {
 

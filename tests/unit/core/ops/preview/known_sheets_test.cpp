@@ -1,4 +1,4 @@
-#include "ryosen/ops/preview/known_sheets.h"
+#include "ryosen/ops/preview/remedy_candidates.h"
 
 #include <gtest/gtest.h>
 

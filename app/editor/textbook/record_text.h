@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ryosen/base/message.h"
-#include "ryosen/textbook/forms/record.h"
+#include "ryosen/textbook/forms/form.h"
 
 namespace ryosen {
 

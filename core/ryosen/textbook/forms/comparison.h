@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ryosen/textbook/forms/all.h"
+#include "ryosen/textbook/forms/form.h"
 #include "ryosen/textbook/forms/pairing.h"
 #include "ryosen/textbook/forms/source_operators.h"
 
@@ -70,5 +71,22 @@ std::string duration_text(double seconds);
 
 // How many of the first faces a method can pair within `steps` steps.
 std::size_t faces_within(const IndexedMesh& source, const PairingMethod& method, double steps);
+
+// Elements to ask the forms of a mesh about, the same for every form: up to 256 random vertices, edges by their ends,
+// and faces, in the numbers of the forms. The same for the same mesh.
+struct Questions {
+  explicit Questions(const Mesh& mesh);
+
+  std::vector<std::uint32_t> vertices, faces;
+  std::vector<EdgeEnds> edges;
+};
+
+// A form's handles of these edges, as many as can be found within the time, but at least one where there is one.
+std::vector<std::uint32_t> handles_of(const Form& form, const std::vector<EdgeEnds>& edges, double seconds);
+
+// Seconds per query, of the fastest of several rounds; each takes at least an eighth of `seconds`. None where the form
+// cannot answer, or nothing is asked.
+std::optional<double> time_per_query(const Form& form, Relation relation, const std::vector<std::uint32_t>& elements,
+                                     double seconds);
 
 }  // namespace ryosen::forms

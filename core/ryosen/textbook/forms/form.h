@@ -8,17 +8,21 @@
 
 #include <compare>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "ryosen/base/element.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/base/message.h"
+#include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/textbook/forms/record.h"
 
 namespace ryosen::forms {
 
@@ -70,6 +74,42 @@ struct Answer {
   }
 };
 
+// A field of the record that a form stores of one element, in the order of the source text's table, with the text's own
+// words: a link to an element, several, or places. In what a form returns the links hold the form's own numbers; in
+// what Records (records.h) returns they hold slots of the mesh. A link without an index leads nowhere.
+struct Field {
+  std::string_view key;   // Ryosen's word, the same in every form
+  std::string_view word;  // the source text's
+  bool is_list = false;   // whether it holds a list of links; places are one of a vertex, or several
+  std::vector<Element> links;
+  std::vector<glm::dvec3> places;
+  // The stored value of each link; nullopt for none. Differs from the link's number where the form codes it.
+  std::vector<std::optional<std::int64_t>> stored;
+};
+using Fields = std::vector<Field>;
+
+inline std::optional<std::int64_t> stored_number(std::uint32_t number) {
+  return number == no_index ? std::nullopt : std::optional<std::int64_t>(number);
+}
+
+template <class Handle>
+Field link(std::string_view key, std::string_view word, Handle to) {
+  return {key, word, false, {Element(to)}, {}, {stored_number(to.index)}};
+}
+template <class Handle>
+Field links(std::string_view key, std::string_view word, const std::vector<Handle>& to) {
+  Field field{key, word, true, {}, {}, {}};
+  for (const Handle one : to) {
+    field.links.push_back(Element(one));
+    field.stored.push_back(stored_number(one.index));
+  }
+  return field;
+}
+inline Field place(std::string_view word, const glm::dvec3& at) { return {"position", word, false, {}, {at}, {}}; }
+inline Field places(std::string_view word, std::vector<glm::dvec3> at) {
+  return {"positions", word, true, {}, std::move(at), {}};
+}
+
 class Form {
  public:
   virtual ~Form() = default;
@@ -104,6 +144,25 @@ bool answer_by_element(Relation relation, Answer& out, const AboutVertex& about_
       break;
   }
   return true;
+}
+
+// Answers about a vertex of a form that stores no link from it, by a search through the sides of all faces. Fills
+// `out`, which is empty, for a relation that asks about a vertex. for_each_side(visit) calls visit(face, ends) for
+// every side of every face. O(sides).
+template <class ForEachSide>
+void answer_by_all_sides(Relation relation, std::uint32_t v, ForEachSide for_each_side, Answer& out) {
+  for_each_side([&](std::uint32_t f, EdgeEnds ends) {
+    if (ends.a != v && ends.b != v) return;
+    if (relation == Relation::vertex_faces)
+      out.numbers.push_back(f);
+    else if (relation == Relation::vertex_edges)
+      out.edges.push_back(ends);
+    else
+      out.numbers.push_back(ends.a == v ? ends.b : ends.a);
+  });
+  sort_unique(out.numbers);
+  sort_unique(out.edges);
+  if (relation == Relation::valence) out.numbers = {static_cast<std::uint32_t>(out.numbers.size())};
 }
 
 // What a form requires of a mesh; a combination of bits.

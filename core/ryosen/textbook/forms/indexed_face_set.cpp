@@ -4,7 +4,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/indexed/from_indexed.h"
-#include "ryosen/textbook/forms/side_search.h"
+#include "ryosen/textbook/forms/form.h"
 
 namespace ryosen::forms {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/forms/side_search.h"
+#include "ryosen/textbook/forms/form.h"
 #include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {

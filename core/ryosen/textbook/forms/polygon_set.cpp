@@ -1,7 +1,6 @@
 #include "ryosen/textbook/forms/polygon_set.h"
 
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/forms/same_places.h"
 
 namespace ryosen::forms {
 

@@ -2,10 +2,14 @@
 // sides.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen::forms {
@@ -55,6 +59,24 @@ std::vector<std::uint32_t> corners_across(const Mesh& mesh);
 
 // The mesh of polygons with their sides joined as given by `across`; at most one fan of faces at each vertex.
 Mesh mesh_from_sides(const Polygons& polygons, const std::vector<std::uint32_t>& across);
+
+// The mesh of polygons that are given by coordinates alone. Corners with equal coordinates are one point, numbered by
+// the first of them; +0 and -0 are equal. `polygons` is a range of ranges of places, all finite. O(n log n).
+template <class Places>
+Mesh mesh_from_places(const Places& polygons) {
+  IndexedMesh list;
+  std::map<std::array<double, 3>, std::uint32_t> number;
+  for (const auto& polygon : polygons) {
+    for (const glm::dvec3& p : polygon) {
+      const auto [found, is_new] =
+          number.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(list.positions.size()));
+      if (is_new) list.positions.push_back(p);
+      list.corners.push_back(found->second);
+    }
+    list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
+  }
+  return from_indexed(std::move(list));
+}
 
 // The mesh without its dead slots, with copies and rings unchanged; without attributes.
 Mesh without_gaps(const Mesh& mesh, const Numbering& numbers);

@@ -11,6 +11,7 @@
 
 #include "ryosen/base/message.h"
 #include "ryosen/base/progress.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/textbook/forms/form.h"
 
 namespace ryosen::forms {
@@ -44,6 +45,20 @@ std::optional<double> slope_of_time(const GrowthCurve& curve);
 
 // With two decimals; "-" for none.
 std::string slope_text(std::optional<double> slope);
+
+// What one collapse costs, in one of the ways in which an edge collapses here.
+struct CollapseFigures {
+  double count = 0;    // of links followed, list entries compared, or cells written; the mean
+  double seconds = 0;  // the least: other load only makes it slower
+};
+
+struct CollapseWay {
+  std::string_view id, en, ja;
+  // Over several edges that may collapse; none where the mesh has none, or the form cannot hold it.
+  std::optional<CollapseFigures> (*measure)(const Mesh& mesh);
+};
+// Text 000's listing with its lists of vertices and faces, the same with arrays in their place, and the kernel.
+std::span<const CollapseWay> collapse_ways();
 
 struct GrowthEffort {
   std::size_t most_faces = 60'000;

@@ -18,14 +18,4 @@ Asked asked_about(const Mesh& mesh, const RelationRow& row, Element element);
 // no vertices, places alone: then it tells nothing. The form must be suitable.
 bool answer_by_records(RecordReader& reader, const Asked& asked, Answer& out);
 
-// What it does for the kinds of forms.
-void answer_by_search(RecordReader& reader, const Asked& asked, Answer& out);
-void answer_by_faces(RecordReader& reader, const Asked& asked, Answer& out);
-void answer_by_wings(RecordReader& reader, const Asked& asked, Answer& out);
-void answer_by_links(RecordReader& reader, const Asked& asked, Answer& out);
-
-// The halfedge by which a form with halfedges reaches an edge: what the edge's record says, else the one that it
-// numbers.
-std::uint32_t side_of_edge(RecordReader& reader, Edge e);
-
 }  // namespace ryosen::forms

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "ryosen/textbook/forms/dcel_records.h"
+#include "ryosen/textbook/forms/dcel.h"
 
 namespace ryosen {
 

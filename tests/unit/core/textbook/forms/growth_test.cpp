@@ -12,7 +12,6 @@
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/textbook/forms/all.h"
-#include "ryosen/textbook/forms/growth/collapse.h"
 #include "ryosen/textbook/forms/growth/meshes.h"
 #include "ryosen/textbook/forms/pairing.h"
 #include "tests/support/core/shapes.h"

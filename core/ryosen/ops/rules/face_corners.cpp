@@ -5,6 +5,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/op.h"
 
 namespace ryosen {
 

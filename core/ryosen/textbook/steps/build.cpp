@@ -3,7 +3,6 @@
 #include <map>
 
 #include "ryosen/textbook/steps/mesh_rows.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/side_list.h"
 #include "ryosen/textbook/steps/sources.h"

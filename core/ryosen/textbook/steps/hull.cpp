@@ -5,7 +5,6 @@
 #include "ryosen/hull/projection.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/textbook/steps/hull_sequence.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 
 namespace ryosen::steps {

@@ -2,7 +2,7 @@
 
 #include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/steps/mesh_rows.h"
-#include "ryosen/textbook/steps/player_parts.h"
+#include "ryosen/textbook/steps/players.h"
 
 namespace ryosen::steps {
 

@@ -7,7 +7,6 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/textbook/forms/pairing.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/side_list.h"
 #include "ryosen/textbook/steps/sources.h"

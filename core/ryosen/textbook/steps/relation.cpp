@@ -3,7 +3,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/reading/relation_answer.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 

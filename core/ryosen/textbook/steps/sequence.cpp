@@ -62,27 +62,6 @@ void add_marks(const std::vector<Element>& elements, const std::vector<StoredRec
 
 }  // namespace
 
-Text text_of(const Delta& delta) {
-  std::string changes;
-  const auto add = [&](char letter, std::int64_t by) {
-    if (by == 0) return;
-    changes += changes.empty() ? "" : ", ";
-    changes += letter;
-    changes += (by > 0 ? " + " : " - ") + std::to_string(by > 0 ? by : -by);
-  };
-  add('V', delta.v);
-  add('E', delta.e);
-  add('F', delta.f);
-  add('B', delta.b.value_or(0));
-  add('W', delta.w);
-  add('I', delta.i);
-  add('H', delta.h);
-  add('S', delta.s);
-  add('G', delta.g.value_or(0));
-  if (changes.empty()) return {"no term changes", "どの項も変わらない"};
-  return {changes, changes};
-}
-
 RecordedSteps::RecordedSteps(Mesh mesh, std::vector<Step> steps, Text remark)
     : mesh_(std::move(mesh)), steps_(std::move(steps)), positions_(steps_.size(), 0), remark_(std::move(remark)) {}
 

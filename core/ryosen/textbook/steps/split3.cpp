@@ -10,7 +10,6 @@
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/steps/mesh_rows.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 

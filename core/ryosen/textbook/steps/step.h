@@ -5,15 +5,55 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ryosen/base/element.h"
+#include "ryosen/base/enum_table.h"
 #include "ryosen/base/message.h"
-#include "ryosen/textbook/steps/roles.h"
 
 namespace ryosen::steps {
+
+// What part an element takes in a step.
+enum class Role : std::uint8_t {
+  asked,
+  read,
+  compared,
+  answer,
+  created,
+  changed,
+  deleted,
+  missing,
+  visible,
+  horizon,
+  united,
+  l1,
+  l2,
+  l3,
+  l4,
+  l5,
+  l6,
+  l7,
+  l8,
+  l9,
+  l10
+};
+
+// How strongly and in which sense it is drawn; the colours are the frontend's.
+enum class RoleLook : std::uint8_t { main, quiet, good, bad, other };
+
+struct RoleRow {
+  Role role;
+  std::string_view id;
+  RoleLook look;
+  bool is_label;  // its id stands beside the element in the picture
+  std::string_view en, ja;
+};
+// The table of roles, in the order of the enum.
+std::span<const RoleRow> roles();
+inline const RoleRow& row_of(Role role) { return roles()[static_cast<std::size_t>(role)]; }
 
 // An element of the mesh of the step (Sequence::mesh_at), by its slot; it may be one that the step has deleted.
 struct Mark {

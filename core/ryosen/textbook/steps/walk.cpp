@@ -5,7 +5,6 @@
 
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/steps/link_walk.h"
-#include "ryosen/textbook/steps/player_parts.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 

@@ -1,12 +1,163 @@
 #include "ryosen/textbook/steps/hull/hull_steps.h"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
 
+#include "ryosen/base/count_text.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/textbook/steps/hull/planar_steps.h"
-#include "ryosen/textbook/steps/hull/solid_steps.h"
+#include "ryosen/textbook/steps/hull/step_builder.h"
 
 namespace ryosen {
+
+using forms::DcelRecords;
+
+std::string_view id_of(DcelChange::Table table) {
+  constexpr std::array<std::string_view, 3> ids{"vertex", "half_edge", "face"};
+  return ids[static_cast<std::size_t>(table)];
+}
+
+std::string_view id_of(DcelChange::Field field) {
+  constexpr std::array<std::string_view, 7> ids{"incident_edge", "origin", "twin",           "next",
+                                                "prev",          "face",   "outer_component"};
+  return ids[static_cast<std::size_t>(field)];
+}
+
+std::uint32_t& cell(DcelRecords& records, const DcelChange& change) {
+  const auto row_of = [&](auto& table) -> auto& {
+    if (change.row >= table.size()) table.resize(change.row + std::size_t{1});
+    return table[change.row];
+  };
+  if (change.table == DcelChange::Table::vertex) return records.vertices[change.row].incident_edge;
+  if (change.table == DcelChange::Table::face) return row_of(records.faces).outer_component;
+  DcelRecords::HalfEdgeRecord& h = row_of(records.half_edges);
+  switch (change.field) {
+    case DcelChange::Field::origin:
+      return h.origin;
+    case DcelChange::Field::twin:
+      return h.twin;
+    case DcelChange::Field::next:
+      return h.next;
+    case DcelChange::Field::prev:
+      return h.prev;
+    default:
+      return h.face;
+  }
+}
+
+void apply_changes(std::span<const DcelChange> changes, DcelRecords& records) {
+  for (const DcelChange& change : changes) cell(records, change) = change.new_value;
+}
+
+void take_back_changes(std::span<const DcelChange> changes, std::size_t half_edge_rows, std::size_t face_rows,
+                       DcelRecords& records) {
+  for (auto change = changes.rbegin(); change != changes.rend(); ++change) cell(records, *change) = change->old_value;
+  records.half_edges.resize(half_edge_rows);
+  records.faces.resize(face_rows);
+}
+
+DcelRecords in_use(const DcelRecords& records) {
+  using Index = std::uint32_t;
+  std::vector<Index> half_edge(records.half_edges.size(), no_index), face(records.faces.size(), no_index);
+  DcelRecords kept;
+  kept.vertices = records.vertices;
+  for (Index h = 0; h < half_edge.size(); ++h) {
+    if (records.half_edges[h].origin == no_index) continue;
+    half_edge[h] = static_cast<Index>(kept.half_edges.size());
+    kept.half_edges.push_back(records.half_edges[h]);
+  }
+  for (Index f = 0; f < face.size(); ++f) {
+    if (records.faces[f].outer_component == no_index) continue;
+    face[f] = static_cast<Index>(kept.faces.size());
+    kept.faces.push_back(records.faces[f]);
+  }
+  const auto renumber = [](Index& link, const std::vector<Index>& number) {
+    if (link != no_index) link = number[link];
+  };
+  for (auto& v : kept.vertices) renumber(v.incident_edge, half_edge);
+  for (auto& h : kept.half_edges) {
+    for (Index* const link : {&h.twin, &h.next, &h.prev}) renumber(*link, half_edge);
+    renumber(h.face, face);
+  }
+  for (auto& f : kept.faces) renumber(f.outer_component, half_edge);
+  return kept;
+}
+
+namespace {
+
+Text text_of_begin(const HullStep& step) {
+  if (step.is_planar)
+    return {"Three points that are not on a line make the first triangle.",
+            "一直線上にない 3 点で最初の三角形を作ります。"};
+  return {"Four points that span space make the first four faces.", "空間を張る 4 点で最初の 4 面を作ります。"};
+}
+
+// Why the point changes nothing.
+Text text_of_rest(const HullStep& step, const std::string& witness) {
+  const std::string p = std::to_string(step.point);
+  if (step.kind == HullStep::Kind::equal)
+    return {"Point " + p + " lies at the place of vertex " + witness + ": it changes nothing.",
+            "点 " + p + " は頂点 " + witness + " と同じ位置にあるため、何も変わりません。"};
+  const bool is_inside = step.kind == HullStep::Kind::inside;
+  if (step.is_planar)
+    return is_inside
+               ? Text{"Point " + p + " sees no edge: it lies inside and changes nothing.",
+                      "点 " + p + " からはどの稜線も見えません。内部にあるため何も変わりません。"}
+               : Text{"Point " + p + " sees no edge and lies on the line of edge " + witness + ": it changes nothing.",
+                      "点 " + p + " からはどの稜線も見えず、稜線 " + witness +
+                          " の直線上にあるため、何も変わりません。"};
+  return is_inside
+             ? Text{"Point " + p + " sees no face: it lies inside and changes nothing.",
+                    "点 " + p + " からはどの面も見えません。内部にあるため何も変わりません。"}
+             : Text{"Point " + p + " sees no face and lies in the plane of face " + witness + ": it changes nothing.",
+                    "点 " + p + " からはどの面も見えず、面 " + witness + " の平面上にあるため、何も変わりません。"};
+}
+
+// How many of the made elements go with another one.
+std::size_t count_united(const HullStep& step) {
+  std::set<std::uint32_t> united;
+  for (const auto& [one, other] : step.united) united.insert({one, other});
+  return static_cast<std::size_t>(
+      std::count_if(step.made.begin(), step.made.end(), [&](std::uint32_t made) { return united.contains(made); }));
+}
+
+Text text_of_extending(const HullStep& step) {
+  const std::string p = std::to_string(step.point), seen = std::to_string(step.seen.size()),
+                    horizon = std::to_string(step.horizon.size());
+  const bool is_one = step.seen.size() == 1;
+  Text text;
+  if (step.is_planar) {
+    text = {"Point " + p + " sees " + seen + (is_one ? " edge: it goes" : " edges: they go") +
+                ", and each end of this chain is joined to it by an edge.",
+            "点 " + p + " から稜線 " + seen + " 本が見えます。それらを削除し、その両端を点と稜線で結びます。"};
+    if (!step.united.empty())
+      text = text + count_text(count_united(step),
+                               " One of these lies on the line of the edge beside it, and is one edge with it.",
+                               " # of these lie on the line of the edge beside them, and are one edge with it.",
+                               "うち # 本は隣の稜線と一直線上にあり、一本の稜線にまとまります。");
+    return text;
+  }
+  text = {"Point " + p + " sees " + seen + (is_one ? " face: it goes" : " faces: they go") + ", and each of the " +
+              horizon + " edges of the horizon makes a face with it.",
+          "点 " + p + " から面 " + seen + " 枚が見えます。それらを削除し、ホライゾンの稜線 " + horizon +
+              " 本のそれぞれと点を結んで新しい面を作ります。"};
+  if (!step.united.empty())
+    text = text + count_text(count_united(step),
+                             " One of them lies in the plane of its neighbour, and is one facet with it.",
+                             " # of them lie in the plane of their neighbour, and are one facet with it.",
+                             "うち # 枚は隣の面と同一平面上にあり、一枚の面にまとまります。");
+  return text;
+}
+
+}  // namespace
+
+Text caption(const HullStep& step, const std::string& witness) {
+  if (step.kind == HullStep::Kind::begin) return text_of_begin(step);
+  return step.kind == HullStep::Kind::extend
+             ? text_of_extending(step)
+             : text_of_rest(step, witness.empty() ? std::to_string(step.witness) : witness);
+}
 
 HullSteps::HullSteps(std::span<const glm::dvec3> points, HullOrder order, std::uint64_t seed) : points_(points) {
   const auto count = static_cast<std::uint32_t>(points.size());
@@ -20,8 +171,8 @@ HullSteps::HullSteps(std::span<const glm::dvec3> points, HullOrder order, std::u
   std::erase_if(numbers, [&](std::uint32_t i) { return !is_finite(points[i]); });
   const hull::FirstPoints first = hull::first_points(points, numbers);
   dimension_ = first.dimension;
-  if (dimension_ == 2) builder_ = std::make_unique<hull::PlanarSteps>(points, order, std::move(numbers), first);
-  if (dimension_ == 3) builder_ = std::make_unique<hull::SolidSteps>(points, order, std::move(numbers), first);
+  if (dimension_ == 2) builder_ = hull::planar_steps(points, order, std::move(numbers), first);
+  if (dimension_ == 3) builder_ = hull::solid_steps(points, order, std::move(numbers), first);
 }
 
 HullSteps::~HullSteps() = default;

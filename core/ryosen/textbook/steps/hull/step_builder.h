@@ -114,4 +114,11 @@ class StepBuilder {
   std::priority_queue<Candidate> heap_;
 };
 
+// The steps in a plane: one face, whose half-edges are what points see.
+std::unique_ptr<StepBuilder> planar_steps(std::span<const glm::dvec3> points, HullOrder order,
+                                          std::vector<std::uint32_t> numbers, const FirstPoints& first);
+// In space: faces are triangles.
+std::unique_ptr<StepBuilder> solid_steps(std::span<const glm::dvec3> points, HullOrder order,
+                                         std::vector<std::uint32_t> numbers, const FirstPoints& first);
+
 }  // namespace ryosen::hull

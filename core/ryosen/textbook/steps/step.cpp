@@ -1,6 +1,7 @@
-#include "ryosen/textbook/steps/roles.h"
+#include "ryosen/textbook/steps/step.h"
 
 #include <array>
+#include <string>
 
 namespace ryosen::steps {
 
@@ -36,5 +37,26 @@ static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 }  // namespace
 
 std::span<const RoleRow> roles() { return role_rows; }
+
+Text text_of(const Delta& delta) {
+  std::string changes;
+  const auto add = [&](char letter, std::int64_t by) {
+    if (by == 0) return;
+    changes += changes.empty() ? "" : ", ";
+    changes += letter;
+    changes += (by > 0 ? " + " : " - ") + std::to_string(by > 0 ? by : -by);
+  };
+  add('V', delta.v);
+  add('E', delta.e);
+  add('F', delta.f);
+  add('B', delta.b.value_or(0));
+  add('W', delta.w);
+  add('I', delta.i);
+  add('H', delta.h);
+  add('S', delta.s);
+  add('G', delta.g.value_or(0));
+  if (changes.empty()) return {"no term changes", "どの項も変わらない"};
+  return {changes, changes};
+}
 
 }  // namespace ryosen::steps

@@ -47,7 +47,6 @@ constinit const OpInfo Delete::info{
     .line = {.lists = {delete_vertex, delete_edge, delete_face}},
     .help_en = "deletes the faces at a vertex or edge, a face, or a wire, and what becomes unused",
     .help_ja = "頂点・稜線に接する面、面、面のない稜線を、不要になる要素とともに削除する",
-    .key = '\0',
     .target = OpTargetKind::any,
     .group = OpGroup::fill,
     .aliases = "remove",

@@ -27,7 +27,6 @@ constinit const OpInfo Detach::info{.id = "detach",
                                     .line = {.lists = {detach_parameters}},
                                     .help_en = "separates a sheet, or the named faces, from all other faces",
                                     .help_ja = "シート、または指定した面を独立した点に切り離す",
-                                    .key = '\0',
                                     .target = OpTargetKind::face,
                                     .group = OpGroup::join,
                                     .on_selection = OnSelection::all};
@@ -99,10 +98,7 @@ Vertex split_point(Edit& edit, Sheets& sheets, Vertex p, const FaceSet& faces) {
 
 Verdict Detach::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
-  for (Face f : faces)
-    if (is_gone(mesh, f, verdict)) return verdict;
-  if (!verdict.legal()) return verdict;
+  if (any_is_gone(mesh, faces, verdict)) return verdict;
   if (shared_points(mesh, faces_meant(mesh, faces)).empty()) verdict.refuse(Rule::detached, {faces[0]});
   return verdict;
 }

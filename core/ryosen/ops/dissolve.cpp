@@ -31,7 +31,6 @@ constinit const OpInfo Dissolve::info{
     .line = {.lists = {dissolve_parameters}},
     .help_en = "unites the faces at an edge or around a vertex, or all that are selected side by side",
     .help_ja = "稜線の両側または頂点の周りの面、または隣り合う選択面をすべて一つにまとめる",
-    .key = '\0',
     .target = OpTargetKind::edge,
     .group = OpGroup::join,
     .topology = Topology::kept,

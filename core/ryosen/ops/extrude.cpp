@@ -60,7 +60,6 @@ constinit const OpInfo Extrude::info{
     .help_en =
         "moves faces together along their mean normal or by X,Y,Z and connects their border to its old place by walls",
     .help_ja = "面をまとめて平均の法線方向または X,Y,Z だけ動かし、まとまりの境界の稜線を元の位置と側面でつなぐ",
-    .key = '\0',
     .target = OpTargetKind::face,
     .group = OpGroup::refine,
     .on_selection = OnSelection::all,
@@ -126,10 +125,7 @@ glm::dvec3 Extrude::movement(const Mesh& mesh) const {
 
 Verdict Extrude::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
-  for (Face f : faces)
-    if (is_gone(mesh, f, verdict)) return verdict;
-  if (verdict.legal()) refuse_duplicates(mesh, Region(mesh, faces), verdict);
+  if (!any_is_gone(mesh, faces, verdict)) refuse_duplicates(mesh, Region(mesh, faces), verdict);
   return verdict;
 }
 

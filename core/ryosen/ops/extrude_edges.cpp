@@ -79,7 +79,6 @@ constinit const OpInfo ExtrudeEdges::info{
     .help_en =
         "moves copies of edges together, away from their faces or by X,Y,Z, and connects each to its edge by a face",
     .help_ja = "稜線の複製をまとめて面から離れる方向または X,Y,Z だけ動かし、元の稜線と面でつなぐ",
-    .key = '\0',
     .target = OpTargetKind::edge,
     .group = OpGroup::refine,
     .on_selection = OnSelection::all,
@@ -340,10 +339,7 @@ glm::dvec3 ExtrudeEdges::movement(const Mesh& mesh) const {
 
 Verdict ExtrudeEdges::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (edges.empty()) verdict.refuse(Rule::deleted, {Edge()});
-  for (Halfedge h : edges)
-    if (is_gone(mesh, h, verdict)) return verdict;
-  if (!verdict.legal()) return verdict;
+  if (any_is_gone(mesh, edges, verdict)) return verdict;
   for (Halfedge side : sides_of(mesh, edges))
     for (Halfedge sheet : sheets_between(mesh, mesh.from(side), mesh.to(side)))
       if (is_bridge(mesh, sheet)) verdict.refuse(Rule::same_face, {edge(sheet), mesh.face(sheet)});

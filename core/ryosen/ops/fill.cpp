@@ -32,7 +32,6 @@ constinit const OpInfo Fill::info{.id = "fill",
                                   .line = {.lists = {fill_parameters}, .normalise = turn_to_hole},
                                   .help_en = "puts one face on the hole at a boundary edge",
                                   .help_ja = "境界稜線 A-B の穴に一枚の面を張る",
-                                  .key = '\0',
                                   .target = OpTargetKind::edge,
                                   .group = OpGroup::fill,
                                   .subject = Subject::cycle,
@@ -53,10 +52,7 @@ Fill Fill::of_edge(const Mesh& mesh, Halfedge h) {
   return {!mesh.is_outside(h) && mesh.is_outside(twin(h)) ? twin(h) : h};
 }
 
-Fill Fill::at(const Mesh& mesh, const OpTarget& target) {
-  const Halfedge h = target.halfedge;
-  return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
-}
+Fill Fill::at(const Mesh& mesh, const OpTarget& target) { return {outside_side(mesh, target.halfedge)}; }
 
 Verdict Fill::check(const Mesh& mesh) const {
   Verdict verdict;

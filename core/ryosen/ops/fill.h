@@ -26,7 +26,6 @@ struct Fill : OnHalfedge<Fill> {
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const Fill&) const = default;
 };
 
 }  // namespace ryosen

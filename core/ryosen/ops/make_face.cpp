@@ -30,7 +30,6 @@ constinit const OpInfo MakeFace::info{.id = "make_face",
                                       .line = {.lists = {make_face_parameters}},
                                       .help_en = "makes a face on three or more vertices, counter-clockwise",
                                       .help_ja = "三つ以上の頂点に反時計回りに面を張る",
-                                      .key = '\0',
                                       .target = OpTargetKind::selection,
                                       .group = OpGroup::fill,
                                       .on_selection = OnSelection::all};

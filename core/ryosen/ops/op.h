@@ -83,7 +83,7 @@ struct OpInfo {
   std::string_view name_en, name_ja;
   OpLine line = {};
   std::string_view help_en, help_ja;
-  char key;  // selects the tool in the editor
+  char key = '\0';  // selects the tool in the editor
   OpTargetKind target;
   OpGroup group;
   std::string_view aliases = "";  // further ids, separated by spaces
@@ -131,9 +131,9 @@ struct OpTarget {
 
 // What an operator did. `changed` holds the faces whose corners changed, including new ones.
 struct OpEffect {
-  std::vector<Element> created;
-  std::vector<Element> deleted;
-  std::vector<Face> changed;
+  std::vector<Element> created = {};
+  std::vector<Element> deleted = {};
+  std::vector<Face> changed = {};
 };
 
 // Whether an element is not none, in range and alive.
@@ -151,6 +151,20 @@ bool is_gone(const Mesh& mesh, Handle element, Verdict& verdict) {
   else
     verdict.refuse(Rule::deleted, {element});
   return true;
+}
+
+// The same for a list: refuses an empty one, else the first that is not there.
+template <class Handle>
+bool any_is_gone(const Mesh& mesh, const std::vector<Handle>& elements, Verdict& verdict) {
+  using Named = std::conditional_t<std::is_same_v<Handle, Halfedge>, Edge, Handle>;
+  if (elements.empty()) verdict.refuse(Rule::deleted, {Named()});
+  return elements.empty() ||
+         std::any_of(elements.begin(), elements.end(), [&](Handle e) { return is_gone(mesh, e, verdict); });
+}
+
+// The side of an edge for an operator on what is outside of faces: where the given one has a face, the other one.
+inline Halfedge outside_side(const Mesh& mesh, Halfedge h) {
+  return is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h;
 }
 
 // Bases of the operators that act on one element and are told nothing else: the element, and what a click on it means.

@@ -24,16 +24,13 @@ constinit const OpInfo Reverse::info{.id = "reverse",
                                      .line = {.lists = {reverse_parameters}},
                                      .help_en = "flips all faces of the components of the named faces",
                                      .help_ja = "指定した面の連結成分の面をすべて裏返す",
-                                     .key = '\0',
                                      .target = OpTargetKind::face,
                                      .group = OpGroup::orient,
                                      .on_selection = OnSelection::all};
 
 Verdict Reverse::check(const Mesh& mesh) const {
   Verdict verdict;
-  if (faces.empty()) verdict.refuse(Rule::deleted, {Face()});
-  for (const Face f : faces)
-    if (is_gone(mesh, f, verdict)) break;
+  any_is_gone(mesh, faces, verdict);
   return verdict;
 }
 

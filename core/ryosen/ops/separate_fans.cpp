@@ -22,7 +22,6 @@ constinit const OpInfo SeparateFans::info{.id = "separate_fans",
                                           .line = {.lists = {separate_fans_parameters}},
                                           .help_en = "gives each fan of faces at a vertex a copy of its own",
                                           .help_ja = "頂点の面の扇ごとに複製の頂点を作る",
-                                          .key = '\0',
                                           .target = OpTargetKind::vertex,
                                           .group = OpGroup::join};
 

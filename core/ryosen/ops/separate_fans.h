@@ -22,7 +22,6 @@ struct SeparateFans : OnVertex<SeparateFans> {
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const SeparateFans&) const = default;
 };
 
 }  // namespace ryosen

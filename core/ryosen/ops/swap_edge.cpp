@@ -258,9 +258,7 @@ OpEffect SwapEdge::apply(Edit& edit) const {
   const SwapSide left(m, halfedge, back), right(m, twin(halfedge), back);
   apply_side(edit, left);
   apply_side(edit, right);
-  OpEffect effect;
-  effect.changed = {left.face, right.face};
-  return effect;
+  return {.changed = {left.face, right.face}};
 }
 
 }  // namespace ryosen

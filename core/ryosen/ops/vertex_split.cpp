@@ -290,7 +290,6 @@ constinit const OpInfo VertexSplit::info{
     .line = {.lists = {vertex_split_parameters}, .read_rest = read_ends, .print_rest = print_ends},
     .help_en = "splits a vertex into an edge; the new end gets the faces from L counter-clockwise to R",
     .help_ja = "頂点を稜線にする。新しい端点が L から反時計回りに R までの部分を受け持つ",
-    .key = '\0',
     .target = OpTargetKind::selection,
     .group = OpGroup::refine,
     .topology = Topology::kept,

@@ -45,7 +45,6 @@ constinit const OpInfo Weld::info{
     .help_ja =
         "二つの頂点、または二本の境界稜線を、最初の位置、中央、または指定の位置で一つにする。選択した頂点（面ではその頂"
         "点）は最後の頂点にまとめる",
-    .key = '\0',
     .target = OpTargetKind::selection,
     .group = OpGroup::join,
     .aliases = "merge",

@@ -21,7 +21,6 @@ constinit const OpInfo DeleteEdge::info{.id = "delete_edge",
                                         .line = {.lists = {delete_edge_parameters}},
                                         .help_en = "takes away an edge that has no face",
                                         .help_ja = "面を持たない稜線を取り除く",
-                                        .key = '\0',
                                         .target = OpTargetKind::edge,
                                         .group = OpGroup::euler};
 
@@ -38,9 +37,7 @@ OpEffect DeleteEdge::apply(Edit& edit) const {
   const Vertex ends[] = {edit.mesh().from(halfedge), edit.mesh().to(halfedge)};
   unlink_edge(edit, halfedge);
   for (Vertex v : ends) hold_outside(edit, v);
-  OpEffect effect;
-  effect.deleted.push_back(edge(halfedge));
-  return effect;
+  return {.deleted = {edge(halfedge)}};
 }
 
 }  // namespace ryosen

@@ -19,7 +19,6 @@ struct DeleteEdge : OnHalfedge<DeleteEdge> {
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const DeleteEdge&) const = default;
 };
 
 }  // namespace ryosen

@@ -22,7 +22,6 @@ constinit const OpInfo DeleteLoop::info{.id = "delete_loop",
                                         .line = {.lists = {delete_loop_parameters}},
                                         .help_en = "deletes a face but keeps its edges",
                                         .help_ja = "面だけを取り除き、稜線は残す",
-                                        .key = '\0',
                                         .target = OpTargetKind::face,
                                         .group = OpGroup::euler,
                                         .aliases = "kf"};
@@ -43,9 +42,7 @@ std::vector<Reason> DeleteLoop::warnings(const Mesh& mesh) const {
 OpEffect DeleteLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   take_face_away(edit, face);
-  OpEffect effect;
-  effect.deleted.push_back(face);
-  return effect;
+  return {.deleted = {face}};
 }
 
 }  // namespace ryosen

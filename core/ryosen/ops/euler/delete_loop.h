@@ -21,7 +21,6 @@ struct DeleteLoop : OnFace<DeleteLoop> {
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const DeleteLoop&) const = default;
 };
 
 }  // namespace ryosen

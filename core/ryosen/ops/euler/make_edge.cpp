@@ -66,7 +66,6 @@ constinit const OpInfo MakeEdge::info{
     .line = {.lists = {make_edge_parameters}, .read_rest = read_gaps, .print_rest = print_gaps},
     .help_en = "joins two vertices by an edge, in the corners that P-A and Q-B arrive at",
     .help_ja = "二頂点を稜線で結ぶ。角は着く半稜線 P-A と Q-B で指定する",
-    .key = '\0',
     .target = OpTargetKind::selection,
     .group = OpGroup::euler,
     .on_selection = OnSelection::all};
@@ -91,9 +90,7 @@ Verdict MakeEdge::check(const Mesh& mesh) const {
 
 OpEffect MakeEdge::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
-  OpEffect effect;
-  effect.created.push_back(edge(link_edge(edit, a, into_a, b, into_b)));
-  return effect;
+  return {.created = {edge(link_edge(edit, a, into_a, b, into_b))}};
 }
 
 }  // namespace ryosen

@@ -24,16 +24,12 @@ constinit const OpInfo MakeLoop::info{.id = "make_loop",
                                       .line = {.lists = {make_loop_parameters}},
                                       .help_en = "puts a face into the outside cycle left of A-B",
                                       .help_ja = "半稜線 A-B の左の外側の閉路に面を張る",
-                                      .key = '\0',
                                       .target = OpTargetKind::edge,
                                       .group = OpGroup::euler,
                                       .aliases = "mf",
                                       .subject = Subject::cycle};
 
-MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) {
-  const Halfedge h = target.halfedge;
-  return {is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h};
-}
+MakeLoop MakeLoop::at(const Mesh& mesh, const OpTarget& target) { return {outside_side(mesh, target.halfedge)}; }
 
 namespace {
 
@@ -74,10 +70,7 @@ OpEffect MakeLoop::apply(Edit& edit) const {
   const Face f = edit.add_face(halfedge);
   set_face_along(edit, halfedge, f);
   for (Halfedge h : loop(edit.mesh(), halfedge)) hold_outside(edit, edit.mesh().from(h));
-  OpEffect effect;
-  effect.created.push_back(f);
-  effect.changed.push_back(f);
-  return effect;
+  return {.created = {f}, .changed = {f}};
 }
 
 }  // namespace ryosen

@@ -25,7 +25,6 @@ struct MakeLoop : OnHalfedge<MakeLoop> {
   Verdict check(const Mesh& mesh) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const MakeLoop&) const = default;
 };
 
 }  // namespace ryosen

@@ -27,7 +27,6 @@ constinit const OpInfo MakeRing::info{.id = "make_ring",
                                       .line = {.lists = {make_ring_parameters}},
                                       .help_en = "takes a bridge away and makes the inner loop a ring of the face",
                                       .help_ja = "橋の稜線を取り除き、内側のループを面のリングにする",
-                                      .key = '\0',
                                       .target = OpTargetKind::edge,
                                       .group = OpGroup::euler,
                                       .aliases = "kemr",
@@ -66,9 +65,6 @@ OpEffect MakeRing::apply(Edit& edit) const {
   const std::uint32_t ring = ring_of(m, halfedge);
   const Halfedge start = ring == no_index ? m.halfedge(f) : m.ring(ring).halfedge;
   const Halfedge first = m.next(halfedge), second = m.next(twin(halfedge));
-  OpEffect effect;
-  effect.deleted.push_back(edge(halfedge));
-  effect.changed.push_back(f);
   const Vertex a = m.from(halfedge), b = m.to(halfedge);
   unlink_edge(edit, halfedge);
   hold_outside(edit, a);
@@ -84,7 +80,7 @@ OpEffect MakeRing::apply(Edit& edit) const {
   else
     edit.set_ring_halfedge(ring, keeps);
   edit.add_ring(f, inner);
-  return effect;
+  return {.deleted = {edge(halfedge)}, .changed = {f}};
 }
 
 }  // namespace ryosen

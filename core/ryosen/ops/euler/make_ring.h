@@ -23,7 +23,6 @@ struct MakeRing : OnHalfedge<MakeRing> {
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const MakeRing&) const = default;
 };
 
 }  // namespace ryosen

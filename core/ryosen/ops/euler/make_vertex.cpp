@@ -20,16 +20,11 @@ constinit const OpInfo MakeVertex::info{.id = "make_vertex",
                                         .line = {.lists = {make_vertex_parameters}},
                                         .help_en = "makes an isolated vertex at a position",
                                         .help_ja = "指定した位置に孤立頂点を置く",
-                                        .key = '\0',
                                         .target = OpTargetKind::none,
                                         .group = OpGroup::euler,
                                         .aliases = "mvs",
                                         .on_selection = OnSelection::none};
 
-OpEffect MakeVertex::apply(Edit& edit) const {
-  OpEffect effect;
-  effect.created.push_back(edit.add_vertex(position));
-  return effect;
-}
+OpEffect MakeVertex::apply(Edit& edit) const { return {.created = {edit.add_vertex(position)}}; }
 
 }  // namespace ryosen

@@ -21,7 +21,6 @@ constinit const OpInfo RemoveVertex::info{.id = "remove_vertex",
                                           .line = {.lists = {remove_vertex_parameters}},
                                           .help_en = "removes an isolated vertex",
                                           .help_ja = "孤立頂点を取り除く",
-                                          .key = '\0',
                                           .target = OpTargetKind::vertex,
                                           .group = OpGroup::euler,
                                           .aliases = "kvs"};
@@ -37,9 +36,7 @@ OpEffect RemoveVertex::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   leave_copies(edit, vertex);
   edit.remove(vertex);
-  OpEffect effect;
-  effect.deleted.push_back(vertex);
-  return effect;
+  return {.deleted = {vertex}};
 }
 
 }  // namespace ryosen

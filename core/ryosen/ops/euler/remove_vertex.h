@@ -18,7 +18,6 @@ struct RemoveVertex : OnVertex<RemoveVertex> {
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const RemoveVertex&) const = default;
 };
 
 }  // namespace ryosen

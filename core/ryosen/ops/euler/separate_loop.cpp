@@ -7,7 +7,6 @@
 #include "ryosen/geometry/locate.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/face_geometry.h"
@@ -16,30 +15,14 @@
 
 namespace ryosen {
 
-namespace {
-
-using namespace parameters;
-
-void read_separated_corners(const Mesh& mesh, ArgumentReader& in, void* op) {
-  const FaceCorners corners = read_face_corners(mesh, in);
-  *static_cast<SeparateLoop*>(op) = {corners.into_a, corners.into_b};
-}
-void print_separated_corners(const Mesh& mesh, const void* op, std::string& line) {
-  const auto& [into_a, into_b] = *static_cast<const SeparateLoop*>(op);
-  line += " " + face_corners_text(mesh, {into_a, into_b});
-}
-
-}  // namespace
-
 constinit const OpInfo SeparateLoop::info{.id = "separate_loop",
                                           .name_en = "Divide face",
                                           .name_ja = "ループ分割",
                                           .line = {.lists = {face_corner_parameters},
-                                                   .read_rest = read_separated_corners,
-                                                   .print_rest = print_separated_corners},
+                                                   .read_rest = read_corners_of<SeparateLoop>,
+                                                   .print_rest = print_corners_of<SeparateLoop>},
                                           .help_en = "divides a face by an edge from corner A to corner B",
                                           .help_ja = "面を角 A と角 B を結ぶ稜線で分割する",
-                                          .key = '\0',
                                           .target = OpTargetKind::selection,
                                           .group = OpGroup::euler,
                                           .aliases = "divide mef",
@@ -184,10 +167,7 @@ OpEffect SeparateLoop::apply(Edit& edit) const {
     edit.add_ring(fresh, ring_start);
     set_face_along(edit, ring_start, fresh);
   }
-  OpEffect effect;
-  effect.created = {edge(h), fresh};
-  effect.changed = {f, fresh};
-  return effect;
+  return {.created = {edge(h), fresh}, .changed = {f, fresh}};
 }
 
 }  // namespace ryosen

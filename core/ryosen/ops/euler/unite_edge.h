@@ -21,7 +21,6 @@ struct UniteEdge : OnVertex<UniteEdge> {
 
   Verdict check(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const UniteEdge&) const = default;
 };
 
 }  // namespace ryosen

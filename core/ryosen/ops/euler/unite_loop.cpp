@@ -26,7 +26,6 @@ constinit const OpInfo UniteLoop::info{.id = "unite_loop",
                                        .line = {.lists = {unite_loop_parameters}},
                                        .help_en = "unites the two faces at an edge into one",
                                        .help_ja = "稜線の両側の面を一つにまとめる",
-                                       .key = '\0',
                                        .target = OpTargetKind::edge,
                                        .group = OpGroup::euler,
                                        .aliases = "kef",
@@ -93,10 +92,8 @@ OpEffect UniteLoop::apply(Edit& edit) const {
   assert(check(m).legal());
   const Edge united[] = {edge(halfedge)};
   merge_corner_values(edit, united);
-  OpEffect effect;
-  effect.changed = {std::min(m.face(halfedge), m.face(twin(halfedge)))};
-  effect.deleted = {united[0], unite_faces(edit, {&halfedge, 1})};
-  return effect;
+  const Face stays = std::min(m.face(halfedge), m.face(twin(halfedge)));
+  return {.deleted = {united[0], unite_faces(edit, {&halfedge, 1})}, .changed = {stays}};
 }
 
 }  // namespace ryosen

@@ -31,7 +31,6 @@ struct UniteLoop : OnHalfedge<UniteLoop> {
   Verdict check(const Mesh& mesh, LocalFacts& known) const;
   std::vector<Reason> warnings(const Mesh& mesh) const;
   OpEffect apply(Edit& edit) const;
-  bool operator==(const UniteLoop&) const = default;
 };
 
 }  // namespace ryosen

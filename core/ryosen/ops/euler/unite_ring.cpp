@@ -3,40 +3,24 @@
 #include <cassert>
 
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
 
-namespace {
-
-using namespace parameters;
-
-void read_bridged_corners(const Mesh& mesh, ArgumentReader& in, void* op) {
-  const FaceCorners corners = read_face_corners(mesh, in);
-  *static_cast<UniteRing*>(op) = {corners.into_a, corners.into_b};
-}
-void print_bridged_corners(const Mesh& mesh, const void* op, std::string& line) {
-  const auto& [into_a, into_b] = *static_cast<const UniteRing*>(op);
-  line += " " + face_corners_text(mesh, {into_a, into_b});
-}
-
-}  // namespace
-
-constinit const OpInfo UniteRing::info{
-    .id = "unite_ring",
-    .name_en = "Unite ring",
-    .name_ja = "リング結合",
-    .line = {.lists = {face_corner_parameters}, .read_rest = read_bridged_corners, .print_rest = print_bridged_corners},
-    .help_en = "joins two loops of a face by a bridge",
-    .help_ja = "一つの面の二つのループを橋の稜線でつなぐ",
-    .key = '\0',
-    .target = OpTargetKind::selection,
-    .group = OpGroup::euler,
-    .aliases = "mekr",
-    .topology = Topology::kept,
-    .on_selection = OnSelection::all};
+constinit const OpInfo UniteRing::info{.id = "unite_ring",
+                                       .name_en = "Unite ring",
+                                       .name_ja = "リング結合",
+                                       .line = {.lists = {face_corner_parameters},
+                                                .read_rest = read_corners_of<UniteRing>,
+                                                .print_rest = print_corners_of<UniteRing>},
+                                       .help_en = "joins two loops of a face by a bridge",
+                                       .help_ja = "一つの面の二つのループを橋の稜線でつなぐ",
+                                       .target = OpTargetKind::selection,
+                                       .group = OpGroup::euler,
+                                       .aliases = "mekr",
+                                       .topology = Topology::kept,
+                                       .on_selection = OnSelection::all};
 
 Verdict UniteRing::check(const Mesh& mesh) const {
   Verdict verdict;
@@ -57,10 +41,7 @@ OpEffect UniteRing::apply(Edit& edit) const {
   if (gone == no_index) gone = ring_of(m, into_a);
   const Halfedge h = link_inside(edit, into_a, into_b);
   edit.remove_ring(f, gone);
-  OpEffect effect;
-  effect.created.push_back(edge(h));
-  effect.changed.push_back(f);
-  return effect;
+  return {.created = {edge(h)}, .changed = {f}};
 }
 
 }  // namespace ryosen

@@ -34,54 +34,55 @@ void keep(std::vector<Value>& member, const Value& value) {
   member.push_back(value);
 }
 
-template <class Handle>
-bool is_held(const Handle& member) {
-  if constexpr (requires { member.empty(); })
+// Whether a member holds a value; an Element one of this kind.
+template <auto Member, Element::Kind kind>
+bool is_held(const void* op) {
+  const auto& member = Access<Member>::of(op);
+  if constexpr (std::is_same_v<typename Access<Member>::Value, Element>)
+    return member.index != no_index && member.kind == kind;
+  else if constexpr (requires { member.empty(); })
     return !member.empty();
   else
     return static_cast<bool>(member);
 }
-inline bool is_held_as(const Element& member, Element::Kind kind) {
-  return member.index != no_index && member.kind == kind;
+
+// Appends the names of all values that a member holds, each behind a blank.
+template <auto Member, class NameOf>
+void print_each(const void* op, std::string& line, NameOf name_of) {
+  const auto& member = Access<Member>::of(op);
+  if constexpr (requires { member.begin(); })
+    for (const auto& each : member) line += " " + name_of(each);
+  else
+    line += " " + name_of(member);
 }
 
-template <class Visit>
-void for_each_kept(const Element& member, Visit visit) {
-  visit(member);
+// The value itself, or that of an optional that has one.
+template <class Value>
+const Value& value_of(const Value& value) {
+  return value;
 }
-template <class Handle, class Visit>
-void for_each_kept(const Handle& member, Visit visit) {
-  if constexpr (requires { member.begin(); })
-    for (const auto& each : member) visit(each);
-  else
-    visit(member);
+template <class Value>
+const Value& value_of(const std::optional<Value>& value) {
+  return *value;
 }
 
 enum class VertexName { of_point, of_copy };
 
 template <auto Member, VertexName Name, Vertex (ArgumentReader::*Read)()>
 constexpr OpValue vertex_value(std::string_view called) {
-  using Kept = Access<Member>;
   return {.kind = OpValueKind::vertex,
           .called = called,
-          .read = [](ArgumentReader& in, void* op) { keep(Kept::of(op), (in.*Read)()); },
-          .is_held =
-              [](const void* op) {
-                if constexpr (std::is_same_v<typename Kept::Value, Element>)
-                  return is_held_as(Kept::of(op), Element::Kind::vertex);
-                else
-                  return is_held(Kept::of(op));
-              },
+          .read = [](ArgumentReader& in, void* op) { keep(Access<Member>::of(op), (in.*Read)()); },
+          .is_held = is_held<Member, Element::Kind::vertex>,
           .print =
               [](const Mesh& mesh, const void* op, std::string& line) {
-                for_each_kept(Kept::of(op), [&](const auto& v) {
+                print_each<Member>(op, line, [&](const auto& v) {
                   if constexpr (Name == VertexName::of_copy)
-                    line += " " + name_of_copy(mesh, v);
+                    return name_of_copy(mesh, v);
                   else
-                    line += " " + name_of(mesh, v);
+                    return name_of(mesh, v);
                 });
-              },
-          .halfedge = nullptr};
+              }};
 }
 
 // A vertex that stands for its point, and is printed so.
@@ -107,48 +108,39 @@ constexpr OpValue unprinted(OpValue value) {
 
 template <auto Member>
 constexpr OpValue face(std::string_view called) {
-  using Kept = Access<Member>;
   return {.kind = OpValueKind::face,
           .called = called,
-          .read = [](ArgumentReader& in, void* op) { keep(Kept::of(op), in.face()); },
-          .is_held =
-              [](const void* op) {
-                if constexpr (std::is_same_v<typename Kept::Value, Element>)
-                  return is_held_as(Kept::of(op), Element::Kind::face);
-                else
-                  return is_held(Kept::of(op));
-              },
+          .read = [](ArgumentReader& in, void* op) { keep(Access<Member>::of(op), in.face()); },
+          .is_held = is_held<Member, Element::Kind::face>,
           .print =
               [](const Mesh& mesh, const void* op, std::string& line) {
-                for_each_kept(Kept::of(op), [&](const auto& f) { line += " " + name_of(mesh, f); });
-              },
-          .halfedge = nullptr};
+                print_each<Member>(op, line, [&](const auto& f) { return name_of(mesh, f); });
+              }};
 }
 
 // An edge in the direction of its name; an Element has no direction.
 template <auto Member, auto Find = find_edge>
 constexpr OpValue edge(std::string_view called) {
   using Kept = Access<Member>;
+  constexpr bool is_element = std::is_same_v<typename Kept::Value, Element>;
   OpValue value{.kind = OpValueKind::edge, .called = called};
-  if constexpr (std::is_same_v<typename Kept::Value, Element>) {
-    value.read = [](ArgumentReader& in, void* op) { Kept::of(op) = ryosen::edge(in.read(Find)); };
-    value.is_held = [](const void* op) { return is_held_as(Kept::of(op), Element::Kind::edge); };
-    value.print = [](const Mesh& mesh, const void* op, std::string& line) {
-      line += " " + name_of(mesh, Kept::of(op));
-    };
-  } else if constexpr (std::is_same_v<typename Kept::Value, Halfedge>) {
-    value.read = [](ArgumentReader& in, void* op) { Kept::of(op) = in.read(Find); };
-    value.is_held = [](const void* op) { return static_cast<bool>(Kept::of(op)); };
-    value.print = [](const Mesh& mesh, const void* op, std::string& line) {
-      line += " " + name_of(mesh, Kept::of(op));
-    };
+  value.read = [](ArgumentReader& in, void* op) {
+    if constexpr (is_element)
+      Kept::of(op) = ryosen::edge(in.read(Find));
+    else
+      keep(Kept::of(op), in.read(Find));
+  };
+  value.is_held = is_held<Member, Element::Kind::edge>;
+  value.print = [](const Mesh& mesh, const void* op, std::string& line) {
+    print_each<Member>(op, line, [&](const auto& e) { return name_of(mesh, e); });
+  };
+  if constexpr (std::is_same_v<typename Kept::Value, Halfedge>) {
     value.halfedge = [](const void* op) { return Kept::of(op); };
-  } else {  // a list of halfedges: their names keep the direction
-    value.read = [](ArgumentReader& in, void* op) { Kept::of(op).push_back(in.read(Find)); };
-    value.is_held = [](const void* op) { return !Kept::of(op).empty(); };
+  } else if constexpr (!is_element) {  // a list of halfedges: their names keep the direction
     value.print = [](const Mesh& mesh, const void* op, std::string& line) {
-      for (const Halfedge h : Kept::of(op))
-        line += " " + (h && mesh.exists(h) && mesh.is_alive(h) ? name_to_choose(mesh, h) : name_of(mesh, h));
+      print_each<Member>(op, line, [&](Halfedge h) {
+        return h && mesh.exists(h) && mesh.is_alive(h) ? name_to_choose(mesh, h) : name_of(mesh, h);
+      });
     };
     value.halfedge = [](const void* op) { return Kept::of(op).size() == 1 ? Kept::of(op)[0] : Halfedge(); };
   }
@@ -172,14 +164,8 @@ constexpr OpValue number(std::string_view called) {
                 else
                   return Kept::of(op).has_value();
               },
-          .print =
-              [](const Mesh&, const void* op, std::string& line) {
-                if constexpr (std::is_same_v<typename Kept::Value, double>)
-                  line += " " + format_double(Kept::of(op));
-                else
-                  line += " " + format_double(*Kept::of(op));
-              },
-          .halfedge = nullptr};
+          .print = [](const Mesh&, const void* op,
+                      std::string& line) { line += " " + format_double(value_of(Kept::of(op))); }};
 }
 
 template <auto Member>
@@ -195,14 +181,8 @@ constexpr OpValue position(std::string_view called = "X,Y,Z") {
                 else
                   return Kept::of(op).has_value();
               },
-          .print =
-              [](const Mesh&, const void* op, std::string& line) {
-                if constexpr (std::is_same_v<typename Kept::Value, glm::dvec3>)
-                  line += " " + format_place(Kept::of(op));
-                else
-                  line += " " + format_place(*Kept::of(op));
-              },
-          .halfedge = nullptr};
+          .print = [](const Mesh&, const void* op,
+                      std::string& line) { line += " " + format_place(value_of(Kept::of(op))); }};
 }
 // A position that also gives member `Told` a value, and is printed only if it has that value.
 template <auto Member, auto Told, auto Value>
@@ -227,9 +207,7 @@ constexpr OpValue word(std::string_view called) {
                 in.skip();
                 Kept::of(op) = Value;
               },
-          .is_held = [](const void* op) { return Kept::of(op) == Value; },
-          .print = nullptr,
-          .halfedge = nullptr};
+          .is_held = [](const void* op) { return Kept::of(op) == Value; }};
 }
 
 template <class... Values>

@@ -244,64 +244,43 @@ class Candidates {
   std::size_t repeated_ = 0;
 };
 
+// The ways that may help against a rule, in the order in which they are tried.
+struct Ways {
+  Rule rule;
+  void (Candidates::*first)();
+  void (Candidates::*second)() = nullptr;
+};
+constexpr Ways ways_against[] = {
+    {Rule::copies, &Candidates::detach_sheets},
+    {Rule::boundary, &Candidates::fill_at_edges, &Candidates::put_triangles_beside},
+    {Rule::wire, &Candidates::fill_at_edges, &Candidates::put_triangles_beside},
+    {Rule::inner_edge, &Candidates::fill_at_vertices, &Candidates::put_triangles_in_gaps},
+    {Rule::common_face, &Candidates::divide_faces},
+    {Rule::same_apex, &Candidates::remove_faces},
+    {Rule::has_face, &Candidates::remove_faces},
+    {Rule::no_gap, &Candidates::remove_faces},
+    {Rule::closes_hole, &Candidates::split_edges},
+    {Rule::common_neighbour, &Candidates::split_edges},
+    {Rule::edge_exists, &Candidates::split_edges},
+    {Rule::vanishes, &Candidates::divide_sides, &Candidates::detach_sheets},
+    {Rule::has_edges, &Candidates::take_edges_away},
+    {Rule::lone_edge, &Candidates::put_wires_beside},
+    {Rule::different_loops, &Candidates::bridge_loops},
+    {Rule::isolated_apex, &Candidates::detach_sheets, &Candidates::split_sides},
+    {Rule::duplicate_face, &Candidates::detach_sheets, &Candidates::split_sides},
+    {Rule::corner_twice, &Candidates::detach_sheets, &Candidates::split_sides},
+    {Rule::loses_duplicate, &Candidates::remove_faces, &Candidates::detach_faces},
+    {Rule::has_rings, &Candidates::triangulate_faces},
+};
+
 }  // namespace
 
 std::vector<AnyOp> remedy_candidates(const Mesh& m, const Reason& reason, KnownSheets& sheets) {
   Candidates candidates(m, reason, sheets);
-  switch (reason.rule) {
-    case Rule::copies:
-      candidates.detach_sheets();
-      break;
-    case Rule::boundary:
-    case Rule::wire:
-      candidates.fill_at_edges();
-      candidates.put_triangles_beside();
-      break;
-    case Rule::inner_edge:
-      candidates.fill_at_vertices();
-      candidates.put_triangles_in_gaps();
-      break;
-    case Rule::common_face:
-      candidates.divide_faces();
-      break;
-    case Rule::same_apex:
-    case Rule::has_face:
-    case Rule::no_gap:
-      candidates.remove_faces();
-      break;
-    case Rule::closes_hole:
-    case Rule::common_neighbour:
-    case Rule::edge_exists:
-      candidates.split_edges();
-      break;
-    case Rule::vanishes:
-      candidates.divide_sides();
-      candidates.detach_sheets();
-      break;
-    case Rule::has_edges:
-      candidates.take_edges_away();
-      break;
-    case Rule::lone_edge:
-      candidates.put_wires_beside();
-      break;
-    case Rule::different_loops:
-      candidates.bridge_loops();
-      break;
-    case Rule::isolated_apex:
-    case Rule::duplicate_face:
-    case Rule::corner_twice:
-      candidates.detach_sheets();
-      candidates.split_sides();
-      break;
-    case Rule::loses_duplicate:
-      candidates.remove_faces();
-      candidates.detach_faces();
-      break;
-    case Rule::has_rings:
-      candidates.triangulate_faces();
-      break;
-    default:
-      break;
+  for (const Ways& ways : ways_against) {
+    if (ways.rule != reason.rule) continue;
+    (candidates.*ways.first)();
+    if (ways.second) (candidates.*ways.second)();
   }
   return candidates.take();
 }

@@ -24,6 +24,18 @@ inline constexpr OpParameter face_corner_parameters[] = {
 FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in);
 std::string face_corners_text(const Mesh& mesh, const FaceCorners& corners);
 
+// They read into an operator with two such sides, and print it.
+template <class Op>
+void read_corners_of(const Mesh& mesh, ArgumentReader& in, void* op) {
+  const FaceCorners corners = read_face_corners(mesh, in);
+  *static_cast<Op*>(op) = {corners.into_a, corners.into_b};
+}
+template <class Op>
+void print_corners_of(const Mesh& mesh, const void* op, std::string& line) {
+  const auto& [into_a, into_b] = *static_cast<const Op*>(op);
+  line += " " + face_corners_text(mesh, {into_a, into_b});
+}
+
 // Refuses deleted elements, corners of no face or of different faces, and equal points.
 bool are_corners_of_one_face(const Mesh& mesh, const FaceCorners& corners, Verdict& verdict);
 

@@ -23,6 +23,11 @@ std::unique_ptr<Form> make(const Mesh& mesh) {
   return std::make_unique<T>(mesh);
 }
 
+template <bool outside, bool edge_records>
+std::unique_ptr<Form> make_halfedges(const Mesh& mesh) {
+  return std::make_unique<HalfedgeForm>(mesh, outside, edge_records);
+}
+
 constexpr std::uint32_t surface = one_vertex_per_point | one_fan_per_vertex | no_wires | no_rings;
 constexpr std::uint32_t list = one_fan_per_vertex | no_wires | no_rings | no_bridges;
 
@@ -42,15 +47,15 @@ constexpr std::array form_rows{
     FormRow{"winged_edge", "winged edge", "ウィングドエッジ", "text 000, table 4", "テキスト 000 表 4",
             surface | no_bridges, true, no_halfedges, false, make<WingedEdge>},
     FormRow{"halfedge", "halfedge", "半稜線", "text 000, table 5", "テキスト 000 表 5", surface, true, of_faces, false,
-            make<HalfedgeForm<false, false>>},
+            make_halfedges<false, false>},
     FormRow{"halfedge_edges", "halfedge, edge records", "半稜線＋稜線", "text 000, tables 5, 6", "テキスト 000 表 5・6",
-            surface, true, of_faces, false, make<HalfedgeForm<false, true>>},
+            surface, true, of_faces, false, make_halfedges<false, true>},
     FormRow{"halfedge_outside", "halfedge, also outside", "半稜線（外側にも）", "text 000, table 5, footnote 9",
             "テキスト 000 表 5・脚注 9", one_vertex_per_point | no_rings, true, all_of_mesh, false,
-            make<HalfedgeForm<true, false>>},
+            make_halfedges<true, false>},
     FormRow{"halfedge_outside_edges", "halfedge, also outside, edge records", "半稜線（外側にも）＋稜線",
             "text 000, table 6, footnote 9", "テキスト 000 表 6・脚注 9", one_vertex_per_point | no_rings, true,
-            all_of_mesh, false, make<HalfedgeForm<true, true>>},
+            all_of_mesh, false, make_halfedges<true, true>},
     FormRow{"halfedge_loop", "halfedge, loops and parent edges", "半稜線（ループ・親稜線）", "text 002, section 3",
             "テキスト 002 の 3 節", one_vertex_per_point | no_rings, true, all_of_mesh, false, make<HalfedgeLoop>},
     FormRow{"opposite_map", "opposites 3i+j in a map", "反対辺 3i+j（マップ）", "text 003, the map opps",

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
@@ -56,13 +55,6 @@ Mesh Dcel::to_mesh() const {
   }
   c.file_vertices = c.live.vertices;
   return Mesh(std::move(c));
-}
-
-std::uint32_t Dcel::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
-
-bool Dcel::answer(Relation relation, std::uint32_t element, Answer& out) const {
-  answer_by_walk(*this, relation, element, out);
-  return true;
 }
 
 Fields Dcel::record(Element own) const {

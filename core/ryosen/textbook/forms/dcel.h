@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ryosen/base/handle.h"
-#include "ryosen/textbook/forms/form.h"
+#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
@@ -39,7 +39,7 @@ struct DcelRecords {
 };
 
 // Every half-edge has a twin; outside the surface its face is none. The handle of an edge is one of its half-edges.
-class Dcel : public Form {
+class Dcel : public LinkedForm<Dcel> {
  public:
   explicit Dcel(const Mesh& mesh);
   // Every row is in use, and the links are those of a mesh.
@@ -49,8 +49,6 @@ class Dcel : public Form {
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
-  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
-  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
   Fields record(Element own) const override;
 
   // The interface of walk.h.
@@ -61,7 +59,6 @@ class Dcel : public Form {
   std::uint32_t face(std::uint32_t h) const { return records_.half_edges[h].face; }
   std::uint32_t at_vertex(std::uint32_t v) const { return records_.vertices[v].incident_edge; }
   std::uint32_t at_face(std::uint32_t f) const { return records_.faces[f].outer_component; }
-  std::uint32_t at_edge(std::uint32_t h) const { return h; }
   const std::vector<std::uint32_t>& inner(std::uint32_t f) const { return records_.faces[f].inner_components; }
 
  private:

@@ -118,10 +118,15 @@ class Form {
   virtual std::size_t bytes() const = 0;
   // Built from the stored data; without attributes.
   virtual Mesh to_mesh() const = 0;
-  // The form's handle of the edge between two vertices, or no_index if there is none or the form has no edges.
-  virtual std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const = 0;
-  // Answers a query about an existing vertex, edge (by handle) or face. False: the form cannot answer it.
-  virtual bool answer(Relation relation, std::uint32_t element, Answer& out) const = 0;
+  // The form's handle of the edge between two vertices, or no_index if there is none or the form has no edges, as one
+  // that stores places alone.
+  virtual std::uint32_t find_edge(std::uint32_t, std::uint32_t) const { return no_index; }
+  // Answers a query about an existing vertex, edge (by handle) or face. False: the form cannot answer it, as one that
+  // stores places alone.
+  virtual bool answer(Relation, std::uint32_t, Answer& out) const {
+    out.clear();
+    return false;
+  }
   // What is stored of an element, given and linked by the form's own numbers: vertices, edges and faces in the order of
   // the mesh, halfedges as the row says. Empty where nothing is stored of its kind.
   virtual Fields record(Element own) const = 0;

@@ -8,10 +8,10 @@
 namespace ryosen::forms {
 
 // The handle of an edge is one of its halfedges, or with edge records the number of its record.
-template <bool outside, bool edge_records>
 class HalfedgeForm : public Form {
  public:
-  explicit HalfedgeForm(const Mesh& mesh);
+  // With halfedges also where there is no face, and with edge records.
+  HalfedgeForm(const Mesh& mesh, bool outside, bool edge_records);
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
@@ -24,14 +24,10 @@ class HalfedgeForm : public Form {
     std::uint32_t start, end;   // vertices
     std::uint32_t left, right;  // the halfedge from start to end, and its pair or none
   };
+  bool outside_, edge_records_;
   HalfedgeTable table_;
   std::vector<std::uint32_t> halfedge_edge_;  // empty without edge records
   std::vector<EdgeRecord> edges_;
 };
-
-extern template class HalfedgeForm<false, false>;
-extern template class HalfedgeForm<false, true>;
-extern template class HalfedgeForm<true, false>;
-extern template class HalfedgeForm<true, true>;
 
 }  // namespace ryosen::forms

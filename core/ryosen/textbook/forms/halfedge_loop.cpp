@@ -1,7 +1,6 @@
 #include "ryosen/textbook/forms/halfedge_loop.h"
 
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
@@ -35,11 +34,6 @@ Mesh HalfedgeLoop::to_mesh() const {
 std::uint32_t HalfedgeLoop::find_edge(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t side = find_side(*this, a, b);
   return side == no_index ? side : halfedges_[side].edge;
-}
-
-bool HalfedgeLoop::answer(Relation relation, std::uint32_t element, Answer& out) const {
-  answer_by_walk(*this, relation, element, out);
-  return true;
 }
 
 Fields HalfedgeLoop::record(Element own) const {

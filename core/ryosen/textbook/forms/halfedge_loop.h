@@ -2,20 +2,19 @@
 // one of its parent edge.
 #pragma once
 
-#include "ryosen/textbook/forms/form.h"
 #include "ryosen/textbook/forms/halfedge_table.h"
+#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
 // The halfedges are those of the mesh, also where there is no face. The handle of an edge is its number.
-class HalfedgeLoop : public Form {
+class HalfedgeLoop : public LinkedForm<HalfedgeLoop> {
  public:
   explicit HalfedgeLoop(const Mesh& mesh);
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
   std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
-  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
   Fields record(Element own) const override;
 
   // The interface of walk.h.
@@ -30,7 +29,6 @@ class HalfedgeLoop : public Form {
   std::uint32_t at_vertex(std::uint32_t v) const { return vertices_[v].halfedge; }
   std::uint32_t at_face(std::uint32_t f) const { return loop_halfedge_[f]; }
   std::uint32_t at_edge(std::uint32_t e) const { return edges_[e].left; }
-  static std::span<const std::uint32_t> inner(std::uint32_t) { return {}; }
 
  private:
   struct VertexRecord {

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
@@ -31,13 +30,6 @@ Mesh OppositeArray::to_mesh() const {
   std::vector<std::uint32_t> across(opposites_.size());
   for (std::uint32_t h = 0; h < across.size(); ++h) across[h] = opposite(h);
   return mesh_from_sides(polygons, across);
-}
-
-std::uint32_t OppositeArray::find_edge(std::uint32_t a, std::uint32_t b) const { return find_side(*this, a, b); }
-
-bool OppositeArray::answer(Relation relation, std::uint32_t element, Answer& out) const {
-  answer_by_walk(*this, relation, element, out);
-  return true;
 }
 
 std::uint32_t OppositeArray::add_vertex(const glm::dvec3& position) {

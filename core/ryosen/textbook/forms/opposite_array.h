@@ -5,21 +5,19 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "ryosen/textbook/forms/form.h"
+#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
 // Halfedge 3i+j is side j of face i. Where h has no opposite, the array holds -(h + 1), as the text's map does; so
 // there are fewer than 2^31 halfedges. The halfedge per vertex is an addition to the text; with it the vertex relations
 // can be answered. The handle of an edge is one of its halfedges.
-class OppositeArray : public Form {
+class OppositeArray : public TriangleForm<OppositeArray> {
  public:
   explicit OppositeArray(const Mesh& mesh);
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
-  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override;
-  bool answer(Relation relation, std::uint32_t element, Answer& out) const override;
   Fields record(Element own) const override;
 
   // The interface of split_3ij.h.
@@ -35,16 +33,7 @@ class OppositeArray : public Form {
   void join(std::uint32_t h, std::uint32_t g);
   void set_boundary(std::uint32_t h) { opposites_[h] = boundary_code(h); }
 
-  // The interface of walk.h.
-  std::uint32_t from(std::uint32_t h) const { return corners_[h]; }
-  std::uint32_t next(std::uint32_t h) const { return h % 3 == 2 ? h - 2 : h + 1; }
-  std::uint32_t prev(std::uint32_t h) const { return h % 3 == 0 ? h + 2 : h - 1; }
-  std::uint32_t pair(std::uint32_t h) const { return opposite(h); }
-  std::uint32_t face(std::uint32_t h) const { return h / 3; }
-  std::uint32_t at_vertex(std::uint32_t v) const { return vertex_halfedge_[v]; }
-  std::uint32_t at_face(std::uint32_t f) const { return 3 * f; }
-  std::uint32_t at_edge(std::uint32_t h) const { return h; }
-  static std::span<const std::uint32_t> inner(std::uint32_t) { return {}; }
+  std::uint32_t at_vertex(std::uint32_t v) const { return vertex_halfedge_[v]; }  // of walk.h
 
  private:
   static std::int32_t boundary_code(std::uint32_t h) { return -static_cast<std::int32_t>(h) - 1; }

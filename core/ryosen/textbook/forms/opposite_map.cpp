@@ -2,9 +2,8 @@
 
 #include <utility>
 
-#include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/forms/form.h"
-#include "ryosen/textbook/forms/walk.h"
+#include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
 
@@ -49,11 +48,9 @@ std::uint32_t OppositeMap::find_edge(std::uint32_t a, std::uint32_t b) const {
 }
 
 bool OppositeMap::answer(Relation relation, std::uint32_t element, Answer& out) const {
+  if (relations()[static_cast<std::size_t>(relation)].asks != ElementOf::vertex)
+    return answer_by_walk(*this, relation, element, out);
   out.clear();
-  if (relations()[static_cast<std::size_t>(relation)].asks != ElementOf::vertex) {
-    answer_by_walk(*this, relation, element, out);
-    return true;
-  }
   const auto all_sides = [&](auto visit) {
     for (std::uint32_t h = 0; h < 3 * faces_.size(); ++h) visit(h / 3, edge_ends(corner(h), corner(next(h))));
   };

@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "ryosen/textbook/forms/form.h"
+#include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
 
@@ -37,7 +37,7 @@ struct CountingAllocator {
 // Halfedge 3i+j is side j of face i. The map stores for (from, to) the number of the opposite halfedge, at a boundary
 // -(own number + 1). The text has no link from a vertex to its halfedges, so a vertex relation is a search through all
 // faces: O(n). The handle of an edge is one of its halfedges.
-class OppositeMap : public Form {
+class OppositeMap : public TriangleForm<OppositeMap> {
  public:
   explicit OppositeMap(const Mesh& mesh);
   OppositeMap(const OppositeMap&) = delete;
@@ -67,16 +67,7 @@ class OppositeMap : public Form {
   void join(std::uint32_t h, std::uint32_t g);
   void set_boundary(std::uint32_t h) { opposites_[key(h)] = -(static_cast<std::int32_t>(h) + 1); }
 
-  // The interface of walk.h.
-  std::uint32_t from(std::uint32_t h) const { return corner(h); }
-  std::uint32_t next(std::uint32_t h) const { return h % 3 == 2 ? h - 2 : h + 1; }
-  std::uint32_t prev(std::uint32_t h) const { return h % 3 == 0 ? h + 2 : h - 1; }
-  std::uint32_t pair(std::uint32_t h) const { return opposite(h); }
-  std::uint32_t face(std::uint32_t h) const { return h / 3; }
-  std::uint32_t at_vertex(std::uint32_t) const { return no_index; }
-  std::uint32_t at_face(std::uint32_t f) const { return 3 * f; }
-  std::uint32_t at_edge(std::uint32_t h) const { return h; }
-  static std::span<const std::uint32_t> inner(std::uint32_t) { return {}; }
+  static std::uint32_t at_vertex(std::uint32_t) { return no_index; }  // of walk.h
 
  private:
   using Side = std::pair<std::uint32_t, std::uint32_t>;

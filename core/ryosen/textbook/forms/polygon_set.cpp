@@ -19,11 +19,6 @@ std::size_t PolygonSet::bytes() const {
 
 Mesh PolygonSet::to_mesh() const { return mesh_from_places(polygons_); }
 
-bool PolygonSet::answer(Relation, std::uint32_t, Answer& out) const {
-  out.clear();
-  return false;
-}
-
 Fields PolygonSet::record(Element own) const {
   if (own.kind != Element::Kind::face) return {};
   return {places("頂点座標", polygons_[own.index])};

@@ -1,6 +1,9 @@
 #include "ryosen/textbook/forms/polygons.h"
 
+#include <iterator>
 #include <utility>
+
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen::forms {
 
@@ -22,13 +25,8 @@ void set_inner_loops(MeshColumns& c, Face f, std::span<const Halfedge> starts) {
 }
 
 std::size_t corners_of_loop(const Mesh& mesh, Halfedge start) {
-  std::size_t n = 0;
-  Halfedge h = start;
-  do {
-    ++n;
-    h = mesh.next(h);
-  } while (h != start);
-  return n;
+  const auto corners = loop(mesh, start);
+  return static_cast<std::size_t>(std::distance(corners.begin(), corners.end()));
 }
 
 bool is_further_copy(const Mesh& mesh, Vertex v) { return mesh.copy_point(v) != v; }
@@ -65,12 +63,8 @@ Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
     if (numbers.point[i] != no_index) polygons.positions[numbers.point[i]] = mesh.position(Vertex(i));
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge start = mesh.halfedge(Face(i));
-    Halfedge h = start;
-    do {
+    for (const Halfedge h : loop(mesh, mesh.halfedge(Face(i))))
       polygons.corners.push_back(numbers.point[mesh.from(h).index]);
-      h = mesh.next(h);
-    } while (h != start);
     polygons.offsets.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }
   return polygons;
@@ -78,15 +72,9 @@ Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
 
 std::vector<Halfedge> corner_halfedges(const Mesh& mesh) {
   std::vector<Halfedge> corners;
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!mesh.is_alive(Face(f))) continue;
-    const Halfedge start = mesh.halfedge(Face(f));
-    Halfedge h = start;
-    do {
-      corners.push_back(h);
-      h = mesh.next(h);
-    } while (h != start);
-  }
+  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
+    if (mesh.is_alive(Face(f)))
+      for (const Halfedge h : loop(mesh, mesh.halfedge(Face(f)))) corners.push_back(h);
   return corners;
 }
 

@@ -16,11 +16,6 @@ std::size_t TriangleSoup::bytes() const { return bytes_of(triangles_); }
 
 Mesh TriangleSoup::to_mesh() const { return mesh_from_places(triangles_); }
 
-bool TriangleSoup::answer(Relation, std::uint32_t, Answer& out) const {
-  out.clear();
-  return false;
-}
-
 Fields TriangleSoup::record(Element own) const {
   if (own.kind != Element::Kind::face) return {};
   const auto& triangle = triangles_[own.index];

@@ -15,8 +15,6 @@ class TriangleSoup : public Form {
 
   std::size_t bytes() const override;
   Mesh to_mesh() const override;
-  std::uint32_t find_edge(std::uint32_t, std::uint32_t) const override { return no_index; }
-  bool answer(Relation, std::uint32_t, Answer& out) const override;
   Fields record(Element own) const override;
 
  private:

@@ -135,16 +135,38 @@ void answer_about_face(const Links& links, Relation relation, std::uint32_t f, A
 }
 
 template <class Links>
-void answer_by_walk(const Links& links, Relation relation, std::uint32_t element, Answer& out) {
-  out.clear();
-  switch (relations()[static_cast<std::size_t>(relation)].asks) {
-    case ElementOf::vertex:
-      return answer_about_vertex(links, relation, element, out);
-    case ElementOf::edge:
-      return answer_about_edge(links, relation, element, out);
-    case ElementOf::face:
-      return answer_about_face(links, relation, element, out);
-  }
+bool answer_by_walk(const Links& links, Relation relation, std::uint32_t element, Answer& out) {
+  return answer_by_element(
+      relation, out, [&] { answer_about_vertex(links, relation, element, out); },
+      [&] { answer_about_edge(links, relation, element, out); },
+      [&] { answer_about_face(links, relation, element, out); });
 }
+
+// A form with these accessors. What stands here holds where the form does not say otherwise.
+template <class Links>
+class LinkedForm : public Form {
+ public:
+  std::uint32_t find_edge(std::uint32_t a, std::uint32_t b) const override { return find_side(as_links(), a, b); }
+  bool answer(Relation relation, std::uint32_t element, Answer& out) const override {
+    return answer_by_walk(as_links(), relation, element, out);
+  }
+  static std::uint32_t at_edge(std::uint32_t h) { return h; }
+  static std::span<const std::uint32_t> inner(std::uint32_t) { return {}; }
+
+ protected:
+  const Links& as_links() const { return static_cast<const Links&>(*this); }
+};
+
+// One of triangles with halfedges 3i+j, side j of face i; it offers corner(h) and opposite(h).
+template <class Links>
+class TriangleForm : public LinkedForm<Links> {
+ public:
+  std::uint32_t from(std::uint32_t h) const { return this->as_links().corner(h); }
+  std::uint32_t pair(std::uint32_t h) const { return this->as_links().opposite(h); }
+  static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static std::uint32_t prev(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static std::uint32_t face(std::uint32_t h) { return h / 3; }
+  static std::uint32_t at_face(std::uint32_t f) { return 3 * f; }
+};
 
 }  // namespace ryosen::forms

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
@@ -26,10 +25,10 @@ struct NotPaired {
 };
 
 // The table, by slots of the mesh: its halfedges are corners.
-class ListingPlay {
+class ListingPlay : public EditPlay {
  public:
   ListingPlay(const Mesh& mesh, Halfedge start)
-      : mesh_(mesh), table_(forms::inner_halfedges(mesh)), slots_(forms::corner_halfedges(mesh)) {
+      : EditPlay(mesh), table_(forms::inner_halfedges(mesh)), slots_(forms::corner_halfedges(mesh)) {
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
       if (mesh.is_alive(Vertex(v))) vertices_.push_back(v);
     for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
@@ -112,16 +111,12 @@ class ListingPlay {
       if (is_complete_)
         step.caption = step.caption + Text{" The code does it all the same.", "テキストのコードは実行してしまいます。"};
     } else {
-      Edit edit(mesh_, &journal_);
-      apply(edit, *parsed.op);
-      edit.commit();
+      apply(*parsed.op);
       if (is_complete_) compare(step);
     }
     keep_labels();
-    steps_.push_back(std::move(step));
-    positions_.push_back(journal_.position());
-    return std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
-                                           std::move(positions_));
+    add(std::move(step));
+    return std::move(*this).done();
   }
 
  private:
@@ -150,11 +145,7 @@ class ListingPlay {
   }
   void mark(Step& step, Role role, Element element) const { step.marks.push_back({role, element}); }
 
-  Step& begin(int line, Text caption) {
-    steps_.push_back({std::move(caption), {}, {}, code_4(line), {}});
-    positions_.push_back(0);
-    return steps_.back();
-  }
+  Step& begin(int line, Text caption) { return add({std::move(caption), {}, {}, code_4(line), {}}); }
 
   // Those of the figure stay while the code runs, behind what a step is about.
   void keep_labels() {
@@ -313,15 +304,11 @@ class ListingPlay {
     return text.empty() ? std::nullopt : std::optional(text);
   }
 
-  Mesh mesh_;
-  Journal journal_;
   HalfedgeTable table_;
   std::vector<Halfedge> slots_;                  // of each halfedge of the table
   std::vector<std::uint32_t> vertices_, faces_;  // slots
   std::uint32_t he_ = no_index;
   bool is_complete_ = false;
-  std::vector<Step> steps_;
-  std::vector<std::size_t> positions_;
 };
 
 Made play_listing(const Mesh& mesh, Arguments arguments, std::string_view id, void (ListingPlay::*code)(),

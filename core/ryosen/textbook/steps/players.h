@@ -2,6 +2,7 @@
 // selection.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "ryosen/base/result.h"
 #include "ryosen/mesh/name_failure.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/steps/all.h"
 #include "ryosen/textbook/steps/step.h"
@@ -107,5 +109,36 @@ std::optional<Handle> usual_of(const Mesh& mesh, std::span<const Element> select
     if (mesh.is_alive(Handle(i))) return Handle(i);
   return {};
 }
+
+// What a player of edits builds on: steps as they are made, on a mesh of its own.
+class EditPlay {
+ public:
+  std::unique_ptr<Sequence> done() && {
+    return std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
+                                           std::move(positions_));
+  }
+
+ protected:
+  explicit EditPlay(const Mesh& mesh) : mesh_(mesh) {}
+
+  // A step behind which the mesh is as it is now.
+  Step& add(Step step) {
+    steps_.push_back(std::move(step));
+    positions_.push_back(journal_.position());
+    return steps_.back();
+  }
+  void apply(const AnyOp& op) {
+    Edit edit(mesh_, &journal_);
+    ryosen::apply(edit, op);
+    edit.commit();
+  }
+
+  Mesh mesh_;
+  Journal journal_;
+  std::vector<Step> steps_;
+
+ private:
+  std::vector<std::size_t> positions_;  // of the journal, behind each step
+};
 
 }  // namespace ryosen::steps

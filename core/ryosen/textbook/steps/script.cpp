@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "ryosen/analysis/euler_poincare.h"
-#include "ryosen/ops/all.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 
@@ -16,9 +15,9 @@ Failure fault_of_line(std::string_view line, const Text& why) {
 }
 
 // Plays lines on a mesh of its own.
-class ScriptPlay {
+class ScriptPlay : public EditPlay {
  public:
-  explicit ScriptPlay(const Mesh& mesh) : mesh_(mesh) {}
+  explicit ScriptPlay(const Mesh& mesh) : EditPlay(mesh) {}
 
   // False where the steps end here.
   Result<bool> take(const std::string& line) {
@@ -53,16 +52,13 @@ class ScriptPlay {
       const RuleText& rule = ryosen::text_of(verdict.reasons[0].rule);
       return refuse(std::move(step), {std::string(rule.en), std::string(rule.ja)}, verdict.reasons[0].witnesses);
     }
-    Edit edit(mesh_, &journal_);
-    apply(edit, *parsed.op);
-    edit.commit();
+    apply(*parsed.op);
     add(std::move(step));
     return true;
   }
 
   std::unique_ptr<Sequence> done() && {
-    auto sequence = std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
-                                                    std::move(positions_));
+    std::unique_ptr<Sequence> sequence = std::move(*this).EditPlay::done();
     sequence->stop_for(std::move(stop_));
     return sequence;
   }
@@ -80,11 +76,6 @@ class ScriptPlay {
     }
     while (journal_.position() < now) journal_.redo(mesh_);
     return is_found;
-  }
-
-  void add(Step step) {
-    steps_.push_back(std::move(step));
-    positions_.push_back(journal_.position());
   }
 
   bool refuse(Step step, const Text& why, const std::vector<Element>& witnesses) {
@@ -123,10 +114,6 @@ class ScriptPlay {
     return fault_of_line(line, usage);
   }
 
-  Mesh mesh_;
-  Journal journal_;
-  std::vector<Step> steps_;
-  std::vector<std::size_t> positions_;
   std::optional<Stop> stop_;
 };
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/steps/mesh_rows.h"
@@ -23,14 +22,14 @@ Side swapped(Side side) { return {side.second, side.first}; }
 std::string key_text(Side side) { return std::to_string(side.first) + "," + std::to_string(side.second); }
 
 // The text's structure, with a step for what is written to it.
-class SplitPlay {
+class SplitPlay : public EditPlay {
  public:
-  explicit SplitPlay(const Mesh& mesh) : mesh_(mesh) {
+  explicit SplitPlay(const Mesh& mesh) : EditPlay(mesh) {
     for (const Halfedge h : forms::corner_halfedges(mesh)) {
       if (corners_ % 3 == 0) faces_.emplace_back();
       faces_.back()[corners_++ % 3] = mesh.from(h).index;
     }
-    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) positions_.push_back(mesh.position(Vertex(v)));
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) places_.push_back(mesh.position(Vertex(v)));
     for (std::uint32_t h = 0; h < corners_; ++h) {
       const Side side = side_of(h);
       if (const auto other = opps_.find(swapped(side)); other != opps_.end()) {
@@ -49,11 +48,6 @@ class SplitPlay {
     const Side given = side_of(number), other = swapped(given);
     const bool turns = opps_.at(given) >= 0 && other.first < given.first;
     split_side(turns ? other : given, number, turns);
-  }
-
-  std::unique_ptr<Sequence> done() && {
-    return std::make_unique<RecordedSteps>(std::move(mesh_), std::move(journal_), std::move(steps_),
-                                           std::move(positions_behind_));
   }
 
  private:
@@ -79,11 +73,7 @@ class SplitPlay {
   }
   Side prev(Side side) const { return next(next(side)); }
 
-  Step& begin(Text caption, int line) {
-    steps_.push_back({std::move(caption), {}, {}, split_code(line), {}});
-    positions_behind_.push_back(journal_.position());
-    return steps_.back();
-  }
+  Step& begin(Text caption, int line) { return add({std::move(caption), {}, {}, split_code(line), {}}); }
   void mark(Step& step, Role role, Side side) const {
     if (side.first >= mesh_.vertex_slots() || side.second >= mesh_.vertex_slots()) return;
     if (const Halfedge h = find_halfedge(mesh_, Vertex(side.first), Vertex(side.second)))
@@ -143,7 +133,7 @@ class SplitPlay {
     n.v1 = next(side).second;
     n.v3 = side.first;
     n.v2 = n.is_boundary ? no_index : next(swapped(side)).second;
-    n.vnew = static_cast<std::uint32_t>(positions_.size());
+    n.vnew = static_cast<std::uint32_t>(places_.size());
     n.h0 = opps_.at(prev(side));
     n.h1 = opps_.at(next(side));
     if (!n.is_boundary) {
@@ -179,12 +169,12 @@ class SplitPlay {
 
   void split_side(Side side, std::uint32_t number, bool turns) {
     const Names n = look_up(side, number, turns);
-    const glm::dvec3 place = 0.5 * (positions_[side.first] + positions_[side.second]);
+    const glm::dvec3 place = 0.5 * (places_[side.first] + places_[side.second]);
     Step& vertex = begin({"Vertex " + std::to_string(n.vnew) + " is added in the middle.",
                           "中点に頂点 " + std::to_string(n.vnew) + " を追加。"},
                          n.is_boundary ? 169 : 225);
     vertex.rows.push_back({"text_vertices", "v" + std::to_string(n.vnew), "position", {}, place_text(place)});
-    positions_.push_back(place);
+    places_.push_back(place);
     n.is_boundary ? rebuild_one(n) : rebuild_two(n);
     show_dead_keys(n.is_boundary ? 198 : 281);
     split_kernel(side);
@@ -244,8 +234,7 @@ class SplitPlay {
     }
     step.caption = {"Nothing is taken out of the map: its dead keys, of sides that are no more, are " + dead,
                     "マップからは何も消さない。もう無い半稜線の死んだキー：" + dead};
-    steps_.push_back(std::move(step));
-    positions_behind_.push_back(journal_.position());
+    add(std::move(step));
   }
 
   void split_kernel(Side side) {
@@ -253,25 +242,17 @@ class SplitPlay {
     const ParsedOp parsed = parse_line(mesh_, line);
     Step step{{"Ryosen: " + line, "Ryosen：" + line}, {}, {}, {}, {}};
     const bool is_legal = parsed.op && check(mesh_, *parsed.op).legal();
-    if (!is_legal) {
+    if (is_legal)
+      apply(*parsed.op);
+    else
       step.caption = {"Ryosen refuses " + line + ".", "Ryosen では " + line + " はできません。"};
-    } else {
-      Edit edit(mesh_, &journal_);
-      apply(edit, *parsed.op);
-      edit.commit();
-    }
-    steps_.push_back(std::move(step));
-    positions_behind_.push_back(journal_.position());
+    add(std::move(step));
   }
 
-  Mesh mesh_;
-  Journal journal_;
   std::uint32_t corners_ = 0;
-  std::vector<glm::dvec3> positions_;
+  std::vector<glm::dvec3> places_;
   std::vector<std::array<std::uint32_t, 3>> faces_;
   std::map<Side, std::int64_t> opps_;
-  std::vector<Step> steps_;
-  std::vector<std::size_t> positions_behind_;
 };
 
 // Numbers, separated by commas or in words of their own; none where one is none.

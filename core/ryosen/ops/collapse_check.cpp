@@ -132,7 +132,7 @@ class CollapseJudge {
     if (verdict_.legal() && place_.may_share_faces()) return Rule::common_face;
     if (verdict_.legal()) check_loops();
     if (verdict_.legal()) check_duplicates(place_, verdict_);
-    return verdict_.legal() ? std::nullopt : std::optional(verdict_.reasons[0].rule);
+    return first_rule_of(verdict_);
   }
 
  private:
@@ -172,7 +172,7 @@ class CollapseJudge {
 
   void check_apexes() {
     for (Halfedge side : {h_, twin(h_)}) {
-      if (!place_.is_plain_triangle(side)) continue;
+      if (!is_triangle_side(m_, side)) continue;
       if (m_.is_outside(twin(m_.next(side))) && m_.is_outside(twin(m_.prev(side))))
         verdict_.refuse(Rule::isolated_apex, {m_.to(m_.next(side)), m_.face(side)});
     }

@@ -16,6 +16,7 @@
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/local_facts.h"
 
 namespace ryosen {
@@ -111,10 +112,7 @@ void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effec
 Halfedge take_edge_out(Edit& edit, Halfedge h, OpEffect& effect) {
   const Mesh& m = edit.mesh();
   const Halfedge o = twin(h);
-  const auto is_plain_triangle = [&](Halfedge side) {
-    return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
-  };
-  const bool left_two_gon = is_plain_triangle(h), right_two_gon = is_plain_triangle(o);
+  const bool left_two_gon = is_triangle_side(m, h), right_two_gon = is_triangle_side(m, o);
   const Halfedge h_next = m.next(h), h_prev = m.prev(h), o_next = m.next(o), o_prev = m.prev(o);
   // A wire may have a free end, where its halves follow each other.
   const bool tip_kept = h_next == o, tip_gone = o_next == h;

@@ -10,7 +10,7 @@
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
-#include "ryosen/ops/rules/plain_faces.h"
+#include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {

@@ -12,7 +12,7 @@
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
-#include "ryosen/ops/rules/plain_faces.h"
+#include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"
 
@@ -68,8 +68,7 @@ std::optional<Rule> DissolveSeries::broken_rule(const Dissolve& op) {
     plain_star_ = op.vertex;
     return std::nullopt;
   }
-  const Verdict verdict = op.check(mesh());
-  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  return first_rule_of(op.check(mesh()));
 }
 
 // In the order in which check() refuses.

@@ -15,7 +15,6 @@
 
 #include "ryosen/ops/dissolve.h"
 #include "ryosen/ops/rules/local_facts.h"
-#include "ryosen/ops/rules/plain_faces.h"
 
 namespace ryosen {
 

@@ -35,11 +35,7 @@ std::optional<Text> fault_of_extrusion(const Mesh& mesh, const void* op) {
   return std::nullopt;
 }
 
-constexpr OpDrag drag_of_extrusion{.set =
-                                       [](void* op, const glm::dvec3& by) {
-                                         static_cast<Extrude*>(op)->distance.reset();
-                                         static_cast<Extrude*>(op)->offset = by;
-                                       },
+constexpr OpDrag drag_of_extrusion{.set = set_way<Extrude>,
                                    .moved =
                                        [](const Mesh&, const void* op, const ColumnLengths&) {
                                          const std::vector<Face>& faces = static_cast<const Extrude*>(op)->faces;

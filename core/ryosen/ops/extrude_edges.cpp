@@ -58,11 +58,7 @@ std::vector<Element> far_edges(const Mesh& mesh, const void*, const ColumnLength
   return found;
 }
 
-constexpr OpDrag drag_of_edge_extrusion{.set =
-                                            [](void* op, const glm::dvec3& by) {
-                                              static_cast<ExtrudeEdges*>(op)->distance.reset();
-                                              static_cast<ExtrudeEdges*>(op)->offset = by;
-                                            },
+constexpr OpDrag drag_of_edge_extrusion{.set = set_way<ExtrudeEdges>,
                                         .moved = far_edges,
                                         .begins_flat = true,
                                         .selects_moved = true,

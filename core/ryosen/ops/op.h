@@ -162,6 +162,11 @@ bool any_is_gone(const Mesh& mesh, const std::vector<Handle>& elements, Verdict&
          std::any_of(elements.begin(), elements.end(), [&](Handle e) { return is_gone(mesh, e, verdict); });
 }
 
+// The rule of the first reason against an operator, if there is any.
+inline std::optional<Rule> first_rule_of(const Verdict& verdict) {
+  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+}
+
 // The side of an edge for an operator on what is outside of faces: where the given one has a face, the other one.
 inline Halfedge outside_side(const Mesh& mesh, Halfedge h) {
   return is_there(mesh, h) && !mesh.is_outside(h) ? twin(h) : h;

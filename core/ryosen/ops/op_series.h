@@ -29,10 +29,7 @@ class OpSeries {
 class OneByOne : public OpSeries {
  public:
   explicit OneByOne(Edit& edit) : edit_(edit) {}
-  std::optional<Rule> broken_rule(const AnyOp& op) override {
-    const Verdict verdict = check(edit_.mesh(), op);
-    return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
-  }
+  std::optional<Rule> broken_rule(const AnyOp& op) override { return first_rule_of(check(edit_.mesh(), op)); }
   std::optional<Rule> doubt(const AnyOp& op) override {
     const std::vector<Reason> doubts = warnings(edit_.mesh(), op);
     return doubts.empty() ? std::nullopt : std::optional(doubts[0].rule);

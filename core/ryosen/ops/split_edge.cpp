@@ -9,6 +9,7 @@
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/point_in_edge.h"
 
 namespace ryosen {

@@ -11,7 +11,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/plain_check.h"
-#include "ryosen/ops/rules/plain_faces.h"
+#include "ryosen/ops/rules/local_facts.h"
 
 namespace ryosen {
 

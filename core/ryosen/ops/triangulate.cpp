@@ -185,7 +185,7 @@ class Triangulations : public OneByOne {
     if (!is_there(m, f)) return Rule::deleted;
     if (has_more_than_three(m, f) && equal_.has_equal(f)) return Rule::loses_duplicate;
     cut_ = cut_of(m, f, Face());
-    return cut_.verdict.legal() ? std::nullopt : std::optional(cut_.verdict.reasons[0].rule);
+    return first_rule_of(cut_.verdict);
   }
   void apply(const AnyOp& op) override {
     OpEffect effect;

@@ -57,8 +57,7 @@ std::optional<Rule> UniteSeries::broken_rule(Vertex v) {
   }
   is_sure_ = is_sure;
   if (is_sure) return std::nullopt;
-  const Verdict verdict = UniteEdge{v}.check(m);
-  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  return first_rule_of(UniteEdge{v}.check(m));
 }
 
 void UniteSeries::apply(Vertex v) {

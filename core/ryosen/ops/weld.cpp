@@ -235,11 +235,6 @@ void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
   sheets.join_points(goes, stays);
 }
 
-void make_one(Edit& edit, Sheets& sheets, Vertex a, Vertex b) {
-  const Mesh& m = edit.mesh();
-  sheets.join_corner(m.prev(m.halfedge(a)), m.halfedge(b));
-}
-
 // After the two points have become one, which this vertex belongs to.
 void know(const Mesh& m, Vertex v, bool has_new_fan, ManifoldPoint& known) {
   const bool is_new = known.at.is_none();
@@ -304,7 +299,7 @@ OpEffect Weld::apply(Edit& edit, ManifoldPoint& known) const {
   }
   known.looks += sheets.looks();
   const bool are_one = !first && m.is_alive(a) && m.is_alive(b) && can_be_one(m, a, b);
-  if (are_one) make_one(edit, sheets, a, b);
+  if (are_one) sheets.join_corner(m.prev(m.halfedge(a)), m.halfedge(b));
   // Where an isolated vertex has come and gone, nothing was looked at.
   const Vertex stays = !first && m.is_alive(a) ? a : b;
   if (!first && m.is_alive(stays) && (is_known || m.is_alive(touched.front()))) know(m, stays, are_one, known);
@@ -319,10 +314,7 @@ class Welds : public OneByOne {
   explicit Welds(Edit& edit) : OneByOne(edit), rings_(edit) { known_.rings = &rings_; }
   std::optional<Rule> broken_rule(const AnyOp& op) override {
     const Weld* const weld = std::get_if<Weld>(&op);
-    if (!weld) {
-      const Verdict verdict = std::get<CollapseEdge>(op).check(edit_.mesh(), facts_);
-      return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
-    }
+    if (!weld) return first_rule_of(std::get<CollapseEdge>(op).check(edit_.mesh(), facts_));
     const Mesh& m = edit_.mesh();
     const bool are_points =
         !weld->first && is_there(m, weld->a) && is_there(m, weld->b) && !same_point(m, weld->a, weld->b);

@@ -24,12 +24,6 @@ std::uint32_t slots_of(const Mesh& mesh, Element::Kind sort) {
                                        : mesh.edge_slots();
 }
 
-Element element_at(Element::Kind sort, std::uint32_t slot) {
-  return sort == Element::Kind::vertex ? Element(Vertex(slot))
-         : sort == Element::Kind::face ? Element(Face(slot))
-                                       : Element(Edge(slot));
-}
-
 std::vector<Vertex> with_copies(const Mesh& mesh, const std::vector<Vertex>& vertices) {
   std::vector<Vertex> all;
   for (const Vertex v : vertices) for_each_copy(mesh, v, [&](Vertex copy) { all.push_back(copy); });
@@ -103,7 +97,9 @@ ToolVerdicts::ToolVerdicts(const Mesh& mesh, const OpInfo& op, Element::Kind sor
     : serial_(next_serial()), op_(&op), sort_(sort), verdicts_(slots_of(mesh, sort), ElementVerdict::none) {}
 
 void ToolVerdicts::ask_about(const Mesh& mesh, std::uint32_t slot) {
-  const Element asked = element_at(sort_, slot);
+  Element asked;
+  asked.kind = sort_;
+  asked.index = slot;
   ElementVerdict& verdict = verdicts_[slot];
   verdict = ElementVerdict::none;
   if (!is_alive(mesh, asked)) return;

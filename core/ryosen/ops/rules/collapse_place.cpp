@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ryosen/ops/rules/face_lists.h"
-
 namespace ryosen {
 
 namespace {
@@ -25,7 +23,7 @@ bool are_of_similar_size(const Mesh& mesh, Face f, Face g) {
 CollapsePlace::CollapsePlace(const Mesh& given, Halfedge edge_half)
     : mesh(given), h(edge_half), gone(given.from(edge_half)), kept(given.to(edge_half)) {
   for (Halfedge side : {h, twin(h)})
-    if (is_plain_triangle(side)) apexes[apex_count++] = mesh.to(mesh.next(side));
+    if (is_triangle_side(mesh, side)) apexes[apex_count++] = mesh.to(mesh.next(side));
   find_smaller_star();
 }
 
@@ -100,7 +98,7 @@ bool CollapsePlace::may_share_faces() const {
 // Only the loops of a face at both ends change otherwise than in the number of a vertex.
 bool CollapsePlace::may_break_loops(LocalFacts& known) const {
   return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
-    if (mesh.is_outside(k) || is_plain_triangle(k)) return false;
+    if (mesh.is_outside(k) || is_triangle_side(mesh, k)) return false;
     const Face f = mesh.face(k);
     return (is_at_edge(f) || reaches_beyond(f)) && !known.is_one_simple_loop(mesh, f);
   });
@@ -119,7 +117,7 @@ bool CollapsePlace::may_make_triangles_equal() const {
   };
   return std::any_of(smaller_.begin(), smaller_.end(), [&](Halfedge k) {
     if (mesh.is_outside(k) || is_dropped(k)) return false;
-    return !is_plain_triangle(k) || (is_at_apex(mesh.to(k)) && is_at_apex(mesh.from(mesh.prev(k))));
+    return !is_triangle_side(mesh, k) || (is_at_apex(mesh.to(k)) && is_at_apex(mesh.from(mesh.prev(k))));
   });
 }
 

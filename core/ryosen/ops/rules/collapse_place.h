@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/local_facts.h"
 
 namespace ryosen {
@@ -17,12 +17,8 @@ struct CollapsePlace {
 
   bool is_apex(Vertex v) const;
   bool is_at_edge(Face f) const { return f == mesh.face(h) || f == mesh.face(twin(h)); }
-  // A face with three corners and no rings.
-  bool is_plain_triangle(Halfedge side) const {
-    return !mesh.is_outside(side) && is_triangle(mesh, side) && !mesh.has_rings(mesh.face(side));
-  }
   // A corner of a triangle that vanishes.
-  bool is_dropped(Halfedge corner) const { return is_at_edge(mesh.face(corner)) && is_plain_triangle(corner); }
+  bool is_dropped(Halfedge corner) const { return is_at_edge(mesh.face(corner)) && is_triangle_side(mesh, corner); }
   bool is_tip_of_three_edge_hole(Vertex v) const;
 
   // Whether the ends have a neighbour in common that may be in the way: no if not, else perhaps, or surely. In that

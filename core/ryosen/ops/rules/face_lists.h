@@ -26,6 +26,10 @@ CornerLoops loops_of(const Mesh& mesh, Face f);
 // The number of bridges; the lists must split at each.
 std::size_t bridges_of(const CornerLoops& loops);
 
+// Whether the halfedge is a side of a face with three corners and no rings.
+inline bool is_triangle_side(const Mesh& mesh, Halfedge side) {
+  return !mesh.is_outside(side) && is_triangle(mesh, side) && !mesh.has_rings(mesh.face(side));
+}
 // Whether a point is a corner of a face. Cost: the valence of the point or the corners, whichever is less.
 bool touches(const Mesh& mesh, Face f, Vertex v);
 // Whether a face has neither rings nor bridges. O(corners).

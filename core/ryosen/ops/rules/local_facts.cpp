@@ -1,5 +1,7 @@
 #include "ryosen/ops/rules/local_facts.h"
 
+#include <vector>
+
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -82,6 +84,82 @@ void LocalFacts::united(Face stays, Face goes, std::uint32_t corners, std::span<
   const auto points = points_.find(stays);
   if (points == points_.end()) return;
   for (const Vertex v : left_out) points->second.erase(v);
+}
+
+namespace {
+
+// Whether a third face may lie on the points of two: it is at one of them, has as many corners, and each of its own
+// touches one of the two.
+bool may_lie_on_both(const Mesh& m, Face third, Face f, Face g, std::uint32_t corners, LocalFacts& known,
+                     std::uint64_t& looks) {
+  if (!third || third == f || third == g || known.corner_count(m, third) < corners) return false;
+  for (const Vertex v : vertices_around(m, third)) {
+    if (!known.touches(m, f, v, looks) && !known.touches(m, g, v, looks)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Union judge_union(const Mesh& m, std::span<const Halfedge> chain, LocalFacts& known, std::uint64_t* looks) {
+  std::uint64_t looked = 0;
+  std::uint64_t& look = looks ? *looks : looked;
+  const Face f = m.face(chain.front()), g = m.face(twin(chain.front()));
+  for (const Face face : {f, g})
+    if (!known.is_one_simple_loop(m, face) || known.has_equal_face(m, face)) return Union::unsure;
+  const auto taken = static_cast<std::uint32_t>(2 * chain.size());
+  const std::uint32_t both = known.corner_count(m, f) + known.corner_count(m, g);
+  if (both < taken + 3) return Union::touching;
+  const bool left_is_larger = known.corner_count(m, f) > known.corner_count(m, g);
+  // The way of the smaller face past the chain, whose ends both have.
+  const Halfedge from = left_is_larger ? twin(chain.front()) : chain.back(),
+                 to = left_is_larger ? twin(chain.back()) : chain.front();
+  const Face larger = left_is_larger ? f : g;
+  std::vector<std::uint32_t> united{m.to(from).index, m.from(to).index};
+  for (Halfedge corner = m.next(m.next(from)); corner != to && m.prev(corner) != to; corner = m.next(corner)) {
+    if (known.touches(m, larger, m.from(corner), look)) return Union::touching;
+    united.push_back(m.from(corner).index);
+  }
+  const bool is_unsure = any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {
+    for (const Face third : faces_around(m, copy))
+      if (may_lie_on_both(m, third, f, g, both - taken, known, look)) return true;
+    return false;
+  });
+  return is_unsure ? Union::unsure : Union::plain;
+}
+
+bool unite_plainly(const Mesh& m, Halfedge h, LocalFacts& known) {
+  const Face f = m.face(h), g = m.face(twin(h));
+  if (!f || !g || f == g || is_cut_on_points(m, h)) return false;
+  return judge_union(m, {&h, 1}, known) == Union::plain;
+}
+
+namespace {
+
+// Whether another face may get the points that this one will have: it has the first few of them.
+bool may_equal(const Mesh& m, Face other, const CornerChange& change, LocalFacts& known) {
+  constexpr int few = 8;
+  if (known.corner_count(m, other) < known.corner_count(m, change.face) || !touches(m, other, change.gains))
+    return false;
+  int asked = 0;
+  for (Vertex v : vertices_around(m, change.face)) {
+    if (v != change.loses && !touches(m, other, v)) return false;
+    if (++asked == few) break;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool changes_plainly(const Mesh& m, const CornerChange& change, LocalFacts& known) {
+  const Face f = change.face;
+  if (!known.is_one_simple_loop(m, f) || known.has_equal_face(m, f) || touches(m, f, change.gains)) return false;
+  const std::uint32_t both[] = {change.stays.index, change.gains.index};
+  return !any_of_copies(m, loneliest_point(m, both), [&](Vertex copy) {
+    for (Face other : faces_around(m, copy))
+      if (other && other != f && other != change.beside && may_equal(m, other, change, known)) return true;
+    return false;
+  });
 }
 
 }  // namespace ryosen

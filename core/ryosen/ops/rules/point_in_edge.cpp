@@ -6,6 +6,7 @@
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
+#include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -16,10 +17,6 @@ std::vector<Halfedge> sheets_of_edge(const Mesh& m, Halfedge h) {
   const auto lowest = [&](Halfedge s) { return std::min(m.face(s), m.face(twin(s))); };
   std::sort(sheets.begin(), sheets.end(), [&](Halfedge x, Halfedge y) { return lowest(x) < lowest(y); });
   return sheets;
-}
-
-bool is_triangle_side(const Mesh& m, Halfedge side) {
-  return !m.is_outside(side) && is_triangle(m, side) && !m.has_rings(m.face(side));
 }
 
 namespace {

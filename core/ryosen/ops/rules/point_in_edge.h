@@ -11,7 +11,6 @@ namespace ryosen {
 // The halfedges that one split of an edge from A to B cuts, from a copy of A to a copy of B, the one with the lowest
 // face first.
 std::vector<Halfedge> sheets_of_edge(const Mesh& mesh, Halfedge h);
-bool is_triangle_side(const Mesh& mesh, Halfedge side);
 
 // Warns of a number that does not lie between 0 and 1.
 void warn_of_place(Halfedge h, double along, std::vector<Reason>& reasons);

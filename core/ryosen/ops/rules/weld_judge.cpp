@@ -8,6 +8,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/ops/op.h"
 #include "ryosen/ops/rules/face_lists.h"
 
 namespace ryosen {
@@ -187,7 +188,7 @@ std::optional<Rule> first_rule_of_weld(const Mesh& mesh, const WeldPairs& pairs)
   WeldJudge judge(mesh, pairs, verdict);
   if (judge.has_common_face()) return Rule::common_face;
   judge.judge();
-  return verdict.legal() ? std::nullopt : std::optional(verdict.reasons[0].rule);
+  return first_rule_of(verdict);
 }
 
 bool have_common_face(const Mesh& mesh, const WeldPairs::value_type& pair) {

@@ -96,16 +96,7 @@ PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& m
   PairingFigures figures{&method, faces_within(source, method, effort.pairing_steps), source.face_count(), 1, 0};
   const IndexedMesh part = figures.is_whole() ? IndexedMesh() : first_faces(source, figures.faces);
   if (!figures.is_whole()) figures.steps_of_all = method.steps(source) / std::max(1.0, method.steps(part));
-  figures.seconds = std::numeric_limits<double>::infinity();
-  constexpr double enough_seconds = 0.1;
-  double spent = 0;
-  for (int run = 0; run < 3 && spent < enough_seconds; ++run) {
-    const Stopwatch watch;
-    const SidePartners partners = method.pair(figures.is_whole() ? source : part);
-    const double taken = watch.seconds();
-    figures.seconds = std::min(figures.seconds, taken);
-    spent += taken;
-  }
+  figures.seconds = fastest_of(3, 0.1, [&] { return method.pair(figures.is_whole() ? source : part); });
   return figures;
 }
 

@@ -2,11 +2,14 @@
 // measured at run time.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ryosen/base/stopwatch.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/form.h"
 #include "ryosen/textbook/forms/pairing.h"
@@ -61,6 +64,20 @@ struct ComparedClaim {
 };
 // The claims about forms that both hold the mesh; none without faces.
 std::vector<ComparedClaim> compare_claims(const Comparison& comparison);
+
+// The seconds of the fastest of several runs, fewer where they have taken enough.
+template <class Work>
+double fastest_of(int runs, double enough_seconds, Work work) {
+  double best = std::numeric_limits<double>::infinity(), spent = 0;
+  for (int run = 0; run < runs && spent < enough_seconds; ++run) {
+    const Stopwatch watch;
+    [[maybe_unused]] const auto made = work();
+    const double taken = watch.seconds();
+    best = std::min(best, taken);
+    spent += taken;
+  }
+  return best;
+}
 
 // One method.
 PairingFigures measure_pairing(const IndexedMesh& source, const PairingMethod& method, const Effort& effort);

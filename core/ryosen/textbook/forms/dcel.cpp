@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -33,28 +34,19 @@ std::size_t Dcel::bytes() const {
 }
 
 Mesh Dcel::to_mesh() const {
-  std::vector<Halfedge> slot(records_.half_edges.size());
-  std::uint32_t edges = 0;
-  for (std::uint32_t h = 0; h < slot.size(); ++h) slot[h] = pair(h) < h ? twin(slot[pair(h)]) : halfedge(Edge(edges++));
-  MeshColumns c;
-  c.halfedges.resize(slot.size());
+  HalfedgeTable table;
+  std::vector<std::vector<std::uint32_t>> inner;
   for (const DcelRecords::VertexRecord& v : records_.vertices) {
-    c.positions.push_back(v.coordinates);
-    c.vertex_halfedge.push_back(v.incident_edge == no_index ? Halfedge() : slot[v.incident_edge]);
+    table.positions.push_back(v.coordinates);
+    table.vertex_halfedge.push_back(v.incident_edge);
   }
-  for (std::uint32_t h = 0; h < slot.size(); ++h)
-    c.halfedges[slot[h].index] = {Vertex(from(h)), slot[next(h)], slot[prev(h)],
-                                  face(h) == no_index ? Face() : Face(face(h))};
-  for (const DcelRecords::FaceRecord& f : records_.faces) c.face_halfedge.push_back(slot[f.outer_component]);
-  c.live = {static_cast<std::uint32_t>(records_.vertices.size()), edges,
-            static_cast<std::uint32_t>(records_.faces.size()), 0};
-  for (std::uint32_t f = 0; f < records_.faces.size(); ++f) {
-    std::vector<Halfedge> starts;
-    for (const std::uint32_t h : records_.faces[f].inner_components) starts.push_back(slot[h]);
-    set_inner_loops(c, Face(f), starts);
+  for (const DcelRecords::HalfEdgeRecord& h : records_.half_edges)
+    table.halfedges.push_back({h.origin, h.face, h.twin, h.next, h.prev});
+  for (const DcelRecords::FaceRecord& f : records_.faces) {
+    table.face_halfedge.push_back(f.outer_component);
+    inner.push_back(f.inner_components);
   }
-  c.file_vertices = c.live.vertices;
-  return Mesh(std::move(c));
+  return mesh_from_all_halfedges(table, inner);
 }
 
 Fields Dcel::record(Element own) const {

@@ -70,7 +70,7 @@ Mesh mesh_from_inner_halfedges(const HalfedgeTable& table) {
   return mesh_from_sides(polygons, across);
 }
 
-Mesh mesh_from_all_halfedges(const HalfedgeTable& table) {
+Mesh mesh_from_all_halfedges(const HalfedgeTable& table, const std::vector<std::vector<std::uint32_t>>& inner) {
   std::vector<Halfedge> slot(table.halfedges.size());
   std::uint32_t edges = 0;
   for (std::uint32_t h = 0; h < slot.size(); ++h)
@@ -88,6 +88,11 @@ Mesh mesh_from_all_halfedges(const HalfedgeTable& table) {
   }
   c.live = {static_cast<std::uint32_t>(c.positions.size()), edges, static_cast<std::uint32_t>(c.face_halfedge.size()),
             0};
+  for (std::uint32_t f = 0; f < inner.size(); ++f) {
+    std::vector<Halfedge> starts;
+    for (const std::uint32_t h : inner[f]) starts.push_back(slot[h]);
+    set_inner_loops(c, Face(f), starts);
+  }
   c.file_vertices = c.live.vertices;
   return Mesh(std::move(c));
 }

@@ -44,6 +44,7 @@ HalfedgeTable inner_halfedges(const Mesh& mesh);
 HalfedgeTable all_halfedges(const Mesh& mesh);
 
 Mesh mesh_from_inner_halfedges(const HalfedgeTable& table);
-Mesh mesh_from_all_halfedges(const HalfedgeTable& table);
+// `inner`: the first halfedges of the inner loops of each face; empty where no face has any.
+Mesh mesh_from_all_halfedges(const HalfedgeTable& table, const std::vector<std::vector<std::uint32_t>>& inner = {});
 
 }  // namespace ryosen::forms

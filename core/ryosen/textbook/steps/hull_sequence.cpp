@@ -67,10 +67,12 @@ class HullKernel {
     half_.resize(records.half_edges.size());
     face_.resize(records.faces.size());
     Edit edit(mesh_, &journal_);
-    if (is_planar_)
+    if (is_planar_) {
       follow_in_plane(edit, step, records);
-    else
-      follow_in_space(edit, step, records);
+    } else {
+      remove_seen(edit, step);
+      for (const Row f : step.made) add_face(edit, records, f);
+    }
     edit.commit();
   }
 
@@ -80,10 +82,6 @@ class HullKernel {
   Journal take_journal() { return std::move(journal_); }
 
  private:
-  void follow_in_space(Edit& edit, const HullStep& step, const DcelRecords& records) {
-    remove_seen(edit, step);
-    for (const Row f : step.made) add_face(edit, records, f);
-  }
   // The edges of a polygon, whose corners hold their halfedges outside of it.
   void follow_in_plane(Edit& edit, const HullStep& step, const DcelRecords& records) {
     const Row face_row = records.half_edges[step.made[0]].face;

@@ -199,7 +199,8 @@ class GrowthRun {
       std::uint64_t comparisons = 0;
       method.pair_counting(list, comparisons);
       if (!progress_.go_on()) return false;
-      curve.points.push_back({faces_, static_cast<double>(comparisons), fastest([&] { method.pair(list); })});
+      curve.points.push_back(
+          {faces_, static_cast<double>(comparisons), fastest_of(5, 0.03, [&] { return method.pair(list); })});
       if (!progress_.go_on()) return false;
     }
     return true;
@@ -261,20 +262,6 @@ class GrowthRun {
       if (!progress_.go_on()) return false;
     }
     return true;
-  }
-
-  template <class Work>
-  static double fastest(Work work) {
-    constexpr double enough_seconds = 0.03;
-    double best = std::numeric_limits<double>::infinity(), spent = 0;
-    for (int run = 0; run < 5 && spent < enough_seconds; ++run) {
-      const Stopwatch watch;
-      work();
-      const double taken = watch.seconds();
-      best = std::min(best, taken);
-      spent += taken;
-    }
-    return best;
   }
 
   const GrowthEffort& effort_;

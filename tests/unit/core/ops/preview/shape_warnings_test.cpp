@@ -1,4 +1,3 @@
-#include "ryosen/ops/preview/shape_warnings.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // 003's map, which stores a side without an opposite as a negative number, face by face.
 #include <map>
 
-#include "ryosen/textbook/steps/mesh_rows.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/side_list.h"
 #include "ryosen/textbook/steps/sources.h"
@@ -40,7 +40,7 @@ class BuildPlay {
   }
 
   void add_vertex(Vertex v) {
-    const std::string name = slot_name(v), place = place_text(mesh_.position(v));
+    const std::string name = slot_name(v), place = format_place(mesh_.position(v));
     Step& read = begin(1, 111, {"Coordinates are read: " + place, "座標を読む：" + place});
     read.marks.push_back({Role::asked, v});
     Step& made = begin(2, 112, {name + " is made; it has no halfedge yet.", name + " を作る。半稜線はまだない。"});

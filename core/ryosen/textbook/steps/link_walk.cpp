@@ -1,7 +1,7 @@
 #include "ryosen/textbook/steps/link_walk.h"
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/steps/mesh_rows.h"
 #include "ryosen/textbook/steps/players.h"
 
 namespace ryosen::steps {
@@ -94,7 +94,7 @@ Element LinkWalk::first_of(Element f, Tell how, const Text& what) {
 std::size_t LinkWalk::read_places(Face f) {
   const std::vector<glm::dvec3> places = reader_.places(f);
   std::string text;
-  for (const glm::dvec3& place : places) text += (text.empty() ? "" : " ") + place_text(place);
+  for (const glm::dvec3& place : places) text += (text.empty() ? "" : " ") + format_place(place);
   add_row(tell(Tell::own, f, {}, link_said("positions", f, text, text)), f, "positions", text, false);
   return places.size();
 }

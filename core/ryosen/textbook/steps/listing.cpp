@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/steps/mesh_rows.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 
@@ -56,7 +56,7 @@ class ListingPlay : public EditPlay {
     Step& move = begin(40, {"The right vertex moves to the middle of both.", "右の頂点を両端の中点へ動かす。"});
     const glm::dvec3 middle = 0.5 * (table_.positions[end] + table_.positions[start]);
     move.rows.push_back(
-        {"text_vertices", vertex_name(end), "position", place_text(table_.positions[end]), place_text(middle)});
+        {"text_vertices", vertex_name(end), "position", format_place(table_.positions[end]), format_place(middle)});
     table_.positions[end] = middle;
     mark(move, Role::changed, Vertex(vertices_[end]));
     set_halfedge(46, end, rb, {"The right vertex refers to (10)", "右の頂点から (10) を参照"});

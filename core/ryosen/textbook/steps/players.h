@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ryosen/base/result.h"
+#include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/name_failure.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
@@ -96,9 +97,7 @@ void mark_all(Step& step, Role role, const Elements& elements) {
 template <class Handle>
 std::optional<Handle> selected_of(const Mesh& mesh, std::span<const Element> selection) {
   for (const Element element : selection)
-    if (element.kind == Element(Handle()).kind && element.index != no_index && mesh.exists(Handle(element.index)) &&
-        mesh.is_alive(Handle(element.index)))
-      return Handle(element.index);
+    if (element.kind == Element(Handle()).kind && is_alive(mesh, element)) return Handle(element.index);
   return {};
 }
 // That, or the first live one.

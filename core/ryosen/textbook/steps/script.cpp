@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/ops/op.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 

@@ -2,16 +2,91 @@
 
 #include <array>
 #include <cassert>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ryosen/analysis/euler_poincare.h"
+#include "ryosen/base/number_text.h"
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/rings.h"
 #include "ryosen/mesh/touched.h"
-#include "ryosen/textbook/steps/mesh_rows.h"
 
 namespace ryosen::steps {
 
 namespace {
+
+using Cells = std::vector<std::optional<std::string>>;
+
+// What the kernel stores of an element, as cells of the tables of steps: the fields of vertices (position, halfedge),
+// halfedges (from, next, prev, face) and faces (outer, inner), in that order; edges have none. A link is a slot name;
+// none is no value.
+struct StoredRecord {
+  bool is_there = false;
+  Cells values;  // empty where it is not there
+};
+
+constexpr std::array<std::string_view, 2> vertex_fields{"position", "halfedge"};
+constexpr std::array<std::string_view, 4> halfedge_fields{"from", "next", "prev", "face"};
+constexpr std::array<std::string_view, 2> face_fields{"outer", "inner"};
+
+std::span<const std::string_view> fields_of(Element::Kind kind) {
+  switch (kind) {
+    case Element::Kind::vertex:
+      return vertex_fields;
+    case Element::Kind::halfedge:
+      return halfedge_fields;
+    case Element::Kind::face:
+      return face_fields;
+    case Element::Kind::edge:
+      break;
+  }
+  return {};
+}
+
+// A slot name, or no value for none.
+std::optional<std::string> link_value(Element to) {
+  return to.index == no_index ? std::nullopt : std::optional(slot_name(to));
+}
+
+Cells face_cells(const Mesh& mesh, Face f) {
+  std::string inner;
+  for (std::uint32_t r = mesh.first_ring(f); r != no_index; r = mesh.ring(r).next)
+    inner += (inner.empty() ? "" : " ") + slot_name(mesh.ring(r).halfedge);
+  return {link_value(mesh.halfedge(f)), inner.empty() ? std::nullopt : std::optional(inner)};
+}
+
+StoredRecord stored_record(const Mesh& mesh, Element element) {
+  if (!has_slot(mesh.lengths(), element) || !is_alive(mesh, element)) return {};
+  switch (element.kind) {
+    case Element::Kind::vertex:
+      return {true, {format_place(mesh.position(element.vertex())), link_value(mesh.halfedge(element.vertex()))}};
+    case Element::Kind::halfedge: {
+      const HalfedgeLinks& links = mesh.links(element.halfedge());
+      return {true, {link_value(links.from), link_value(links.next), link_value(links.prev), link_value(links.face)}};
+    }
+    case Element::Kind::face:
+      return {true, face_cells(mesh, element.face())};
+    case Element::Kind::edge:
+      break;
+  }
+  return {true, {}};
+}
+
+// The cells in which two records of an element differ; all of one that is not there in the other.
+void add_differences(Element element, const StoredRecord& was, const StoredRecord& is, std::vector<RowChange>& rows) {
+  const std::span<const std::string_view> fields = fields_of(element.kind);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    RowChange row{std::string(table_of(element.kind)), slot_name(element), std::string(fields[i]), {}, {}};
+    if (was.is_there) row.old_value = was.values[i];
+    if (is.is_there) row.new_value = is.values[i];
+    if (row.old_value != row.new_value) rows.push_back(std::move(row));
+  }
+}
 
 std::vector<Element> changed_elements(const Mesh& mesh, const Journal& journal, std::size_t transaction) {
   const TouchedElements touched = touched_elements(mesh, journal, transaction);
@@ -61,6 +136,11 @@ void add_marks(const std::vector<Element>& elements, const std::vector<StoredRec
 }
 
 }  // namespace
+
+std::string_view table_of(Element::Kind kind) {
+  constexpr std::array<std::string_view, 4> names{"vertices", "halfedges", "edges", "faces"};
+  return names[static_cast<std::size_t>(kind)];
+}
 
 RecordedSteps::RecordedSteps(Mesh mesh, std::vector<Step> steps, Text remark)
     : mesh_(std::move(mesh)), steps_(std::move(steps)), positions_(steps_.size(), 0), remark_(std::move(remark)) {}

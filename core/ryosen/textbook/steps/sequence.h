@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,9 @@
 #include "ryosen/textbook/steps/step.h"
 
 namespace ryosen::steps {
+
+// The table that steps write of the elements of a kind: vertices, halfedges, edges, faces.
+std::string_view table_of(Element::Kind kind);
 
 // A number that grows with the steps.
 struct Curve {

@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
+#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/polygons.h"
-#include "ryosen/textbook/steps/mesh_rows.h"
 #include "ryosen/textbook/steps/players.h"
 #include "ryosen/textbook/steps/sources.h"
 
@@ -173,7 +173,7 @@ class SplitPlay : public EditPlay {
     Step& vertex = begin({"Vertex " + std::to_string(n.vnew) + " is added in the middle.",
                           "中点に頂点 " + std::to_string(n.vnew) + " を追加。"},
                          n.is_boundary ? 169 : 225);
-    vertex.rows.push_back({"text_vertices", "v" + std::to_string(n.vnew), "position", {}, place_text(place)});
+    vertex.rows.push_back({"text_vertices", "v" + std::to_string(n.vnew), "position", {}, format_place(place)});
     places_.push_back(place);
     n.is_boundary ? rebuild_one(n) : rebuild_two(n);
     show_dead_keys(n.is_boundary ? 198 : 281);

@@ -39,11 +39,11 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
 using PointPairs = std::vector<std::pair<Vertex, Vertex>>;
 PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices);
 
-// What is doubtful about a result as it lies, whichever operator makes it: asked of every preview, so that an operator
-// need not know of it. Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a normal
-// turned by 90 degrees or more, and sides that cross in the view along the normal (faces of up to 400 corners). What
-// was so before is no news, nor is what `known` says already. Cost: the faces, squared in the corners of a face with
-// more than three.
+// The doubts about a result as it lies, whichever operator makes it: asked of every preview, so that an operator
+// need not know of them. Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a
+// normal turned by 90 degrees or more, and sides that cross in the view along the normal (faces of up to 400 corners).
+// What was so before is no news, nor is what `known` says already. Cost: the faces, squared in the corners of a face
+// with more than three.
 std::vector<Reason> shape_warnings(const Mesh& before, const std::vector<GhostFace>& after,
                                    const std::vector<Reason>& known);
 

@@ -24,7 +24,7 @@ inline constexpr OpParameter face_corner_parameters[] = {
 FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in);
 std::string face_corners_text(const Mesh& mesh, const FaceCorners& corners);
 
-// They read into an operator with two such sides, and print it.
+// Reads the corners into an operator with two such sides, or prints those of one.
 template <class Op>
 void read_corners_of(const Mesh& mesh, ArgumentReader& in, void* op) {
   const FaceCorners corners = read_face_corners(mesh, in);

@@ -52,8 +52,8 @@ Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
 // Another face on the points of f, or none.
 Face equal_face(const Mesh& mesh, Face f);
 
-// Which faces have another face on their points, for many questions: the faces at a point are read once. Meanwhile a
-// face may change that has no equal one, if it has got points that no face asked about has.
+// Index of the faces that have another face on their points, for many questions: those at a point are read once.
+// Meanwhile a face may change that has no equal one, if it has got points that no face asked about has.
 class EqualFaceIndex {
  public:
   explicit EqualFaceIndex(const Mesh& mesh) : mesh_(mesh) {}

@@ -157,7 +157,7 @@ class LinkedForm : public Form {
   const Links& as_links() const { return static_cast<const Links&>(*this); }
 };
 
-// One of triangles with halfedges 3i+j, side j of face i; it offers corner(h) and opposite(h).
+// A linked form of triangles with halfedges 3i+j, side j of face i; it offers corner(h) and opposite(h).
 template <class Links>
 class TriangleForm : public LinkedForm<Links> {
  public:

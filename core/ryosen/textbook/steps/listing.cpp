@@ -164,19 +164,18 @@ class ListingPlay : public EditPlay {
     const auto label = [&](Role role, std::uint32_t h) {
       if (h != no_index) mark(step, role, slots_[h]);
     };
-    const auto unchecked_pair = [&](std::uint32_t h) { return table_.halfedges[h].pair; };
     label(Role::l1, he_);
     label(Role::l2, next(he_));
     label(Role::l3, prev(he_));
-    label(Role::l7, unchecked_pair(next(he_)));
-    label(Role::l8, unchecked_pair(prev(he_)));
-    const std::uint32_t other = unchecked_pair(he_);
+    label(Role::l7, pair(next(he_)));
+    label(Role::l8, pair(prev(he_)));
+    const std::uint32_t other = pair(he_);
     if (other == no_index) return;
     label(Role::l4, other);
     label(Role::l5, next(other));
     label(Role::l6, prev(other));
-    label(Role::l9, unchecked_pair(next(other)));
-    label(Role::l10, unchecked_pair(prev(other)));
+    label(Role::l9, pair(next(other)));
+    label(Role::l10, pair(prev(other)));
   }
 
   std::uint32_t name(int line, const char* variable, std::uint32_t h, const char* links, Role role) {

@@ -109,7 +109,7 @@ std::optional<Handle> usual_of(const Mesh& mesh, std::span<const Element> select
   return {};
 }
 
-// What a player of edits builds on: steps as they are made, on a mesh of its own.
+// Base of a player of edits: steps as they are made, on a mesh of its own.
 class EditPlay {
  public:
   std::unique_ptr<Sequence> done() && {

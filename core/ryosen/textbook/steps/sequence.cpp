@@ -22,9 +22,9 @@ namespace {
 
 using Cells = std::vector<std::optional<std::string>>;
 
-// What the kernel stores of an element, as cells of the tables of steps: the fields of vertices (position, halfedge),
-// halfedges (from, next, prev, face) and faces (outer, inner), in that order; edges have none. A link is a slot name;
-// none is no value.
+// The record that the kernel stores of an element, as cells of the tables of steps: the fields of vertices (position,
+// halfedge), halfedges (from, next, prev, face) and faces (outer, inner), in that order; edges have none. A link is a
+// slot name; none is no value.
 struct StoredRecord {
   bool is_there = false;
   Cells values;  // empty where it is not there

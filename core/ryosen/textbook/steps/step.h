@@ -16,7 +16,7 @@
 
 namespace ryosen::steps {
 
-// What part an element takes in a step.
+// The part that an element takes in a step.
 enum class Role : std::uint8_t {
   asked,
   read,

@@ -109,19 +109,28 @@ class RingWalk {
     return true;
   }
 
+  // Goes from the first one, if there is one, to the next: round the vertex, or clockwise too from where a boundary is
+  // met.
+  template <class Next>
+  void go_both_ways(Element first, Next next) {
+    if (first.index == no_index) return;
+    Element at = first;
+    do at = next(at, true);
+    while (at.index != no_index && at != first);
+    if (at == first) return walk_.add_to_last(round_text);
+    walk_.add_to_last(boundary_text);
+    for (at = first; at.index != no_index;) at = next(at, false);
+    walk_.add_to_last(boundary_text);
+  }
+
   // Table 4: the edge before an edge on its left, seen from the vertex, is the next one about it.
   void by_wings() {
     const Element first =
         walk_.follow(v_, "edge", Tell::own, {"The vertex stores one edge: ", "頂点の持つ稜線は一つ："});
-    if (first.index == no_index) return;
-    Element e = first;
-    do {
-      e = wing(e, "left_prev", "right_prev", counter_clockwise_text);
-    } while (e.index != no_index && e != first);
-    if (e == first) return walk_.add_to_last(round_text);
-    walk_.add_to_last(boundary_text);
-    for (e = first; e.index != no_index;) e = wing(e, "right_next", "left_next", clockwise_text);
-    walk_.add_to_last(boundary_text);
+    go_both_ways(first, [&](Element e, bool counter_clockwise) {
+      return counter_clockwise ? wing(e, "left_prev", "right_prev", counter_clockwise_text)
+                               : wing(e, "right_next", "left_next", clockwise_text);
+    });
   }
   // Visits the far end of an edge and goes on.
   Element wing(Element e, std::string_view from_start, std::string_view from_end, const Text& what) {
@@ -134,15 +143,7 @@ class RingWalk {
   // Table 3: the face across the side that ends at the vertex is the next one about it.
   void by_faces() {
     const Element first = walk_.follow(v_, "face", Tell::own, {"The vertex stores one face: ", "頂点の持つ面は一つ："});
-    if (first.index == no_index) return;
-    Element f = first;
-    do {
-      f = face_across(f, true);
-    } while (f.index != no_index && f != first);
-    if (f == first) return walk_.add_to_last(round_text);
-    walk_.add_to_last(boundary_text);
-    for (f = first; f.index != no_index;) f = face_across(f, false);
-    walk_.add_to_last(boundary_text);
+    go_both_ways(first, [&](Element f, bool counter_clockwise) { return face_across(f, counter_clockwise); });
   }
   Element face_across(Element f, bool counter_clockwise) {
     const std::vector<Element> corners =

@@ -46,7 +46,7 @@ std::optional<double> slope_of_time(const GrowthCurve& curve);
 // With two decimals; "-" for none.
 std::string slope_text(std::optional<double> slope);
 
-// What one collapse costs, in one of the ways in which an edge collapses here.
+// The cost of one collapse, in one of the ways in which an edge collapses here.
 struct CollapseFigures {
   double count = 0;    // of links followed, list entries compared, or cells written; the mean
   double seconds = 0;  // the least: other load only makes it slower

@@ -46,15 +46,15 @@ std::uint32_t& cell(DcelRecords& records, const DcelChange& change) {
   }
 }
 
-void apply_changes(std::span<const DcelChange> changes, DcelRecords& records) {
-  for (const DcelChange& change : changes) cell(records, change) = change.new_value;
+void apply(const HullStep& step, DcelRecords& records) {
+  for (const DcelChange& change : step.changes) cell(records, change) = change.new_value;
 }
 
-void take_back_changes(std::span<const DcelChange> changes, std::size_t half_edge_rows, std::size_t face_rows,
-                       DcelRecords& records) {
-  for (auto change = changes.rbegin(); change != changes.rend(); ++change) cell(records, *change) = change->old_value;
-  records.half_edges.resize(half_edge_rows);
-  records.faces.resize(face_rows);
+void take_back(const HullStep& step, DcelRecords& records) {
+  for (auto change = step.changes.rbegin(); change != step.changes.rend(); ++change)
+    cell(records, *change) = change->old_value;
+  records.half_edges.resize(step.half_edge_rows);
+  records.faces.resize(step.face_rows);
 }
 
 DcelRecords in_use(const DcelRecords& records) {

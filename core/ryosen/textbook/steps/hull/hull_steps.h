@@ -22,8 +22,8 @@ namespace hull {
 class StepBuilder;
 }
 
-// What a step writes into the records of a DCEL, field by field, so that it can be taken back: one field of a record,
-// before and after. Links are row numbers, no_index for none.
+// One field of a record, before and after: what a step writes into the records of a DCEL, so that it can be taken back.
+// Links are row numbers, no_index for none.
 struct DcelChange {
   enum class Table : std::uint8_t { vertex, half_edge, face };
   enum class Field : std::uint8_t { incident_edge, origin, twin, next, prev, face, outer_component };
@@ -39,11 +39,6 @@ std::string_view id_of(DcelChange::Field field);  // as the text names it
 
 // Where the change is; the row is made where it is a new one.
 std::uint32_t& cell(forms::DcelRecords& records, const DcelChange& change);
-
-void apply_changes(std::span<const DcelChange> changes, forms::DcelRecords& records);
-// Without the rows behind so many, which the changes have made.
-void take_back_changes(std::span<const DcelChange> changes, std::size_t half_edge_rows, std::size_t face_rows,
-                       forms::DcelRecords& records);
 
 // The records without rows that are gone, for a Dcel; vertices without an edge stay.
 forms::DcelRecords in_use(const forms::DcelRecords& records);
@@ -79,10 +74,8 @@ struct HullStep {
 Text caption(const HullStep& step, const std::string& witness = {});
 
 // Writes the changes of a step into a copy of the records before it, or takes them back from those behind it.
-inline void apply(const HullStep& step, forms::DcelRecords& records) { apply_changes(step.changes, records); }
-inline void take_back(const HullStep& step, forms::DcelRecords& records) {
-  take_back_changes(step.changes, step.half_edge_rows, step.face_rows, records);
-}
+void apply(const HullStep& step, forms::DcelRecords& records);
+void take_back(const HullStep& step, forms::DcelRecords& records);
 
 // Builds the hull point by point. Each point outside is kept with one element that it sees; when that goes it is handed
 // to a new one that it sees, or lies inside. In space that is the one towards which it lies from a point inside

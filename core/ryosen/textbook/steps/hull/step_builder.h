@@ -117,7 +117,7 @@ class StepBuilder {
 // The steps in a plane: one face, whose half-edges are what points see.
 std::unique_ptr<StepBuilder> planar_steps(std::span<const glm::dvec3> points, HullOrder order,
                                           std::vector<std::uint32_t> numbers, const FirstPoints& first);
-// In space: faces are triangles.
+// The steps in space: faces are triangles.
 std::unique_ptr<StepBuilder> solid_steps(std::span<const glm::dvec3> points, HullOrder order,
                                          std::vector<std::uint32_t> numbers, const FirstPoints& first);
 

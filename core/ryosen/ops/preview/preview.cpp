@@ -77,8 +77,8 @@ bool is_known(const std::vector<Reason>& known, Rule rule) {
 
 }  // namespace
 
-PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices) {
-  PointPairs pairs;
+VertexPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices) {
+  VertexPairs pairs;
   const auto add = [&](Vertex v, Vertex w) {
     if (mesh.position(v) != mesh.position(w) || same_point(mesh, v, w)) return;
     pairs.push_back(std::minmax(point(mesh, v), point(mesh, w)));
@@ -158,7 +158,7 @@ struct Seen {
   std::vector<Face> faces;
   std::vector<Vertex> vertices;
   std::vector<Crossing> crossings;
-  PointPairs at_one_place;
+  VertexPairs at_one_place;
 };
 
 // The same operator at the lowest halfedge of the cycle, where it is about one.

@@ -36,8 +36,8 @@ Preview preview(Mesh& mesh, Journal& journal, const AnyOp& op, std::size_t face_
 // Pairs of different points at one place that are corners of one of the faces or joined by an edge at one of the
 // vertices, the lower number first; ascending. With an isolated vertex any point may make a pair, where the mesh has at
 // most 10,000 vertices. Vertices and faces that do not live are passed over.
-using PointPairs = std::vector<std::pair<Vertex, Vertex>>;
-PointPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices);
+using VertexPairs = std::vector<std::pair<Vertex, Vertex>>;
+VertexPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces, const std::vector<Vertex>& vertices);
 
 // The doubts about a result as it lies, whichever operator makes it: asked of every preview, so that an operator
 // need not know of them. Of the changed faces as they would lie, beside the mesh as it is: corners on one line, a

@@ -40,9 +40,6 @@ std::string_view id_of(DcelChange::Field field);  // as the text names it
 // Where the change is; the row is made where it is a new one.
 std::uint32_t& cell(forms::DcelRecords& records, const DcelChange& change);
 
-// The records without rows that are gone, for a Dcel; vertices without an edge stay.
-forms::DcelRecords in_use(const forms::DcelRecords& records);
-
 // In space its elements are faces; in a plane they are the half-edges of the one face, whose twins have no face.
 struct HullStep {
   enum class Kind : std::uint8_t {

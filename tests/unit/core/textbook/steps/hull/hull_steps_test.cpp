@@ -17,6 +17,34 @@ namespace {
 
 using forms::DcelRecords;
 
+// The records without rows that are gone, for a Dcel; vertices without an edge stay.
+DcelRecords in_use(const DcelRecords& records) {
+  using Index = std::uint32_t;
+  std::vector<Index> half_edge(records.half_edges.size(), no_index), face(records.faces.size(), no_index);
+  DcelRecords kept;
+  kept.vertices = records.vertices;
+  for (Index h = 0; h < half_edge.size(); ++h) {
+    if (records.half_edges[h].origin == no_index) continue;
+    half_edge[h] = static_cast<Index>(kept.half_edges.size());
+    kept.half_edges.push_back(records.half_edges[h]);
+  }
+  for (Index f = 0; f < face.size(); ++f) {
+    if (records.faces[f].outer_component == no_index) continue;
+    face[f] = static_cast<Index>(kept.faces.size());
+    kept.faces.push_back(records.faces[f]);
+  }
+  const auto renumber = [](Index& link, const std::vector<Index>& number) {
+    if (link != no_index) link = number[link];
+  };
+  for (auto& v : kept.vertices) renumber(v.incident_edge, half_edge);
+  for (auto& h : kept.half_edges) {
+    for (Index* const link : {&h.twin, &h.next, &h.prev}) renumber(*link, half_edge);
+    renumber(h.face, face);
+  }
+  for (auto& f : kept.faces) renumber(f.outer_component, half_edge);
+  return kept;
+}
+
 std::vector<glm::dvec3> points_of(int kind, std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> small(-2, 2);

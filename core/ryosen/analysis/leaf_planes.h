@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ryosen/analysis/numbered_surface.h"
-#include "ryosen/geometry/triangle_plane.h"
+#include "ryosen/geometry/triangles_meet.h"
 
 namespace ryosen {
 

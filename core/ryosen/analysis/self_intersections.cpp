@@ -9,7 +9,6 @@
 #include "ryosen/analysis/overlap_tree.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/sort_unique.h"
-#include "ryosen/geometry/triangle_plane.h"
 #include "ryosen/geometry/triangles_meet.h"
 
 namespace ryosen {

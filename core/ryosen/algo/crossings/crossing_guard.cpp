@@ -3,7 +3,7 @@
 #include "ryosen/analysis/overlap_tree.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/predicates.h"
-#include "ryosen/geometry/surely_apart.h"
+#include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 

@@ -5,25 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <unordered_set>
 #include <vector>
 
 #include "ryosen/algo/crossings/near_faces.h"
 #include "ryosen/analysis/box_tree.h"
-#include "ryosen/geometry/common_part.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/triangle_corners.h"
 
 namespace ryosen {
-
-// The box of what two triangles that meet have in common; of what their boxes have, where rounding shows none.
-inline Box common_box(const TriangleCorners& a, const TriangleCorners& b) {
-  const Box common = box_of_common_part(a, b), of_a = box_of(a), of_b = box_of(b);
-  if (!common.is_empty()) return common;
-  return {glm::max(of_a.lowest, of_b.lowest), glm::min(of_a.highest, of_b.highest)};
-}
 
 // Boxes, each of two parts of the surface that met there.
 class MetPlaces {

@@ -10,7 +10,6 @@
 #include "ryosen/geometry/place_order.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/predicates.h"
-#include "ryosen/geometry/surely_apart.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/face_polygon.h"
 

@@ -7,7 +7,7 @@
 #include "ryosen/analysis/overlap_tree.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/box.h"
-#include "ryosen/geometry/triangles_cross.h"
+#include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
 

@@ -1,4 +1,4 @@
-#include "ryosen/geometry/triangle_plane.h"
+#include "ryosen/geometry/triangles_meet.h"
 
 #include <gtest/gtest.h>
 

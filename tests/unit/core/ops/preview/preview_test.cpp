@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ryosen/geometry/triangles_cross.h"
+#include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/core/proof.h"
 #include "tests/support/core/shapes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "ryosen/geometry/triangles_cross.h"
+#include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
 #include "tests/support/core/random_meshes.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ryosen/geometry/exact_determinant.h"
+#include "ryosen/geometry/exact_sum.h"
 #include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ryosen/geometry/exact_determinant.h"
+#include "ryosen/geometry/exact_sum.h"
 
 namespace ryosen {
 

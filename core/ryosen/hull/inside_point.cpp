@@ -1,6 +1,6 @@
 #include "ryosen/hull/inside_point.h"
 
-#include "ryosen/geometry/exact_determinant.h"
+#include "ryosen/geometry/exact_sum.h"
 
 namespace ryosen::hull {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ryosen/geometry/exact_determinant.h"
+#include "ryosen/geometry/exact_sum.h"
 
 namespace ryosen::hull {
 

@@ -8,6 +8,7 @@
 #include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {
+
 namespace {
 
 // Magnitudes for which differences, products and their rounding errors all stay in the range of normal doubles.
@@ -173,6 +174,24 @@ bool are_collinear(std::span<const glm::dvec3> points) {
 
 bool are_collinear(std::span<const glm::dvec3> positions, std::span<const std::uint32_t> corners) {
   return all_collinear(corners.size(), [&](std::size_t i) -> const glm::dvec3& { return positions[corners[i]]; });
+}
+
+int AroundEdge::turn(const glm::dvec3& one, const glm::dvec3& other) const {
+  return determinant_sign({start_, end_}, {start_, one}, {start_, other});
+}
+
+int AroundEdge::part_of(const glm::dvec3& through) const {
+  if (const int sign = turn(first_, through)) return sign > 0 ? 1 : 3;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int sign = cross_component_sign(start_, end_, first_, axis))
+      return sign == cross_component_sign(start_, end_, through, axis) ? 0 : 2;
+  return 0;
+}
+
+int AroundEdge::compare(const glm::dvec3& one, const glm::dvec3& other) const {
+  const int part = part_of(one), other_part = part_of(other);
+  if (part != other_part) return part < other_part ? -1 : 1;
+  return part == 0 || part == 2 ? 0 : -turn(one, other);
 }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/geometry/around_edge.h"
+#include "ryosen/geometry/predicates.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "ryosen/geometry/closest.h"
 #include "ryosen/geometry/frustum.h"
-#include "ryosen/geometry/point_triangle.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/triangle_corners.h"
 

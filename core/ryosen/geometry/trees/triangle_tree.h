@@ -12,7 +12,7 @@
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/handle.h"
-#include "ryosen/geometry/point_triangle.h"
+#include "ryosen/geometry/closest.h"
 #include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "ryosen/geometry/point_triangle.h"
+#include "ryosen/geometry/closest.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/simplified.h"
 

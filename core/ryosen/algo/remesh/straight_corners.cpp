@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ryosen/algo/repair/sound_changes.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"

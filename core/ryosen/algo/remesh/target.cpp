@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 namespace ryosen::remesh {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/base/parallel.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/ops/swap_edge.h"
 
 namespace ryosen {

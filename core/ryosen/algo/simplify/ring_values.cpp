@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/vec4.hpp>
 
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {

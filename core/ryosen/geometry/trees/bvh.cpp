@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/geometry/trees/small_stack.h"
 
 namespace ryosen {

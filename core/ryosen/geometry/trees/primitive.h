@@ -43,4 +43,14 @@ inline Box box_of(std::span<const glm::dvec3> positions, const Primitive& primit
   return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
 }
 
+// The nearest point on a primitive.
+struct NearestPlace {
+  double distance = 0.0;
+  glm::dvec3 place{0.0};
+  glm::dvec3 barycentric{0.0};  // weights of the vertices; those a primitive does not have are 0
+};
+
+// O(1). Degenerate triangles count as their longest side. The primitive has at least one vertex.
+NearestPlace nearest_place(std::span<const glm::dvec3> positions, const Primitive& primitive, const glm::dvec3& point);
+
 }  // namespace ryosen

@@ -12,7 +12,7 @@
 #include "ryosen/algo/simplify/remaining_edges.h"
 #include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/analysis/measure/distance.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/io/formats.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"

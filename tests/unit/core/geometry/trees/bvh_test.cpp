@@ -9,7 +9,7 @@
 #include <limits>
 #include <set>
 
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "tests/support/core/bvh_inspector.h"
 #include "tests/support/core/long_run.h"
 #include "tests/unit/core/geometry/trees/pick_fixtures.h"

@@ -1,4 +1,4 @@
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 #include <gtest/gtest.h>
 

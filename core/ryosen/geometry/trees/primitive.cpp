@@ -1,9 +1,10 @@
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace ryosen {
+
 namespace {
 
 NearestPlace nearest_on_segment(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& point) {

@@ -1,4 +1,5 @@
-// Rounding of places to single precision, as files and graphics cards keep them.
+// Single precision, as files and graphics cards keep numbers: rounding to it, and numbers in double precision that
+// stand for floats.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,5 +12,9 @@ inline double to_single(double x) {
   return rounded;
 }
 inline glm::dvec3 to_single(const glm::dvec3& p) { return {to_single(p.x), to_single(p.y), to_single(p.z)}; }
+
+// Whether the value is a float, or a decimal that the nearest float gives when it is printed with as many digits. Every
+// decimal of up to six digits is one, and so are infinities; a number beyond the range of floats is none.
+bool is_decimal_of_single(double value);
 
 }  // namespace ryosen

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "ryosen/geometry/decimal_of_single.h"
+#include "ryosen/geometry/single_precision.h"
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/vertex_values.h"
 

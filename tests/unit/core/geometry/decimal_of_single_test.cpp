@@ -1,4 +1,4 @@
-#include "ryosen/geometry/decimal_of_single.h"
+#include "ryosen/geometry/single_precision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,10 @@
-#include "ryosen/geometry/decimal_of_single.h"
+#include "ryosen/geometry/single_precision.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-
-#include "ryosen/geometry/single_precision.h"
 
 namespace ryosen {
 

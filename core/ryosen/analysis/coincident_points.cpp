@@ -2,7 +2,7 @@
 
 #include "ryosen/base/interruption.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/geometry/place_hash.h"
+#include "ryosen/geometry/place_keys.h"
 #include "ryosen/mesh/copies.h"
 
 namespace ryosen {

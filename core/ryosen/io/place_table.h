@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ryosen/base/column_memory.h"
-#include "ryosen/geometry/place_hash.h"
+#include "ryosen/geometry/place_keys.h"
 
 namespace ryosen {
 

@@ -8,7 +8,7 @@
 #include "ryosen/algo/repair/orient_faces.h"
 #include "ryosen/algo/repair/weld_points.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/geometry/place_order.h"
+#include "ryosen/geometry/place_keys.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/rules/face_lists.h"

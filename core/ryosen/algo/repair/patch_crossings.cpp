@@ -7,7 +7,7 @@
 #include "ryosen/analysis/box_tree.h"
 #include "ryosen/analysis/overlap_tree.h"
 #include "ryosen/base/sort_unique.h"
-#include "ryosen/geometry/place_order.h"
+#include "ryosen/geometry/place_keys.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/triangles_meet.h"

@@ -1,4 +1,4 @@
-// A hash of positions, for finding those that are equal.
+// An order of places for sorting, and a hash for finding those that are equal.
 #pragma once
 
 #include <bit>
@@ -6,6 +6,11 @@
 #include <glm/vec3.hpp>
 
 namespace ryosen {
+
+// By x, then y, then z; of finite places.
+inline bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
+  return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
 
 // Equal for 0 and -0. Every bit depends on all coordinates.
 template <class Real>

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/geometry/ear_clip.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/sweep.h"
 
 namespace ryosen {
+
 namespace {
 
 using Polygon = std::span<const glm::dvec3>;
@@ -56,9 +56,8 @@ std::array<int, 4> quad_turns(Polygon quad) {
       sum += turns[i];
       any = any || turns[i] != 0;
     }
-    if (sum < 0) {
+    if (sum < 0)
       for (int& turn : turns) turn = -turn;
-    }
     if (any) break;
   }
   return turns;
@@ -75,12 +74,79 @@ void triangulate_quad(Polygon quad, Triangles& out) {
     const glm::dvec3 b = quad[3] - quad[1];
     use_first = glm::dot(a, a) <= glm::dot(b, b);
   }
-  if (use_first) {
+  if (use_first)
     out = {{0, 1, 2}, {0, 2, 3}};
-  } else {
+  else
     out = {{0, 1, 3}, {1, 2, 3}};
-  }
 }
+
+constexpr std::size_t most_point_tests = 20'000'000;
+
+// Ear clipping: the fallback for polygons that the sweep cannot triangulate (self-intersecting, flat or empty).
+//
+// Appends size - 2 triangles of the closed corner list `corners` (numbers into `points`), ears first; if there is no
+// ear, it cuts the next convex corner, or else any. Terminates: after a fixed number of point tests (about 0.3 s) the
+// rest becomes a fan. Deterministic. O(n²) and worse within that limit.
+class EarClipper {
+ public:
+  EarClipper(std::span<const glm::dvec2> points, std::span<const std::uint32_t> corners)
+      : points_(points), corners_(corners) {
+    const auto count = static_cast<std::uint32_t>(corners.size());
+    next_.resize(count);
+    prev_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      next_[i] = i + 1 < count ? i + 1 : 0;
+      prev_[next_[i]] = i;
+    }
+  }
+
+  void run(std::vector<CornerTriangle>& out) {
+    auto left = static_cast<std::uint32_t>(corners_.size());
+    std::uint32_t here = 0, refused = 0;
+    while (left > 3 && tests_ < most_point_tests) {
+      if (refused < left ? is_ear(here) : (refused >= 2 * left || bend(here) > 0)) {
+        cut(here, out);
+        --left;
+        refused = 0;
+        here = next_[next_[here]];  // skipping one corner keeps fans from growing around a single corner
+      } else {
+        ++refused;
+        here = next_[here];
+      }
+    }
+    // The rest: normally one triangle; a fan if the budget of point tests ran out.
+    for (; left > 2; --left) cut(next_[here], out);
+  }
+
+ private:
+  const glm::dvec2& point(std::uint32_t place) const { return points_[corners_[place]]; }
+  int bend(std::uint32_t i) const { return orient2d(point(prev_[i]), point(i), point(next_[i])); }
+
+  bool is_ear(std::uint32_t i) {
+    ++tests_;
+    if (bend(i) <= 0) return false;
+    const glm::dvec2 &a = point(prev_[i]), &b = point(i), &c = point(next_[i]);
+    for (std::uint32_t k = next_[next_[i]]; k != prev_[i]; k = next_[k]) {
+      ++tests_;
+      const glm::dvec2& p = point(k);
+      if (p == a || p == b || p == c) continue;
+      if (orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  // Emits the triangle at a corner and unlinks the corner; its own links stay, so a caller can walk on from it.
+  void cut(std::uint32_t i, std::vector<CornerTriangle>& out) {
+    out.push_back({corners_[prev_[i]], corners_[i], corners_[next_[i]]});
+    next_[prev_[i]] = next_[i];
+    prev_[next_[i]] = prev_[i];
+  }
+
+  std::span<const glm::dvec2> points_;
+  std::span<const std::uint32_t> corners_;
+  std::vector<std::uint32_t> next_, prev_;
+  std::size_t tests_ = 0;
+};
 
 class Triangulator {
  public:
@@ -95,14 +161,14 @@ class Triangulator {
       project(view);
       if (!turn_counter_clockwise(view)) continue;
       if (ends_.size() == 1 && is_strictly_convex()) return add_fan(count, out);
-      if (sweep_.run({points_, ends_}, SweepTriangulator::Mode::strict, out)) return;
+      if (sweep_triangles({points_, ends_}, SweepMode::strict, out)) return;
       out.clear();
     }
     project(views[0]);
-    if (count > most_corners_for_ears && sweep_.run({points_, ends_}, SweepTriangulator::Mode::tolerant, out)) return;
+    if (count > most_corners_for_ears && sweep_triangles({points_, ends_}, SweepMode::tolerant, out)) return;
     out.clear();
     join_loops();
-    clip_ears(points_, joined_, out);
+    EarClipper(points_, joined_).run(out);
   }
 
   void take(std::span<const Polygon> loops) {
@@ -145,9 +211,8 @@ class Triangulator {
   }
 
   bool is_on_edge() const {
-    for (std::size_t i = 2; i < ends_[0]; ++i) {
+    for (std::size_t i = 2; i < ends_[0]; ++i)
       if (orient2d(points_[0], points_[i - 1], points_[i]) != 0) return false;
-    }
     return true;
   }
 
@@ -156,9 +221,7 @@ class Triangulator {
     const std::size_t count = points_.size();
     int direction_changes = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const glm::dvec2& a = points_[i];
-      const glm::dvec2& b = points_[(i + 1) % count];
-      const glm::dvec2& c = points_[(i + 2) % count];
+      const glm::dvec2 &a = points_[i], &b = points_[(i + 1) % count], &c = points_[(i + 2) % count];
       if (orient2d(a, b, c) <= 0) return false;
       const bool falls = a.y > b.y || (a.y == b.y && a.x < b.x);
       const bool falls_next = b.y > c.y || (b.y == c.y && b.x < c.x);
@@ -190,22 +253,15 @@ class Triangulator {
     join_loops();
     const auto fan_start = out.size();
     add_fan(static_cast<std::uint32_t>(joined_.size()), out);
-    for (std::size_t i = fan_start; i < out.size(); ++i) {
+    for (std::size_t i = fan_start; i < out.size(); ++i)
       for (std::uint32_t& corner : out[i]) corner = joined_[corner];
-    }
   }
 
   std::vector<glm::dvec3> corners_;
   std::vector<std::uint32_t> ends_;
   std::vector<glm::dvec2> points_;
   std::vector<std::uint32_t> joined_;
-  SweepTriangulator sweep_;
 };
-
-Triangulator& triangulator() {
-  thread_local Triangulator instance;
-  return instance;
-}
 
 }  // namespace
 
@@ -222,9 +278,9 @@ void triangulate(std::span<const glm::dvec3> polygon, std::vector<CornerTriangle
 }
 
 void triangulate_loops(std::span<const std::span<const glm::dvec3>> loops, std::vector<CornerTriangle>& out) {
-  out.clear();
-  triangulator().take(loops);
-  triangulator().run(out);
+  thread_local Triangulator triangulator;
+  triangulator.take(loops);
+  triangulator.run(out);
 }
 
 }  // namespace ryosen

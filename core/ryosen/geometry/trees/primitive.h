@@ -1,4 +1,5 @@
-// The primitives of a bounding volume hierarchy: a triangle, a segment or a point, given by vertex numbers.
+// The primitives of a bounding volume hierarchy: a triangle, a segment or a point, given by vertex numbers. The nearest
+// point on each.
 #pragma once
 
 #include <array>

@@ -23,9 +23,8 @@ std::optional<std::vector<CornerTriangle>> sweep(const Loops& loops) {
     for (const dvec3& p : loop) points.emplace_back(p.x, p.y);
     ends.push_back(static_cast<std::uint32_t>(points.size()));
   }
-  SweepTriangulator triangulator;
   std::vector<CornerTriangle> triangles;
-  if (!triangulator.run({points, ends}, SweepTriangulator::Mode::strict, triangles)) return std::nullopt;
+  if (!sweep_triangles({points, ends}, SweepMode::strict, triangles)) return std::nullopt;
   return triangles;
 }
 

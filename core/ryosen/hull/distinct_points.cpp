@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+
+#include "ryosen/geometry/box.h"
+#include "ryosen/geometry/place_keys.h"
 
 namespace ryosen::hull {
 
@@ -22,15 +24,11 @@ std::uint32_t spread(std::uint32_t bits) {
 class CellCurve {
  public:
   CellCurve(std::span<const glm::dvec3> points, std::span<const std::uint32_t> numbers) {
-    glm::dvec3 high(-std::numeric_limits<double>::infinity());
-    low_ = -high;
-    for (const std::uint32_t i : numbers)
-      for (int axis = 0; axis < 3; ++axis) {
-        low_[axis] = std::min(low_[axis], points[i][axis]);
-        high[axis] = std::max(high[axis], points[i][axis]);
-      }
+    Box box;
+    for (const std::uint32_t i : numbers) box.add(points[i]);
+    low_ = box.lowest;
     // Halves, since a difference of doubles may be beyond the largest one.
-    for (int axis = 0; axis < 3; ++axis) half_extent_[axis] = high[axis] / 2 - low_[axis] / 2;
+    half_extent_ = box.highest / 2.0 - box.lowest / 2.0;
   }
 
   std::uint32_t cell(const glm::dvec3& p) const {
@@ -68,10 +66,6 @@ void sort_by_cell(std::vector<Placed>& all) {
 }
 
 }  // namespace
-
-bool is_before(const glm::dvec3& p, const glm::dvec3& q) {
-  return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-}
 
 DistinctPoints distinct_points(std::span<const glm::dvec3> points, std::span<const std::uint32_t> numbers) {
   const CellCurve curve(points, numbers);

@@ -16,7 +16,4 @@ struct DistinctPoints {
 // Of the points with these numbers, ascending. Cost: O(n), and O(k log k) for k of them in one of 2^30 cells.
 DistinctPoints distinct_points(std::span<const glm::dvec3> points, std::span<const std::uint32_t> numbers);
 
-// By x, then y, then z; -0 equals 0.
-bool is_before(const glm::dvec3& p, const glm::dvec3& q);
-
 }  // namespace ryosen::hull

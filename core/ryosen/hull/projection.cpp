@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "ryosen/base/enum_table.h"
-#include "ryosen/geometry/is_finite.h"
+#include "ryosen/geometry/box.h"
 
 namespace ryosen {
 
@@ -21,19 +20,12 @@ constexpr std::array rows{
 static_assert(rows_are_in_order(rows, &ProjectionRow::projection));
 
 int thinnest_axis(const std::vector<glm::dvec3>& points) {
-  glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-  for (const glm::dvec3& p : points) {
-    if (!is_finite(p)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]);
-      high[axis] = std::max(high[axis], p[axis]);
-    }
-  }
+  const Box box = box_of_finite(points);
   // Halves, since a difference of doubles may be beyond the largest one.
-  const auto extent = [&](int axis) { return high[axis] / 2 - low[axis] / 2; };
+  const glm::dvec3 extent = box.highest / 2.0 - box.lowest / 2.0;
   int thinnest = 0;
   for (int axis = 1; axis < 3; ++axis)
-    if (extent(axis) < extent(thinnest)) thinnest = axis;
+    if (extent[axis] < extent[thinnest]) thinnest = axis;
   return thinnest;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ryosen/base/enum_table.h"
 #include "ryosen/geometry/box.h"
+#include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {
 

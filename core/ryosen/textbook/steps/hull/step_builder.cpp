@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/geometry/place_keys.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/hull/distinct_points.h"
 

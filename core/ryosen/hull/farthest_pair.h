@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ryosen/geometry/predicates.h"
-#include "ryosen/hull/unit_places.h"
+#include "ryosen/hull/hull_measures.h"
 
 namespace ryosen::hull {
 

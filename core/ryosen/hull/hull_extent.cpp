@@ -7,8 +7,7 @@
 #include "ryosen/hull/affine_basis.h"
 #include "ryosen/hull/antipodes.h"
 #include "ryosen/hull/farthest_pair.h"
-#include "ryosen/hull/in_short.h"
-#include "ryosen/hull/rounded_products.h"
+#include "ryosen/hull/hull_measures.h"
 
 namespace ryosen {
 

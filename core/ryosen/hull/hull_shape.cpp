@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "ryosen/hull/in_short.h"
-#include "ryosen/hull/rounded_products.h"
-#include "ryosen/hull/unit_places.h"
+#include "ryosen/hull/hull_measures.h"
 
 namespace ryosen {
 

@@ -1,6 +1,6 @@
-#include "ryosen/hull/rounded_products.h"
+#include "ryosen/hull/unit_places.h"
 
-#include <cmath>
+#include <cstdio>
 
 #include "ryosen/geometry/exact_sum.h"
 
@@ -53,6 +53,12 @@ double six_volumes_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   }
   if (std::abs(sum) >= much_cancelled * size) return sum;
   return exact::determinant(exact::difference(b, a), exact::difference(c, a), exact::difference(d, a)).rounded();
+}
+
+std::string in_short(double value) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.9g", value);
+  return number;
 }
 
 }  // namespace ryosen::hull

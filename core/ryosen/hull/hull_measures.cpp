@@ -1,4 +1,4 @@
-#include "ryosen/hull/unit_places.h"
+#include "ryosen/hull/hull_measures.h"
 
 #include <cstdio>
 

@@ -47,8 +47,8 @@ class UnitPlaces {
 };
 
 // Products of differences of places below 1 in magnitude, right to nearly the last bit also where what is multiplied
-// nearly cancels. What falls below the smallest doubles is lost. Cost: a few nanoseconds, where the
-// terms nearly cancel a few microseconds.
+// nearly cancels. What falls below the smallest doubles is lost. Cost: a few nanoseconds, where the terms nearly cancel
+// a few microseconds.
 glm::dvec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  // (b - a) x (c - a)
 // (b - a) x (c - a) . (d - a)
 double six_volumes_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);

@@ -1,13 +1,33 @@
 // Which of the new faces around a point could be seen from another point.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
-#include "ryosen/hull/inside_point.h"
+#include "ryosen/geometry/predicates.h"
 
 namespace ryosen::hull {
+
+// The middle of a tetrahedron: a point strictly inside a hull, also where that is no double.
+class InsidePoint {
+ public:
+  // Of four points in no plane.
+  explicit InsidePoint(const std::array<glm::dvec3, 4>& corners);
+
+  // The side of d of the plane through this point, b and c, as orient3d has it; exact.
+  int side(const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) const {
+    return rounded_ ? orient3d(*rounded_, b, c, d) : side_of_mean(b, c, d);
+  }
+
+ private:
+  int side_of_mean(const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) const;
+
+  std::array<glm::dvec3, 4> corners_;
+  std::optional<glm::dvec3> rounded_;  // where it lies inside too
+};
 
 // The half-planes from the axis, which runs from a point inside the hull to a new corner outside, through the corners
 // of the horizon cut space into sectors, each with one new face. A point outside the cone of these faces sees the one

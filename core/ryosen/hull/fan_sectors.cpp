@@ -1,4 +1,4 @@
-#include "ryosen/hull/inside_point.h"
+#include "ryosen/hull/fan_sectors.h"
 
 #include "ryosen/geometry/exact_sum.h"
 

@@ -7,7 +7,7 @@
 #include "app/editor/document/findings.h"
 #include "app/editor/views/seen_mesh.h"
 #include "render/palette.h"
-#include "ryosen/analysis/mean_edge.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/scene/view/packed_normal.h"

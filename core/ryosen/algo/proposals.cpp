@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "ryosen/analysis/mean_edge.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/number_text.h"
 
 namespace ryosen {

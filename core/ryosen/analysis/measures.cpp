@@ -24,6 +24,18 @@ double edge_length(const Mesh& mesh, Edge e) {
   return glm::distance(mesh.position(a), mesh.position(b));
 }
 
+double mean_edge_length(const Mesh& mesh) {
+  double sum = 0, count = 0;
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i))) continue;
+    const double length = edge_length(mesh, Edge(i));
+    if (!std::isfinite(length)) continue;
+    sum += length;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 std::uint32_t valence(const Mesh& mesh, Vertex v) {
   if (!has_copies(mesh, v)) {
     std::uint32_t edges = 0;

@@ -1,16 +1,26 @@
-// What can be measured at one element: lengths, angles, areas. All on points, copies counting as one.
+// What can be measured at one element: lengths, angles, areas, and in which units. All on points, copies counting as
+// one.
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "ryosen/analysis/neighbourhood.h"
 
 namespace ryosen {
 
+// Units of measured values.
+enum class MapUnit : std::uint8_t { none, length, area, degrees, per_length, per_area };  // of the unit of the file
+
+// Behind the number: a degree sign; empty for plain numbers and for lengths, which are in the unit of the file.
+inline std::string_view sign_of(MapUnit unit) { return unit == MapUnit::degrees ? "°" : ""; }
+
 inline constexpr double degrees_per_radian = 57.295779513082321;
 
 // The length of an edge; NaN where an end is not finite.
 double edge_length(const Mesh& mesh, Edge e);
+// The mean over all live edges whose length is finite; 0 where there is none. O(edges).
+double mean_edge_length(const Mesh& mesh);
 // To how many other points edges go.
 std::uint32_t valence(const Mesh& mesh, Vertex v);
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/analysis/map_unit.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
 #include "ryosen/mesh/mesh.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "ryosen/analysis/map_unit.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/element.h"
 

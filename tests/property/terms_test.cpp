@@ -5,7 +5,7 @@
 #include <iostream>
 #include <map>
 
-#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/problems.h"

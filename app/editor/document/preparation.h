@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/euler_poincare.h"
 #include "ryosen/analysis/mesh_kind.h"
 #include "ryosen/scene/highlights/highlight_sets.h"

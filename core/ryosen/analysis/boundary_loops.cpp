@@ -1,5 +1,7 @@
 #include "ryosen/analysis/boundary_loops.h"
 
+#include <unordered_set>
+
 #include "ryosen/base/interruption.h"
 
 namespace ryosen {
@@ -23,6 +25,35 @@ bool follow(Neighbourhood& around, BoundaryStep start, IndexSet& left, std::vect
   return step.inside == start.inside;
 }
 
+std::uint32_t other_end(std::uint32_t end) { return end ^ 1u; }
+
+// The end of the edge at which a step leaves it.
+std::uint32_t end_of(const BoundaryStep& step) {
+  const bool along_first_half = (step.inside.index & 1u) == 0;
+  return 2 * edge(step.inside).index + (step.at_end == along_first_half ? 1u : 0u);
+}
+
+// Number of closed loops formed by two sets of joints between the same ends.
+template <class Joints>
+std::uint32_t loops_of(const Joints& inside, const Joints& outside) {
+  std::unordered_set<std::uint32_t> seen;
+  std::uint32_t loops = 0;
+  for (const auto& [start, unused] : inside) {
+    if (seen.contains(start)) continue;
+    std::uint32_t at = start;
+    do {
+      seen.insert(at);
+      at = inside.at(at);
+      if (at == no_index) break;
+      seen.insert(at);
+      at = outside.at(at);
+    } while (at != no_index && at != start);
+    // An open chain ends at a stop from either direction and is not counted.
+    loops += at == start;
+  }
+  return loops;
+}
+
 }  // namespace
 
 BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundary) {
@@ -43,6 +74,138 @@ BoundaryLoops find_boundary_loops(Neighbourhood& around, const IndexSet& boundar
     }
   });
   return loops;
+}
+
+template <class Put>
+void BoundaryLoopCount::put_links(Neighbourhood& around, Edge e, Put put) {
+  const Halfedge inside = inside_half(around.mesh(), e);
+  stop_if_interrupted();
+  for (const bool at_end : {true, false}) {
+    const BoundaryStep step{inside, at_end}, next = around.next_boundary(step);
+    put(end_of(step), next.inside ? other_end(end_of(next)) : stop);
+  }
+}
+
+std::uint32_t BoundaryLoopCount::count_loops(const IndexSet& boundary) const {
+  std::vector<bool> seen(links_.size() / 2, false);
+  std::uint32_t loops = 0;
+  // Marks the edges from an end on; returns where the walk ends.
+  const auto follow = [&](End end) {
+    while (end != stop && !seen[end / 2]) {
+      seen[end / 2] = true;
+      end = links_[other_end(end)];
+    }
+    return end;
+  };
+  boundary.for_each([&](std::uint32_t i) {
+    if (seen[i]) return;
+    if (follow(2 * i) == 2 * i)
+      ++loops;
+    else
+      follow(links_[2 * i]);
+  });
+  return loops;
+}
+
+BoundaryLoopCount::Links BoundaryLoopCount::links_at(std::span<const Edge> edges) const {
+  Links links;
+  for (Edge e : edges)
+    for (const End end : {2 * e.index, 2 * e.index + 1})
+      if (end < links_.size() && links_[end] != none) links[end] = links_[end];
+  return links;
+}
+
+std::uint32_t BoundaryLoopCount::stops_in(const Links& links) {
+  std::uint32_t stops = 0;
+  for (const auto& [end, next] : links) stops += next == stop;
+  return stops;
+}
+
+BoundaryLoopCount::Part BoundaryLoopCount::part_of(const Links& links) {
+  Part part;
+  std::unordered_set<End> seen;  // always both ends of an edge
+  const auto leads_out = [&](End end) { return end != stop && !links.contains(end); };
+  // Follows the boundary from an end to the last end within the part.
+  const auto follow = [&](End end) {
+    const End start = other_end(end);
+    for (;;) {
+      end = other_end(end);
+      seen.insert({end, other_end(end)});
+      const End next = links.at(end);
+      if (next == stop || leads_out(next) || next == other_end(start)) return end;
+      end = next;
+    }
+  };
+  for (const auto& [end, next] : links) {
+    if (next != stop && !leads_out(next)) continue;
+    const End last = follow(end);
+    if (next != stop) part.joints[end] = links.at(last) == stop ? stop : last;
+  }
+  for (const auto& [end, next] : links) {
+    if (seen.contains(end)) continue;
+    follow(end);
+    ++part.loops;
+  }
+  return part;
+}
+
+BoundaryLoopCount::Joints BoundaryLoopCount::joints_outside(const Part& part, const Links& inside) const {
+  Joints joints;
+  for (const auto& [end, unused] : part.joints) {
+    if (joints.contains(end)) continue;
+    End at = inside.at(end), next = stop;
+    for (;; at = next) {
+      next = links_[other_end(at)];
+      if (next == stop || inside.contains(next)) break;
+    }
+    joints[end] = next;
+    if (next != stop) joints[next] = end;
+  }
+  return joints;
+}
+
+void BoundaryLoopCount::search(Neighbourhood& around, const IndexSet& boundary) {
+  links_.clear();
+  resize_in_steps(links_, 2 * std::size_t{around.mesh().edge_slots()});
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    stop_if_interrupted(static_cast<std::uint32_t>(i));
+    links_[i] = none;
+  }
+  stops_ = 0;
+  boundary.for_each([&](std::uint32_t i) {
+    put_links(around, Edge(i), [&](End end, End next) {
+      links_[end] = next;
+      stops_ += next == stop;
+    });
+  });
+  count_ = count_loops(boundary);
+  ++revision_;
+}
+
+void BoundaryLoopCount::update(Neighbourhood& around, const IndexSet& boundary, std::span<const Edge> edges) {
+  if (links_.size() < 2 * std::size_t{around.mesh().edge_slots()})
+    links_.resize(2 * std::size_t{around.mesh().edge_slots()}, none);
+  const Links before = links_at(edges);
+  Links after;
+  for (Edge e : edges)
+    if (boundary.contains(e.index)) put_links(around, e, [&](End end, End next) { after[end] = next; });
+  if (before == after) return;
+  const Part part_before = part_of(before), part_after = part_of(after);
+  // The links out of the part must be unchanged; otherwise `edges` was incomplete: recount.
+  for (const auto& [end, joined] : part_before.joints) {
+    const auto same = after.find(end);
+    if (same == after.end() || same->second != before.at(end)) return search(around, boundary);
+  }
+  if (part_before.joints.size() != part_after.joints.size()) return search(around, boundary);
+  count_ += part_after.loops - part_before.loops;
+  if (part_before.joints != part_after.joints) {
+    const Joints outside = joints_outside(part_before, before);
+    count_ += loops_of(part_after.joints, outside) - loops_of(part_before.joints, outside);
+  }
+  stops_ += stops_in(after) - stops_in(before);
+  for (const auto& [end, next] : before) links_[end] = none;
+  for (const auto& [end, next] : after) links_[end] = next;
+  ++revision_;
 }
 
 }  // namespace ryosen

@@ -14,7 +14,7 @@
 #include <span>
 #include <string_view>
 
-#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "ryosen/algo/repair/sound_changes.h"
-#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"

@@ -1,8 +1,7 @@
-#include "ryosen/analysis/boundary_loop_count.h"
+#include "ryosen/analysis/boundary_loops.h"
 
 #include <gtest/gtest.h>
 
-#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/ops/all.h"

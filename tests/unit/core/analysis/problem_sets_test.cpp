@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "ryosen/analysis/boundary_loop_count.h"
 #include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

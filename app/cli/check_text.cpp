@@ -9,7 +9,7 @@
 #include "app/cli/contract/check.h"
 #include "app/cli/visible.h"
 #include "ryosen/analysis/boundary_loops.h"
-#include "ryosen/analysis/surface_name.h"
+#include "ryosen/analysis/figures.h"
 #include "ryosen/ops/op.h"
 
 namespace ryosen::cli {

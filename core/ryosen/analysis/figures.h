@@ -9,6 +9,7 @@
 #include <span>
 
 #include "ryosen/analysis/problem_sets.h"
+#include "ryosen/base/message.h"
 #include "ryosen/indexed/indexed.h"
 #include "ryosen/mesh/mesh.h"
 
@@ -50,5 +51,10 @@ Figures compute_figures(const Mesh& mesh, const ProblemSets& sets, std::span<con
                         unsigned threads = 0);
 // Searches for itself.
 Figures compute_figures(const Mesh& mesh, std::span<const QuarantinedFace> quarantine = {});
+
+// The name of a connected surface by the classification theorem: "sphere", "torus", "Moebius strip", "Klein bottle",
+// ..., else the numbers of handles or crosscaps and of boundary loops. None if the figures are not those of one
+// manifold component.
+std::optional<Text> surface_name(const Figures& figures);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/analysis/surface_name.h"
+#include "ryosen/analysis/figures.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/texts/measure_text.h"
-#include "ryosen/analysis/measure/other_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/find_element.h"

@@ -15,7 +15,7 @@
 #include "app/editor/document/preparation.h"
 #include "app/editor/preferences/preference_values.h"
 #include "ryosen/algo/repair/report.h"
-#include "ryosen/analysis/measure/other_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/element.h"
 #include "ryosen/document/document.h"

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "ryosen/analysis/measure/cell_bound.h"
 #include "ryosen/analysis/surface_triangles.h"
+#include "ryosen/geometry/is_finite.h"
 
 namespace ryosen {
 
@@ -29,5 +32,18 @@ double MeasuredSurface::reach() const {
 }
 
 double scale_for(double largest) { return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest) - 1) : 1.0; }
+
+OtherSurface::OtherSurface(const Mesh& mesh) {
+  const MeasuredSurface surface(mesh);
+  if (surface.is_empty()) return;
+  scale_ = scale_for(surface.reach());
+  tree_ = surface.tree(scale_);
+}
+
+double OtherSurface::distance(const glm::dvec3& place) const {
+  const glm::dvec3 scaled = place * scale_;
+  if (tree_.is_empty() || !is_finite(scaled)) return std::numeric_limits<double>::quiet_NaN();
+  return nearest_of(tree_, scaled, no_index).distance / scale_;
+}
 
 }  // namespace ryosen

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "ryosen/geometry/box.h"
@@ -27,5 +28,20 @@ struct MeasuredSurface {
 
 // The power of two that brings coordinates of at most this magnitude to at most 1; 1 for 0.
 double scale_for(double largest);
+
+// The surface of another mesh, from which the vertices of a mesh are measured one by one. Keeps what it needs of the
+// mesh, which may change or go afterwards. O(n log n) to make.
+class OtherSurface {
+ public:
+  explicit OtherSurface(const Mesh& mesh);
+
+  // From the nearest point of the surface, in units of the mesh; NaN for a place that is not finite, and where the mesh
+  // had no face with finite corners. O(log n) where few triangles are as near.
+  double distance(const glm::dvec3& place) const;
+
+ private:
+  double scale_ = 1;
+  TriangleTree tree_;
+};
 
 }  // namespace ryosen

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "ryosen/analysis/curvature.h"
-#include "ryosen/analysis/measure/other_surface.h"
+#include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/open_table.h"
 #include "ryosen/mesh/circulate.h"

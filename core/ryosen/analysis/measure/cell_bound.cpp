@@ -17,7 +17,7 @@ class CellBound {
     double least = unknown;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t t = cell_.near[i].triangle;
-      if (is_repeated(i)) continue;
+      if (cell_.is_repeated(i)) continue;
       double most = cell_.near[i].distance;
       for (std::size_t k = 0; k < 3; ++k)
         if (cell_.near[k].triangle != t) most = std::max(most, distance(cell_.corners[k], t));
@@ -43,11 +43,6 @@ class CellBound {
     double distance = 0;
   };
 
-  bool is_repeated(std::size_t i) const {
-    for (std::size_t k = 0; k < i; ++k)
-      if (cell_.near[k].triangle == cell_.near[i].triangle) return true;
-    return false;
-  }
   double distance(const glm::dvec3& p, std::uint32_t t) const { return without_rounding(to_.distance(p, t)); }
 
   // Between a place that is nearer to all of `here` than to `there` and one where that is the other way round. Ends

@@ -47,6 +47,13 @@ inline TriangleTree::Near nearest_of(const TriangleTree& to, const glm::dvec3& p
 struct FarthestCell {
   TrianglePlaces corners;
   std::array<TriangleTree::Near, 3> near;
+
+  // Whether a corner before has the same nearest triangle.
+  bool is_repeated(std::size_t corner) const {
+    for (std::size_t k = 0; k < corner; ++k)
+      if (near[k].triangle == near[corner].triangle) return true;
+    return false;
+  }
 };
 
 // No point of the cell is farther from `to` than this. It tries harder the longer it is not at most `wanted`.

@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <glm/vec2.hpp>
+#include <numeric>
+#include <queue>
 #include <span>
 #include <utility>
+#include <vector>
 
-#include "ryosen/analysis/box_nesting.h"
 #include "ryosen/analysis/box_tree.h"
 #include "ryosen/analysis/disjoint_sets.h"
-#include "ryosen/analysis/leaf_planes.h"
+#include "ryosen/analysis/numbered_surface.h"
 #include "ryosen/analysis/overlap_tree.h"
+#include "ryosen/base/handle.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/box.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/triangles_meet.h"
 #include "ryosen/geometry/volume_sign.h"
@@ -43,6 +49,136 @@ bool ray_passes(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t) {
   // Seen from +x the corners turn as in the plane of y and z, so a triangle with facing 1 has its normal towards +x.
   return orient3d(a, b, c, p) == -facing;
 }
+
+// The planes of the triangles that a search asks about one after the other: those of a leaf. For one thread; refers to
+// the surface.
+class LeafPlanes {
+ public:
+  explicit LeafPlanes(const NumberedSurface& surface) : surface_(surface) { slots_.fill(no_index); }
+
+  // Whether b lies on one side of the plane of a, so that they cannot meet; often false where it does. Quick for the
+  // few a that were asked about last.
+  bool are_clear(std::uint32_t a, std::uint32_t b) {
+    std::size_t i = 0;
+    while (i < slots_.size() && slots_[i] != a) ++i;
+    if (i == slots_.size()) {
+      i = oldest_;
+      oldest_ = (oldest_ + 1) % slots_.size();
+      slots_[i] = a;
+      planes_[i] = TrianglePlane(surface_.triangle(a).places);
+    }
+    return planes_[i].is_clear_of(surface_.triangle(b).places);
+  }
+
+ private:
+  const NumberedSurface& surface_;
+  std::array<std::uint32_t, 4> slots_;
+  std::array<TrianglePlane, 4> planes_;
+  std::size_t oldest_ = 0;
+};
+
+// Which boxes enclose a box, inner ones first: a tree of boxes, split by position where they lie side by side and by
+// rank in the order below where they overlap. Built in O(n log n). Boxes are known by their numbers.
+class BoxNesting {
+ public:
+  explicit BoxNesting(std::span<const Box> boxes)
+      : boxes_(boxes.begin(), boxes.end()), order_(boxes.size()), rank_(boxes.size()), ranks_(boxes.size()) {
+    // An enclosing box begins further left. Where both begin at one place neither lies inside the other.
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return boxes_[a].lowest.x != boxes_[b].lowest.x ? boxes_[a].lowest.x > boxes_[b].lowest.x : a < b;
+    });
+    std::iota(ranks_.begin(), ranks_.end(), 0u);
+    for (const std::uint32_t rank : ranks_) rank_[order_[rank]] = rank;
+    build(0, static_cast<std::uint32_t>(ranks_.size()));
+  }
+
+  // All boxes, each before those that enclose it.
+  std::span<const std::uint32_t> order() const { return order_; }
+  // Asks is_it(number) of the boxes that enclose box `number`, in that order, until one is; else no_index.
+  template <class IsIt>
+  std::uint32_t first_around(std::uint32_t number, const IsIt& is_it) const {
+    const std::uint32_t own = rank_[number];
+    using Entry = std::pair<std::uint32_t, std::uint32_t>;  // the lowest rank that may be below, and the node or none
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
+    const auto wait = [&](std::uint32_t k) {
+      const Node& node = nodes_[k];
+      if (node.last_rank > own && node.box.encloses(boxes_[number])) waiting.emplace(std::max(node.first_rank, own), k);
+    };
+    wait(0);
+    while (!waiting.empty()) {
+      const auto [rank, k] = waiting.top();
+      waiting.pop();
+      if (k == no_index) {
+        if (is_it(order_[rank])) return order_[rank];
+        continue;
+      }
+      const Node& node = nodes_[k];
+      if (node.count == 0) {
+        wait(k + 1);
+        wait(node.first);
+      }
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        if (ranks_[i] > own && box(ranks_[i]).encloses(boxes_[number])) waiting.emplace(ranks_[i], no_index);
+    }
+    return no_index;
+  }
+
+ private:
+  static constexpr std::uint32_t leaf_size = 4;
+  struct Node {
+    Box box;
+    std::uint32_t first_rank, last_rank;
+    std::uint32_t first, count;  // a leaf's range of ranks_; else the second child and 0, the first child follows
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last) {
+    const auto at = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({{}, no_index, 0, first, last - first});
+    for (std::uint32_t i = first; i < last; ++i) {
+      Node& node = nodes_[at];
+      node.box.add(box(ranks_[i]));
+      node.first_rank = std::min(node.first_rank, ranks_[i]);
+      node.last_rank = std::max(node.last_rank, ranks_[i]);
+    }
+    if (last - first <= leaf_size) return at;
+    part(first, last);
+    const std::uint32_t middle = first + (last - first) / 2;
+    build(first, middle);
+    nodes_[at].count = 0;
+    const std::uint32_t second = build(middle, last);
+    nodes_[at].first = second;
+    return at;
+  }
+
+  // By place along the axis in which the boxes lie furthest apart for their size. Where they cover each other along all
+  // axes, by rank, so that the inner ones are found without looking at the outer ones.
+  void part(std::uint32_t first, std::uint32_t last) {
+    Box middles;
+    glm::dvec3 sizes(0.0);
+    for (std::uint32_t i = first; i < last; ++i) {
+      const Box& b = box(ranks_[i]);
+      middles.add(b.middle());
+      sizes += (0.5 * b.highest - 0.5 * b.lowest) / static_cast<double>(last - first);
+    }
+    const glm::dvec3 width = 0.5 * middles.highest - 0.5 * middles.lowest;
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+      if (width[k] * sizes[axis] > width[axis] * sizes[k]) axis = k;
+    const auto begin = ranks_.begin() + first, end = ranks_.begin() + last;
+    std::nth_element(begin, begin + (last - first) / 2, end, [&](std::uint32_t a, std::uint32_t b) {
+      const double x = box(a).middle()[axis], y = box(b).middle()[axis];
+      return width[axis] > sizes[axis] && x != y ? x < y : a < b;
+    });
+  }
+
+  const Box& box(std::uint32_t rank) const { return boxes_[order_[rank]]; }
+
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_, rank_;  // numbers by rank, and the inverse
+  std::vector<std::uint32_t> ranks_;         // in the order of the leaves
+  std::vector<Node> nodes_;
+};
 
 class ShellSearch {
  public:

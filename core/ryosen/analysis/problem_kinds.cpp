@@ -5,15 +5,16 @@
 #include <cmath>
 #include <string>
 
+#include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/coincident_points.h"
 #include "ryosen/analysis/equal_faces.h"
-#include "ryosen/analysis/problem_subjects.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/open_table.h"
+#include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/predicates.h"
+#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/rings.h"
 
 namespace ryosen {
 
@@ -26,14 +27,11 @@ bool is_boundary_edge(Neighbourhood& around, Edge e) {
   return around.edge(h).is_boundary() && around.is_first_sheet(e);
 }
 
-bool is_nonmanifold_edge(Neighbourhood& around, Edge e) {
+// Of an edge that may have several sheets, for which the first one speaks.
+template <bool (PointEdge::*is_one)() const>
+bool is_first_of(Neighbourhood& around, Edge e) {
   const Halfedge h = halfedge(e);
-  return !around.is_single_sheet(h) && around.edge(h).is_nonmanifold() && around.is_first_sheet(e);
-}
-
-bool is_misoriented_edge(Neighbourhood& around, Edge e) {
-  const Halfedge h = halfedge(e);
-  return !around.is_single_sheet(h) && around.edge(h).is_misoriented() && around.is_first_sheet(e);
+  return !around.is_single_sheet(h) && (around.edge(h).*is_one)() && around.is_first_sheet(e);
 }
 
 // Where faces join the same points, the edge that has them speaks for all.
@@ -48,12 +46,8 @@ bool is_nonmanifold_vertex(Neighbourhood& around, Vertex v) {
 bool is_isolated_vertex(Neighbourhood& around, Vertex v) {
   const Mesh& mesh = around.mesh();
   if (!mesh.is_isolated(v) || around.point(v) != v) return false;
-  bool is_isolated = true;
-  for_each_copy(mesh, v, [&](Vertex copy) { is_isolated = is_isolated && mesh.is_isolated(copy); });
-  return is_isolated;
+  return !any_of_copies(mesh, v, [&](Vertex copy) { return !mesh.is_isolated(copy); });
 }
-
-bool is_face_with_rings(Neighbourhood& around, Face f) { return around.mesh().has_rings(f); }
 
 bool is_nonfinite_vertex(Neighbourhood& around, Vertex v) {
   return !is_finite(around.mesh().position(v)) && around.point(v) == v;
@@ -73,10 +67,8 @@ bool surely_not_collinear(const glm::dvec3& a, const glm::dvec3& b, const glm::d
 bool is_degenerate_at(const Mesh& mesh, Face f, std::span<const glm::dvec3> places) {
   const Halfedge first = mesh.halfedge(f), second = mesh.next(first);
   const glm::dvec3& a = places[mesh.from(first).index];
-  if (surely_not_collinear(a, places[mesh.from(second).index], places[mesh.to(second).index])) {
-    // Not degenerate, and a coordinate that is not finite makes no difference to that.
-    return false;
-  }
+  // Then it is not degenerate, and a coordinate that is not finite makes no difference to that.
+  if (surely_not_collinear(a, places[mesh.from(second).index], places[mesh.to(second).index])) return false;
   glm::dvec3 b = a;
   for (Vertex v : vertices_around(mesh, f)) {
     const glm::dvec3& p = places[v.index];
@@ -92,23 +84,98 @@ bool is_degenerate_face(Neighbourhood& around, Face f) {
   return is_degenerate_at(around.mesh(), f, around.mesh().positions());
 }
 
-bool is_quarantined(const QuarantinedFace&, std::uint32_t) { return true; }
-
 bool repeats_corner(const QuarantinedFace& face, std::uint32_t file_vertices) {
   if (face.corners.size() < 3) return false;
-  std::vector<std::int64_t> sorted(face.corners.begin(), face.corners.end());
-  std::sort(sorted.begin(), sorted.end());
-  return sorted.front() >= 0 && sorted.back() < std::int64_t{file_vertices} &&
-         std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+  std::vector<std::int64_t> points(face.corners.begin(), face.corners.end());
+  sort_unique(points);
+  return points.front() >= 0 && points.back() < std::int64_t{file_vertices} && points.size() < face.corners.size();
 }
 
-constexpr auto problem = ProblemSeverity::problem;
-constexpr auto info = ProblemSeverity::info;
+std::vector<Face> faces_at(const Mesh& m, Vertex v) {
+  std::vector<Face> faces;
+  for_each_copy(m, v, [&](Vertex copy) {
+    for (Face f : faces_around(m, copy))
+      if (f) faces.push_back(f);
+  });
+  sort_unique(faces);
+  return faces;
+}
+
+std::vector<std::uint32_t> points_of(const Mesh& m, Face f) {
+  std::vector<std::uint32_t> points;
+  for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v).index);
+  sort_unique(points);
+  return points;
+}
+
+// The faces behind the element, ascending, each once.
+std::vector<Element> with_faces(Element element, std::vector<Face> faces) {
+  sort_unique(faces);
+  std::vector<Element> found{element};
+  found.insert(found.end(), faces.begin(), faces.end());
+  return found;
+}
+
+// The boundary loop that a boundary edge is in, in traversal order from the edge, or the edge alone where its chain
+// ends at a non-manifold edge. O(boundary edges).
+std::vector<Element> loop_of_edge(Neighbourhood& around, const IndexSet& boundary, Element element) {
+  const BoundaryLoops loops = find_boundary_loops(around, boundary);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    std::vector<Element> found;
+    for (Halfedge h : loops[i]) found.emplace_back(edge(h));
+    const auto at = std::find(found.begin(), found.end(), element);
+    if (at == found.end()) continue;
+    std::rotate(found.begin(), at, found.end());
+    return found;
+  }
+  return {element};
+}
+
+// The edge and the faces at its points.
+std::vector<Element> edge_with_faces(Neighbourhood& around, const IndexSet&, Element element) {
+  const Mesh& m = around.mesh();
+  const auto [a, b] = ends(m, element.edge());
+  std::vector<Face> faces;
+  for (Halfedge h : sheets_between(m, a, b))
+    for (Halfedge side : {h, twin(h)})
+      if (const Face f = m.face(side)) faces.push_back(f);
+  return with_faces(element, std::move(faces));
+}
+
+// The vertex and the faces at all its copies.
+std::vector<Element> vertex_with_fans(Neighbourhood& around, const IndexSet&, Element element) {
+  return with_faces(element, faces_at(around.mesh(), element.vertex()));
+}
+
+// The face and all others on the same points.
+std::vector<Element> equal_faces_of(Neighbourhood& around, const IndexSet&, Element element) {
+  const Mesh& m = around.mesh();
+  const std::vector<std::uint32_t> points = points_of(m, element.face());
+  std::vector<Element> found{element};
+  for (Face f : faces_at(m, Vertex(points[0])))
+    if (f != element.face() && points_of(m, f) == points) found.emplace_back(f);
+  return found;
+}
+
+// The vertex and all others at its place. O(members).
+std::vector<Element> points_at_place(Neighbourhood& around, const IndexSet& members, Element element) {
+  const Mesh& m = around.mesh();
+  std::vector<Element> found{element};
+  members.for_each([&](std::uint32_t i) {
+    if (i != element.index && m.position(Vertex(i)) == m.position(element.vertex())) found.emplace_back(Vertex(i));
+  });
+  return found;
+}
+
+// The two triangles of a hanging pair.
+std::vector<Element> pair_of_face(Neighbourhood& around, const IndexSet&, Element element) {
+  const Face partner = hanging_partner(around, element.face());
+  return partner ? std::vector<Element>{element, partner} : std::vector<Element>{element};
+}
 
 constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
     {.kind = ProblemKind::nonmanifold_edge,
      .id = "nonmanifold_edge",
-     .severity = problem,
      .name_en = "Non-manifold edge",
      .name_ja = "非多様体の稜線",
      .several_en = "non-manifold edges",
@@ -118,11 +185,10 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "nonmanifold_edges",
      .figure_en = "Edges of three or more faces.",
      .figure_ja = "非多様体の稜線数。",
-     .edge = is_nonmanifold_edge,
+     .edge = is_first_of<&PointEdge::is_nonmanifold>,
      .about = edge_with_faces},
     {.kind = ProblemKind::nonmanifold_vertex,
      .id = "nonmanifold_vertex",
-     .severity = problem,
      .name_en = "Non-manifold vertex",
      .name_ja = "非多様体の頂点",
      .several_en = "non-manifold vertices",
@@ -136,7 +202,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .about = vertex_with_fans},
     {.kind = ProblemKind::misoriented_edge,
      .id = "misoriented_edge",
-     .severity = problem,
      .name_en = "Misoriented edge",
      .name_ja = "向きの不一致な稜線",
      .several_en = "misoriented edges",
@@ -146,11 +211,10 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "misoriented_edges",
      .figure_en = "Edges whose two faces are turned against each other.",
      .figure_ja = "向きの不一致な稜線数。",
-     .edge = is_misoriented_edge,
+     .edge = is_first_of<&PointEdge::is_misoriented>,
      .about = edge_with_faces},
     {.kind = ProblemKind::degenerate_repeat,
      .id = "degenerate_repeat",
-     .severity = problem,
      .name_en = "Face with a repeated corner",
      .name_ja = "同じ頂点を繰り返す面",
      .several_en = "faces with a repeated corner",
@@ -163,7 +227,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .quarantined = repeats_corner},
     {.kind = ProblemKind::degenerate_area,
      .id = "degenerate_area",
-     .severity = problem,
      .name_en = "Degenerate face",
      .name_ja = "面積ゼロの面",
      .several_en = "degenerate faces",
@@ -177,7 +240,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .face_at = is_degenerate_at},
     {.kind = ProblemKind::duplicate_face,
      .id = "duplicate_face",
-     .severity = problem,
      .name_en = "Duplicate face",
      .name_ja = "重複面",
      .several_en = "duplicate faces",
@@ -192,7 +254,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .find_all = find_duplicate_faces},
     {.kind = ProblemKind::hanging_pair,
      .id = "hanging_pair",
-     .severity = problem,
      .name_en = "Hanging pair",
      .name_ja = "背中合わせの三角形",
      .several_en = "hanging pairs",
@@ -208,7 +269,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .about = pair_of_face},
     {.kind = ProblemKind::isolated_vertex,
      .id = "isolated_vertex",
-     .severity = problem,
      .name_en = "Isolated vertex",
      .name_ja = "孤立頂点",
      .several_en = "isolated vertices",
@@ -223,7 +283,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .spares_lines = true},
     {.kind = ProblemKind::nonfinite_vertex,
      .id = "nonfinite_vertex",
-     .severity = problem,
      .name_en = "Vertex without a place",
      .name_ja = "座標が有限でない頂点",
      .several_en = "vertices without a place",
@@ -237,7 +296,6 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .is_of_the_vertex = true},
     {.kind = ProblemKind::quarantined_face,
      .id = "quarantined_face",
-     .severity = problem,
      .name_en = "Quarantined face",
      .name_ja = "隔離された面",
      .several_en = "quarantined faces",
@@ -247,10 +305,9 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .figure = "quarantined",
      .figure_en = "Faces that cannot take part in the mesh.",
      .figure_ja = "隔離された面の数。",
-     .quarantined = is_quarantined},
+     .quarantined = [](const QuarantinedFace&, std::uint32_t) { return true; }},
     {.kind = ProblemKind::self_intersection,
      .id = "self_intersection",
-     .severity = problem,
      .name_en = "Face that meets another",
      .name_ja = "自己交差する面",
      .several_en = "faces that meet others",
@@ -262,7 +319,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .by_hand_ja = "自動では直せません。交わる面の一方を動かすか削除してください。"},
     {.kind = ProblemKind::boundary_loop,
      .id = "boundary_loop",
-     .severity = info,
+     .severity = ProblemSeverity::info,
      .name_en = "Boundary loop",
      .name_ja = "境界ループ",
      .several_en = "boundary loops",
@@ -276,17 +333,17 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .about = loop_of_edge},
     {.kind = ProblemKind::ring,
      .id = "ring",
-     .severity = info,
+     .severity = ProblemSeverity::info,
      .name_en = "Ring of a face",
      .name_ja = "面の穴",
      .several_en = "rings of faces",
      .one_en = "A face has one ring, an inner loop.",
      .many_en = "Faces have # rings, their inner loops.",
      .many_ja = "面の内側のループ（穴）が # 個あります。",
-     .face = is_face_with_rings},
+     .face = [](Neighbourhood& around, Face f) { return around.mesh().has_rings(f); }},
     {.kind = ProblemKind::wire,
      .id = "wire",
-     .severity = info,
+     .severity = ProblemSeverity::info,
      .name_en = "Wire",
      .name_ja = "面のない稜線",
      .several_en = "wires",
@@ -296,7 +353,7 @@ constexpr std::array<ProblemRow, enum_count<ProblemKind>> built_in{{
      .edge = is_wire_edge},
     {.kind = ProblemKind::coincident_points,
      .id = "coincident_points",
-     .severity = info,
+     .severity = ProblemSeverity::info,
      .name_en = "Coincident point",
      .name_ja = "重なった頂点",
      .several_en = "coincident points",

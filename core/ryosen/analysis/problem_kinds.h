@@ -51,7 +51,7 @@ enum class ProblemSeverity : std::uint8_t { info, problem };
 struct ProblemRow {
   ProblemKind kind;
   std::string_view id;  // as in reports
-  ProblemSeverity severity;
+  ProblemSeverity severity = ProblemSeverity::problem;
   std::string_view name_en, name_ja;
   std::string_view several_en = {};           // the name behind a number that is not one
   std::string_view one_en, many_en, many_ja;  // sentences; # stands for the number

@@ -1,4 +1,4 @@
-// Axis-aligned bounding boxes of floats in SIMD registers (fourth lane unused), and outward rounding into them.
+// Axis-aligned bounding boxes of floats in vector registers (fourth lane unused), and outward rounding into them.
 #pragma once
 
 #include <algorithm>
@@ -9,73 +9,31 @@
 #include <glm/vec3.hpp>
 #include <limits>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 namespace ryosen {
 
-#if defined(__SSE2__)
-
-// Four floats. smaller and larger return the second operand if either is NaN.
+// Four floats in a vector register. smaller and larger return the second operand if either is NaN.
 struct Float4 {
-  __m128 lanes;
+  using Lanes [[gnu::vector_size(16)]] = float;
+  Lanes lanes;
 
-  static Float4 of(float x, float y, float z, float w) { return {_mm_setr_ps(x, y, z, w)}; }
-  static Float4 all(float x) { return {_mm_set1_ps(x)}; }
-  static Float4 load(const void* four) { return {_mm_loadu_ps(static_cast<const float*>(four))}; }
-  void store(float* four) const { _mm_storeu_ps(four, lanes); }
-  float first() const { return _mm_cvtss_f32(lanes); }
-  // Lane 1 (or lane 2) moved to lane 0; the other lanes do not matter.
-  Float4 second_first() const { return {_mm_shuffle_ps(lanes, lanes, _MM_SHUFFLE(3, 2, 1, 1))}; }
-  Float4 third_first() const { return {_mm_shuffle_ps(lanes, lanes, _MM_SHUFFLE(3, 2, 1, 2))}; }
-  friend Float4 operator+(Float4 a, Float4 b) { return {_mm_add_ps(a.lanes, b.lanes)}; }
-  friend Float4 operator-(Float4 a, Float4 b) { return {_mm_sub_ps(a.lanes, b.lanes)}; }
-  friend Float4 operator*(Float4 a, Float4 b) { return {_mm_mul_ps(a.lanes, b.lanes)}; }
-  friend Float4 smaller(Float4 a, Float4 b) { return {_mm_min_ps(a.lanes, b.lanes)}; }
-  friend Float4 larger(Float4 a, Float4 b) { return {_mm_max_ps(a.lanes, b.lanes)}; }
-};
-
-#else
-
-struct Float4 {
-  std::array<float, 4> lanes;
-
-  static Float4 of(float x, float y, float z, float w) { return {{x, y, z, w}}; }
-  static Float4 all(float x) { return {{x, x, x, x}}; }
+  static Float4 of(float x, float y, float z, float w) { return {Lanes{x, y, z, w}}; }
+  static Float4 all(float x) { return of(x, x, x, x); }
   static Float4 load(const void* four) {
-    Float4 r;
-    std::memcpy(&r, four, sizeof r);
-    return r;
+    Float4 loaded;
+    std::memcpy(&loaded.lanes, four, sizeof loaded.lanes);
+    return loaded;
   }
-  void store(float* four) const { std::copy(lanes.begin(), lanes.end(), four); }
+  void store(float* four) const { std::memcpy(four, &lanes, sizeof lanes); }
   float first() const { return lanes[0]; }
-  Float4 second_first() const { return {{lanes[1], lanes[1], lanes[2], lanes[3]}}; }
-  Float4 third_first() const { return {{lanes[2], lanes[1], lanes[2], lanes[3]}}; }
-  template <class Function>
-  static Float4 each(const Float4& a, const Float4& b, Function f) {
-    Float4 r;
-    for (std::size_t i = 0; i < 4; ++i) r.lanes[i] = f(a.lanes[i], b.lanes[i]);
-    return r;
-  }
-  friend Float4 operator+(Float4 a, Float4 b) {
-    return each(a, b, [](float x, float y) { return x + y; });
-  }
-  friend Float4 operator-(Float4 a, Float4 b) {
-    return each(a, b, [](float x, float y) { return x - y; });
-  }
-  friend Float4 operator*(Float4 a, Float4 b) {
-    return each(a, b, [](float x, float y) { return x * y; });
-  }
-  friend Float4 smaller(Float4 a, Float4 b) {
-    return each(a, b, [](float x, float y) { return x < y ? x : y; });
-  }
-  friend Float4 larger(Float4 a, Float4 b) {
-    return each(a, b, [](float x, float y) { return x > y ? x : y; });
-  }
+  // Lane 1 (or lane 2) moved to lane 0; the other lanes do not matter.
+  Float4 second_first() const { return {__builtin_shufflevector(lanes, lanes, 1, 1, 2, 3)}; }
+  Float4 third_first() const { return {__builtin_shufflevector(lanes, lanes, 2, 1, 2, 3)}; }
+  friend Float4 operator+(Float4 a, Float4 b) { return {a.lanes + b.lanes}; }
+  friend Float4 operator-(Float4 a, Float4 b) { return {a.lanes - b.lanes}; }
+  friend Float4 operator*(Float4 a, Float4 b) { return {a.lanes * b.lanes}; }
+  friend Float4 smaller(Float4 a, Float4 b) { return {a.lanes < b.lanes ? a.lanes : b.lanes}; }
+  friend Float4 larger(Float4 a, Float4 b) { return {a.lanes > b.lanes ? a.lanes : b.lanes}; }
 };
-
-#endif
 
 inline std::array<float, 4> floats_of(Float4 v) {
   std::array<float, 4> result;

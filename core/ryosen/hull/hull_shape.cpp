@@ -48,12 +48,6 @@ void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFa
   }
 }
 
-HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces) {
-  HullList result;
-  add_hull(points, hull, faces, result);
-  return result;
-}
-
 Text hull_sentence(const ConvexHull& hull) {
   const std::string vertices = std::to_string(hull.vertices.size()), facets = std::to_string(hull.facet_count());
   switch (hull.dimension) {

@@ -28,7 +28,6 @@ struct HullList {
 };
 // Behind what is in the list already.
 void add_hull(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces, HullList& to);
-HullList hull_list(std::span<const glm::dvec3> points, const ConvexHull& hull, HullFaces faces);
 
 // "All points lie in a plane: the hull is a polygon of 5 vertices (dimension 2)."
 Text hull_sentence(const ConvexHull& hull);

@@ -12,8 +12,6 @@
 
 namespace ryosen {
 
-enum class PrimitiveKind : std::uint8_t { none, triangle, segment, point };
-
 // `owner` is set by the caller: the face of a triangle, the edge of a segment, the vertex of a point.
 struct Primitive {
   std::array<std::uint32_t, 3> vertices{no_index, no_index, no_index};
@@ -25,7 +23,6 @@ struct Primitive {
   static Primitive segment(std::uint32_t a, std::uint32_t b, std::uint32_t edge) { return {{a, b, no_index}, edge}; }
   static Primitive point(std::uint32_t vertex) { return {{vertex, no_index, no_index}, vertex}; }
 
-  PrimitiveKind kind() const { return static_cast<PrimitiveKind>(size() == 0 ? 0 : 4 - size()); }
   // Number of vertices, 0 for an empty primitive.
   int size() const {
     if (vertices[0] == no_index) return 0;

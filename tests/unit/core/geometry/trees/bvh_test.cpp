@@ -24,7 +24,7 @@ std::optional<RayHit> cast_all(const Scene& scene, const Ray& ray) {
   const RayCaster caster(ray);
   std::optional<RayHit> best;
   for (std::uint32_t slot = 0; slot < scene.primitives.size(); ++slot) {
-    if (scene.primitives[slot].kind() != PrimitiveKind::triangle) continue;
+    if (scene.primitives[slot].size() != 3) continue;
     const auto& v = scene.primitives[slot].vertices;
     const auto hit = caster.hit(scene.positions[v[0]], scene.positions[v[1]], scene.positions[v[2]]);
     if (hit && (!best || hit->t < best->t)) best = RayHit{slot, hit->t, hit->barycentric};
@@ -191,7 +191,7 @@ TEST(bvh, empty_and_single) {
   ASSERT_TRUE(bvh.cast(p, ray));
   EXPECT_EQ(bvh.cast(p, ray)->slot, 4u);
   EXPECT_EQ(bvh.primitive(4).owner, 9u);
-  EXPECT_EQ(bvh.primitive(3).kind(), PrimitiveKind::none);
+  EXPECT_EQ(bvh.primitive(3).size(), 0);
   bvh.erase(4);
   EXPECT_FALSE(bvh.cast(p, ray));
   EXPECT_EQ(bvh.size(), 0u);

@@ -133,9 +133,24 @@ void Bvh::cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& cast
   }
 }
 
-void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
-                              void* target) const {
-  if (live_ == 0) return;
+// Calls visit for the slots of the leaves such that they and all nodes above them meet what is asked about.
+template <class Meets, class Visit>
+void Bvh::visit_where(const Meets& meets, const Visit& visit) const {
+  SmallStack<std::uint32_t> stack;
+  if (live_ != 0) stack.push(0);
+  while (!stack.empty()) {
+    const Node& here = node(stack.pop());
+    if (!meets(here)) continue;
+    if (here.count == 0) {
+      stack.push(here.first + 1);
+      stack.push(here.first);
+      continue;
+    }
+    for (std::uint32_t i = 0; i < here.count; ++i) visit(blocks_[here.first][i]);
+  }
+}
+
+void Bvh::visit_frustum(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit) const {
   // A plane in the tree's frame, tested against the box corner farthest along its normal (p-vertex).
   struct LocalPlane {
     double x, y, z, w;
@@ -160,47 +175,27 @@ void Bvh::visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frust
     }
     return true;
   };
-  SmallStack<std::uint32_t> stack;
-  stack.push(0);
-  while (!stack.empty()) {
-    const Node& here = node(stack.pop());
-    if (!meets({here.lowest[0], here.lowest[1], here.lowest[2], here.highest[0], here.highest[1], here.highest[2]}))
-      continue;
-    if (here.count == 0) {
-      stack.push(here.first + 1);
-      stack.push(here.first);
-      continue;
-    }
-    for (std::uint32_t i = 0; i < here.count; ++i) {
-      const std::uint32_t slot = blocks_[here.first][i];
-      const Box box = box_of(positions, primitives_[slot]);
-      const glm::dvec3 low = (box.lowest - origin_) * scale_, high = (box.highest - origin_) * scale_;
-      if (meets({low.x, low.y, low.z, high.x, high.y, high.z})) visit(target, slot);
-    }
-  }
+  const auto meets_node = [&](const Node& n) {
+    return meets({n.lowest[0], n.lowest[1], n.lowest[2], n.highest[0], n.highest[1], n.highest[2]});
+  };
+  visit_where(meets_node, [&](std::uint32_t slot) {
+    const Box box = box_of(positions, primitives_[slot]);
+    const glm::dvec3 low = (box.lowest - origin_) * scale_, high = (box.highest - origin_) * scale_;
+    if (meets({low.x, low.y, low.z, high.x, high.y, high.z})) visit(slot);
+  });
 }
 
-void Bvh::visit_box_nodes(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit,
-                          void* target) const {
-  if (live_ == 0) return;
+void Bvh::visit_box(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit) const {
   const FloatBox local = local_box(box);
   const std::array<float, 4> lowest = floats_of(local.lowest), highest = floats_of(local.highest);
-  SmallStack<std::uint32_t> stack;
-  stack.push(0);
-  while (!stack.empty()) {
-    const Node& here = node(stack.pop());
+  const auto meets = [&](const Node& n) {
     bool is_apart = false;
-    for (std::size_t i = 0; i < 3; ++i) is_apart |= here.highest[i] < lowest[i] || highest[i] < here.lowest[i];
-    if (is_apart) continue;
-    if (here.count == 0) {
-      stack.push(here.first + 1);
-      stack.push(here.first);
-      continue;
-    }
-    for (std::uint32_t i = 0; i < here.count; ++i)
-      if (const std::uint32_t slot = blocks_[here.first][i]; box.overlaps(box_of(positions, primitives_[slot])))
-        visit(target, slot);
-  }
+    for (std::size_t i = 0; i < 3; ++i) is_apart |= n.highest[i] < lowest[i] || highest[i] < n.lowest[i];
+    return !is_apart;
+  };
+  visit_where(meets, [&](std::uint32_t slot) {
+    if (box.overlaps(box_of(positions, primitives_[slot]))) visit(slot);
+  });
 }
 
 std::optional<NearestHit> Bvh::nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,

@@ -7,7 +7,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "ryosen/base/index_set.h"
@@ -30,6 +29,20 @@ struct NearestHit {
   double distance = 0.0;
   glm::dvec3 place{0.0};
   glm::dvec3 barycentric{0.0};  // weights of the primitive's vertices
+};
+
+// Refers to a function of a slot, and is gone before it.
+class SlotVisitor {
+ public:
+  template <class Visit>
+  SlotVisitor(const Visit& visit)
+      : function_(&visit),
+        call_([](const void* function, std::uint32_t slot) { (*static_cast<const Visit*>(function))(slot); }) {}
+  void operator()(std::uint32_t slot) const { call_(function_, slot); }
+
+ private:
+  const void* function_;
+  void (*call_)(const void*, std::uint32_t);
 };
 
 // Primitives have slots, stable numbers chosen by the caller. The tree stores vertex numbers, not positions: pass the
@@ -64,22 +77,9 @@ class Bvh {
 
   // Calls visit(slot) for all primitives whose box meets the frustum, in no particular order. Conservative: boxes near
   // an edge of the frustum may be visited although they miss it.
-  template <class Visit>
-  void visit_frustum(std::span<const glm::dvec3> positions, const Frustum& frustum, Visit&& visit) const {
-    visit_frustum_nodes(
-        positions, frustum,
-        [](void* target, std::uint32_t slot) { (*static_cast<std::remove_reference_t<Visit>*>(target))(slot); },
-        &visit);
-  }
-
+  void visit_frustum(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit) const;
   // The same of a box, and faster.
-  template <class Visit>
-  void visit_box(std::span<const glm::dvec3> positions, const Box& box, Visit&& visit) const {
-    visit_box_nodes(
-        positions, box,
-        [](void* target, std::uint32_t slot) { (*static_cast<std::remove_reference_t<Visit>*>(target))(slot); },
-        &visit);
-  }
+  void visit_box(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit) const;
 
   // The nearest point on any primitive, at most max_distance away; on a tie the smallest slot.
   std::optional<NearestHit> nearest(std::span<const glm::dvec3> positions, const glm::dvec3& point,
@@ -140,10 +140,8 @@ class Bvh {
 
   void cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& caster, const Node& leaf,
                  const IndexSet* passed_over, RayHit& best) const;
-  using SlotVisitor = void (*)(void*, std::uint32_t);
-  void visit_frustum_nodes(std::span<const glm::dvec3> positions, const Frustum& frustum, SlotVisitor visit,
-                           void* target) const;
-  void visit_box_nodes(std::span<const glm::dvec3> positions, const Box& box, SlotVisitor visit, void* target) const;
+  template <class Meets, class Visit>
+  void visit_where(const Meets& meets, const Visit& visit) const;
 
   std::vector<Primitive> primitives_;   // by slot
   std::vector<std::uint32_t> leaf_of_;  // by slot: its leaf, or no_index

@@ -104,11 +104,8 @@ class TriangleTree {
   Near nearest(const Query& query, const glm::dvec3& p, std::uint32_t hint, const IsAsked& is_asked) const;
   bool find_shared(std::span<const glm::dvec3> points, std::span<Near> near,
                    std::array<std::uint32_t, most_shared>& shared, std::size_t& count) const;
-  std::vector<std::uint32_t> sorted(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,
-                                    double scale) const;
   void take(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,
             std::span<const std::uint32_t> order, double scale);
-  void choose_origin();
   void add_levels();
   void turn_slender_nodes();
   Content content_of(const Node& node, std::span<const Content> below) const;

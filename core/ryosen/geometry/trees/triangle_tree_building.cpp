@@ -49,6 +49,24 @@ void part(std::span<SortedTriangle> items) {
   }
 }
 
+// The order of the triangles in the tree.
+std::vector<std::uint32_t> sorted(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,
+                                  double scale) {
+  std::vector<SortedTriangle> items;
+  reserve_large(items, triangles.size());
+  for (const Primitive& triangle : triangles) {
+    const auto& [a, b, c] = triangle.vertices;
+    const glm::dvec3 middle = (positions[a] * scale + positions[b] * scale + positions[c] * scale) / 3.0;
+    items.push_back({{static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)},
+                     static_cast<std::uint32_t>(items.size())});
+  }
+  part(items);
+  std::vector<std::uint32_t> order;
+  reserve_large(order, items.size());
+  for (const SortedTriangle& item : items) order.push_back(item.index);
+  return order;
+}
+
 double surface(const glm::dvec3& size) { return size.x * size.y + size.y * size.z + size.z * size.x; }
 
 // The rows are perpendicular to each other: the first goes along the longest side of all triangles, the second to the
@@ -103,26 +121,12 @@ std::array<glm::dvec2, 2> across_long_sides(const glm::dmat3& axes, const ForEac
 TriangleTree::TriangleTree(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles, double scale) {
   if (triangles.empty()) return;
   take(positions, triangles, sorted(positions, triangles, scale), scale);
-  choose_origin();
+  const Box box = box_of(points_);
+  origin_ = box.middle();
+  const glm::dvec3 half = 0.5 * (box.highest - box.lowest);
+  reach_ = std::max({half.x, half.y, half.z});
   add_levels();
   turn_slender_nodes();
-}
-
-std::vector<std::uint32_t> TriangleTree::sorted(std::span<const glm::dvec3> positions,
-                                                std::span<const Primitive> triangles, double scale) const {
-  std::vector<SortedTriangle> items;
-  reserve_large(items, triangles.size());
-  for (const Primitive& triangle : triangles) {
-    const auto& [a, b, c] = triangle.vertices;
-    const glm::dvec3 middle = (positions[a] * scale + positions[b] * scale + positions[c] * scale) / 3.0;
-    items.push_back({{static_cast<float>(middle.x), static_cast<float>(middle.y), static_cast<float>(middle.z)},
-                     static_cast<std::uint32_t>(items.size())});
-  }
-  part(items);
-  std::vector<std::uint32_t> order;
-  reserve_large(order, items.size());
-  for (const SortedTriangle& item : items) order.push_back(item.index);
-  return order;
 }
 
 void TriangleTree::take(std::span<const glm::dvec3> positions, std::span<const Primitive> triangles,
@@ -143,13 +147,6 @@ void TriangleTree::take(std::span<const glm::dvec3> positions, std::span<const P
     corners_.push_back(corners);
     owners_.push_back(triangles[i].owner);
   }
-}
-
-void TriangleTree::choose_origin() {
-  const Box box = box_of(points_);
-  origin_ = box.middle();
-  const glm::dvec3 half = 0.5 * (box.highest - box.lowest);
-  reach_ = std::max({half.x, half.y, half.z});
 }
 
 void TriangleTree::add_levels() {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "ryosen/analysis/neighbourhood.h"
@@ -56,28 +55,7 @@ class BoundaryLoopCount {
   std::uint64_t revision() const { return revision_; }
 
  private:
-  // One end of an edge: 2 * edge, plus 1 for the end of its first halfedge.
-  using End = std::uint32_t;
-  static constexpr End stop = no_index;  // at a non-manifold edge
-  static constexpr End none = no_index - 1;
-  using Links = std::unordered_map<End, End>;
-  // Ends at which the boundary leaves a part, and what each is joined to within the part: another end, or a stop.
-  using Joints = std::unordered_map<End, End>;
-  struct Part {
-    Joints joints;
-    std::uint32_t loops = 0;  // within the part
-  };
-
-  template <class Put>
-  static void put_links(Neighbourhood& around, Edge e, Put put);
-  std::uint32_t count_loops(const IndexSet& boundary) const;
-  Links links_at(std::span<const Edge> edges) const;
-  static std::uint32_t stops_in(const Links& links);
-  static Part part_of(const Links& links);
-  // The joints through the complement of the part with the links `inside`.
-  Joints joints_outside(const Part& part, const Links& inside) const;
-
-  std::vector<End> links_;  // by end: where the boundary continues, or stop, or none
+  std::vector<std::uint32_t> links_;  // by end of an edge: where the boundary continues, if it does
   std::uint32_t count_ = 0;
   std::uint32_t stops_ = 0;  // ends that are linked to a stop
   std::uint64_t revision_ = 0;

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "ryosen/base/interruption.h"
-#include "ryosen/base/parallel.h"
-
 namespace ryosen {
 
 namespace {
@@ -13,7 +10,6 @@ namespace {
 constexpr std::uint32_t least_star = 64;      // fewest triangles around a point that get a subtree
 constexpr std::uint32_t least_slivers = 128;  // fewest triangles that get a view aligned with them
 constexpr std::uint32_t least_stack = 128;    // fewest triangles that are parted by their normals
-constexpr std::uint32_t samples = 16;         // triangles sampled per node
 constexpr double sliver_size = 16.0;          // ratio of box to triangle area above which boxes separate poorly
 
 // Partitions at the `middle`-th item by box centre along the axis of largest extent.
@@ -179,14 +175,11 @@ void OverlapTree::divide(std::uint32_t node, std::uint32_t first, std::uint32_t 
 
 const OverlapView& OverlapTree::view_below(std::uint32_t first, std::uint32_t last, const OverlapView& view) {
   if (last - first < least_slivers || view.is_from_tip()) return view;
-  const auto sample = [&](std::uint32_t k) -> const Triangle& {
-    return triangles_[part_begin(last - first, k, samples) + first];
-  };
   double box_size = 0.0, area = 0.0;
   AlignedSum along;
   for (std::uint32_t k = 0; k < samples; ++k) {
-    const NumberedTriangle t = surface_.triangle(sample(k).slot);
-    box_size += static_cast<double>(sample(k).box.size());
+    const NumberedTriangle t = surface_.triangle(sample(first, last, k).slot);
+    box_size += static_cast<double>(sample(first, last, k).box.size());
     area += glm::length(surface_.scaled_normal(t)) / 2;
     along.add(longest_side(t));
   }
@@ -194,14 +187,14 @@ const OverlapView& OverlapTree::view_below(std::uint32_t first, std::uint32_t la
   const OverlapView aslant(surface_.origin(), surface_.scale(), axes_along(along.value()));
   double aslant_size = 0.0;
   for (std::uint32_t k = 0; k < samples; ++k)
-    aslant_size += static_cast<double>(aslant.box_of(surface_.triangle(sample(k).slot)).size());
+    aslant_size += static_cast<double>(aslant.box_of(surface_.triangle(sample(first, last, k).slot)).size());
   return aslant_size < box_size / 2 ? add_view(aslant) : view;
 }
 
 bool OverlapTree::is_stack(std::uint32_t first, std::uint32_t last) const {
   constexpr float least_separation = 4;
   std::array<OverlapBox, samples> boxes;
-  for (std::uint32_t k = 0; k < samples; ++k) boxes[k] = triangles_[part_begin(last - first, k, samples) + first].box;
+  for (std::uint32_t k = 0; k < samples; ++k) boxes[k] = sample(first, last, k).box;
   return separation(boxes) < least_separation;
 }
 
@@ -211,18 +204,15 @@ OverlapTree::Sheets OverlapTree::sheets_in(std::uint32_t first, std::uint32_t la
   std::array<OverlapBox, samples> now, then;
   AlignedSum along;
   double size = 0.0;
-  const auto sample = [&](std::uint32_t k) -> const Triangle& {
-    return triangles_[part_begin(last - first, k, samples) + first];
-  };
   for (std::uint32_t k = 0; k < samples; ++k) {
-    const glm::dvec3 normal = surface_.scaled_normal(surface_.triangle(sample(k).slot));
+    const glm::dvec3 normal = surface_.scaled_normal(surface_.triangle(sample(first, last, k).slot));
     along.add(normal);
     size += glm::length(normal);
-    now[k] = sample(k).box;
+    now[k] = sample(first, last, k).box;
   }
   if (!(glm::length(along.value()) >= least_parallel * size)) return Sheets::of_several_normals;
   view = OverlapView(surface_.origin(), surface_.scale(), axes_along(along.value()));
-  for (std::uint32_t k = 0; k < samples; ++k) then[k] = view.box_of(surface_.triangle(sample(k).slot));
+  for (std::uint32_t k = 0; k < samples; ++k) then[k] = view.box_of(surface_.triangle(sample(first, last, k).slot));
   return separation(then) > better * separation(now) ? Sheets::parallel : Sheets::not_apart;
 }
 

@@ -17,6 +17,7 @@
 #include "ryosen/analysis/numbered_surface.h"
 #include "ryosen/analysis/overlap_view.h"
 #include "ryosen/base/interruption.h"
+#include "ryosen/base/parallel.h"
 
 namespace ryosen {
 
@@ -46,6 +47,7 @@ class OverlapTree {
 
  private:
   static constexpr std::uint32_t leaf_size = 4;
+  static constexpr std::uint32_t samples = 16;  // triangles sampled per node
 
   struct Triangle {
     OverlapBox box;  // in the view of its leaf
@@ -87,6 +89,9 @@ class OverlapTree {
   const OverlapView& view_below(std::uint32_t first, std::uint32_t last, const OverlapView& view);
   OverlapView view_of_star(const Star& star) const;
   const OverlapView& add_view(const OverlapView& view);
+  const Triangle& sample(std::uint32_t first, std::uint32_t last, std::uint32_t k) const {
+    return triangles_[part_begin(last - first, k, samples) + first];
+  }
   // Whether the boxes in a node lie over each other along all axes.
   bool is_stack(std::uint32_t first, std::uint32_t last) const;
   enum class Sheets { parallel, of_several_normals, not_apart };

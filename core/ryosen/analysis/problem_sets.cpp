@@ -27,17 +27,6 @@ void search_part(Neighbourhood& around, unsigned part, unsigned parts, Members& 
                               members[static_cast<std::size_t>(row.kind)]);
 }
 
-void search_parts(Neighbourhood& around, unsigned part, unsigned parts, Members& members) {
-  search_part<Vertex>(around, part, parts, members);
-  search_part<Edge>(around, part, parts, members);
-  search_part<Face>(around, part, parts, members);
-}
-
-void search_whole(Neighbourhood& around, Members& members) {
-  for (const ProblemRow& row : problem_table())
-    if (row.find_all) members[static_cast<std::size_t>(row.kind)] = row.find_all(around);
-}
-
 bool is_further(Neighbourhood& around, Vertex v) {
   const Mesh& mesh = around.mesh();
   return mesh.exists(v) && mesh.is_alive(v) && around.point(v) != v;
@@ -73,10 +62,16 @@ void ProblemSets::search(const Mesh& mesh, unsigned threads) {
   for_each_task(parts + 1, threads, [&](unsigned task) {
     std::optional<Neighbourhood> own;  // what is gathered must not be shared
     if (threads > 1) own.emplace(mesh, Neighbourhood::Reach::whole);
-    if (task == 0)
-      search_whole(own ? *own : around, found[parts]);
-    else
-      search_parts(own ? *own : around, task - 1, parts, found[task - 1]);
+    Neighbourhood& asked = own ? *own : around;
+    Members& members = found[task];
+    if (task == 0) {
+      for (const ProblemRow& row : problem_table())
+        if (row.find_all) members[static_cast<std::size_t>(row.kind)] = row.find_all(asked);
+      return;
+    }
+    search_part<Vertex>(asked, task - 1, parts, members);
+    search_part<Edge>(asked, task - 1, parts, members);
+    search_part<Face>(asked, task - 1, parts, members);
   });
   for (const Members& members : found)
     for (const ProblemRow& row : problem_table())

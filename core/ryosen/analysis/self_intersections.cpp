@@ -164,7 +164,10 @@ class Search {
       });
       for (std::size_t i = found.size(); i-- > 0;)
         if (found[i].left.size() > 0) left.push_front(found[i].left);
-      for (Part& part : found) add(part);
+      for (const Part& part : found) {
+        result_.count += part.pairs.size() + part.uncounted;
+        for (const FacePair& pair : part.pairs) keep(pair);
+      }
     }
   }
 
@@ -217,11 +220,6 @@ class Search {
 
   void mark(Face f, Face g) {
     for (Face face : {f, g}) std::atomic_ref(met_[face.index]).store(1, std::memory_order_relaxed);
-  }
-
-  void add(Part& part) {
-    result_.count += part.pairs.size() + part.uncounted;
-    for (const FacePair& pair : part.pairs) keep(pair);
   }
 
   void keep(const FacePair& pair) {

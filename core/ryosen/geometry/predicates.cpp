@@ -11,16 +11,19 @@ namespace ryosen {
 
 namespace {
 
-// Magnitudes for which differences, products and their rounding errors all stay in the range of normal doubles.
-constexpr double smallest_safe = 0x1p-400;
-constexpr double largest_safe = 0x1p+400;
-
+// Whether differences, products of two or three factors and their rounding errors all stay in the range of normal
+// doubles.
+template <int factors>
 bool is_safe(double value) {
+  constexpr double largest = factors == 2 ? 0x1p+400 : 0x1p+250;
   const double size = std::abs(value);
-  return value == 0.0 || (size >= smallest_safe && size <= largest_safe);
+  return value == 0.0 || (size >= 1 / largest && size <= largest);
 }
+bool is_safe(const glm::dvec2& p) { return is_safe<2>(p.x) && is_safe<2>(p.y); }
+bool is_safe(const glm::dvec3& p) { return is_safe<3>(p.x) && is_safe<3>(p.y) && is_safe<3>(p.z); }
+bool is_safe(const Difference& u) { return is_safe(u.from) && is_safe(u.to); }
+bool is_finite_difference(const Difference& u) { return is_finite(u.from) && is_finite(u.to); }
 
-bool is_safe(const glm::dvec2& p) { return is_safe(p.x) && is_safe(p.y); }
 // The determinant as six products; those of c.x with c.y cancel.
 int orient2d_by_accumulator(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return 0;
@@ -53,13 +56,6 @@ int orient2d_by_expansion(const glm::dvec2& a, const glm::dvec2& b, const glm::d
   return sum.sign();
 }
 
-// The same for products of three factors.
-bool is_safe_cubed(double value) {
-  const double size = std::abs(value);
-  return value == 0.0 || (size >= 0x1p-250 && size <= 0x1p+250);
-}
-bool is_safe_cubed(const glm::dvec3& p) { return is_safe_cubed(p.x) && is_safe_cubed(p.y) && is_safe_cubed(p.z); }
-
 int determinant_by_accumulator(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   exact::ProductSum<3> sum;
   exact::add_determinant_from(sum, a, b, c, d);
@@ -75,9 +71,6 @@ int determinant_by_accumulator(const Difference& u, const Difference& v, const D
         exact::add_determinant(sum, a ? u.from : u.to, b ? v.from : v.to, c ? w.from : w.to, (a != b) != c);
   return sum.sign();
 }
-
-bool is_safe_cubed(const Difference& u) { return is_safe_cubed(u.from) && is_safe_cubed(u.to); }
-bool is_finite_difference(const Difference& u) { return is_finite(u.from) && is_finite(u.to); }
 
 // The determinant of three rows where rounding cannot have changed its sign, else 0. The bound is that of [Shewchuk97],
 // (7 + 56 u) u, with room to spare. The limits keep underflow errors (smallest double times a difference, each) far
@@ -131,7 +124,7 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 
 int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
   if (const int sign = sure_determinant_sign(a - d, b - d, c - d)) return -sign;
-  if (is_safe_cubed(a) && is_safe_cubed(b) && is_safe_cubed(c) && is_safe_cubed(d))
+  if (is_safe(a) && is_safe(b) && is_safe(c) && is_safe(d))
     return -exact::determinant(exact::difference(a, d), exact::difference(b, d), exact::difference(c, d)).sign();
   if (!is_finite(a) || !is_finite(b) || !is_finite(c) || !is_finite(d)) return 0;
   return -determinant_by_accumulator(a, b, c, d);
@@ -139,7 +132,7 @@ int orient3d(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, cons
 
 int determinant_sign(const Difference& u, const Difference& v, const Difference& w) {
   if (const int sign = sure_determinant_sign(u.to - u.from, v.to - v.from, w.to - w.from)) return sign;
-  if (is_safe_cubed(u) && is_safe_cubed(v) && is_safe_cubed(w))
+  if (is_safe(u) && is_safe(v) && is_safe(w))
     return exact::determinant(exact::difference(u.to, u.from), exact::difference(v.to, v.from),
                               exact::difference(w.to, w.from))
         .sign();

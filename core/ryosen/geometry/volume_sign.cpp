@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ryosen/geometry/exact_sum.h"
+#include "ryosen/geometry/place_keys.h"
 
 namespace ryosen {
 
@@ -15,10 +16,7 @@ class Tips {
   explicit Tips(std::span<const glm::dvec3> polygon) : all_(polygon) {
     if (polygon.size() == 3) all_ = polygon.first(1);
     if (polygon.size() <= 8) return;
-    const auto is_lower = [](const glm::dvec3& p, const glm::dvec3& q) {
-      return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-    };
-    const auto [lowest, highest] = std::minmax_element(polygon.begin(), polygon.end(), is_lower);
+    const auto [lowest, highest] = std::minmax_element(polygon.begin(), polygon.end(), is_before);
     ends_ = {*lowest, *highest};
     all_ = ends_;
   }

@@ -94,29 +94,26 @@ std::vector<glm::dvec3> random_points(PointFamily family, std::size_t count, std
   Chance chance(seed);
   std::vector<glm::dvec3> points;
   points.reserve(count);
-  while (points.size() < count) switch (family) {
+  const auto next_point = [&]() -> glm::dvec3 {
+    switch (family) {
       case PointFamily::ball:
-        points.push_back(chance.in_ball());
-        break;
+        return chance.in_ball();
       case PointFamily::sphere: {
         const glm::dvec3 p = chance.in_ball();
-        points.push_back(p / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z));
-        break;
+        return p / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
       }
       case PointFamily::cube:
-        points.push_back(chance.in_cube());
-        break;
+        return chance.in_cube();
       case PointFamily::grid:
-        points.push_back(grid_point(points.size()));
-        break;
+        return grid_point(points.size());
       case PointFamily::cospherical:
-        points.push_back(on_whole_sphere(chance, norm) * unit);
-        break;
+        return on_whole_sphere(chance, norm) * unit;
       case PointFamily::lattice:
-        points.push_back(
-            grid_point(static_cast<std::size_t>(chance.below(static_cast<std::int64_t>(side * side * side)))));
-        break;
+        return grid_point(static_cast<std::size_t>(chance.below(static_cast<std::int64_t>(side * side * side))));
     }
+    return {};
+  };
+  while (points.size() < count) points.push_back(next_point());
   return points;
 }
 

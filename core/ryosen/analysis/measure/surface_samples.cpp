@@ -16,8 +16,7 @@ using Nearest = TriangleTree::Near;
 // What one part of the pieces yields.
 struct SampledPart {
   SampleSums sums;
-  double farthest = 0, closed = 0;  // the largest distance found, and the largest bound of cells that are not open
-  glm::dvec3 place{0.0};
+  Farthest farthest;  // the bound is that of the cells that are not open
   std::vector<OpenSample> open;
 };
 
@@ -196,12 +195,12 @@ class Sampler {
     add(0.75 * sample.weight, near.distance);
     for (std::size_t i = 0; i < 3; ++i) {
       add(sample.weight / 12, sample.cell.near[i].distance);
-      note(part, sample.cell.near[i].distance, sample.cell.corners[i]);
+      part.farthest.note(sample.cell.corners[i], sample.cell.near[i].distance);
     }
-    note(part, near.distance, middle);
+    part.farthest.note(middle, near.distance);
     part.sums.weight += sample.weight;
     ++part.sums.samples;
-    const double wanted = enough_.from(part.farthest);
+    const double wanted = enough_.from(part.farthest.distance);
     const double bound = sample.bound <= wanted ? sample.bound : quick_bound(sample.cell, middle, near, wanted);
     if (bound > wanted)
       part.open.push_back({sample.piece,
@@ -209,14 +208,9 @@ class Sampler {
                            above(bound),
                            {sample.cell.near[0].triangle, sample.cell.near[1].triangle, sample.cell.near[2].triangle}});
     else
-      part.closed = std::max(part.closed, bound);
+      part.farthest.bound = std::max(part.farthest.bound, bound);
   }
 
-  static void note(SampledPart& part, double distance, const glm::dvec3& place) {
-    if (!(distance > part.farthest)) return;
-    part.farthest = distance;
-    part.place = place;
-  }
   static float above(double bound) {
     return std::nextafter(static_cast<float>(bound), std::numeric_limits<float>::infinity());
   }
@@ -236,7 +230,7 @@ class Sampler {
     const std::size_t parts = part_begins_.size() - 1;
     std::vector<SampledPart> results(parts);
     if (!in_rounds(parts, share_of_points, share_of_samples, progress, [&](std::size_t i) {
-          results[i].farthest = found_.farthest.distance;
+          results[i].farthest.distance = found_.farthest.distance;
           std::vector<Nearest> lattice;
           SampleBlock block;
           for (std::uint32_t piece = part_begins_[i]; piece < part_begins_[i + 1]; ++piece)
@@ -249,10 +243,10 @@ class Sampler {
       found_.sums.distance += part.sums.distance;
       found_.sums.square += part.sums.square;
       found_.sums.samples += part.sums.samples;
-      found_.farthest.note(part.place, part.farthest);
+      found_.farthest.note(part.farthest.place, part.farthest.distance);
     }
     for (const SampledPart& part : results) {
-      found_.farthest.bound = std::max(found_.farthest.bound, part.closed);
+      found_.farthest.bound = std::max(found_.farthest.bound, part.farthest.bound);
       for (const OpenSample& open : part.open)
         if (double(open.bound) > enough_.from(found_.farthest.distance))
           found_.open.push_back(open);

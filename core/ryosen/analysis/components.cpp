@@ -24,44 +24,6 @@ DisjointSets join_faces(Neighbourhood& around) {
   return sets;
 }
 
-// Union-find with parity: whether each face must be flipped relative to the root of its set.
-class TurnSets {
- public:
-  explicit TurnSets(std::uint32_t faces) : parent_(faces), turned_(faces, false) {
-    for (std::uint32_t i = 0; i < faces; ++i) parent_[i] = i;
-  }
-  // Records that exactly one of the two must be flipped (`against`), or none or both. False on contradiction.
-  bool join(std::uint32_t f, std::uint32_t g, bool against) {
-    const auto [root_f, turn_f] = root(f);
-    const auto [root_g, turn_g] = root(g);
-    const bool turn = (turn_f != turn_g) != against;
-    if (root_f == root_g) return !turn;
-    parent_[root_g] = root_f;
-    turned_[root_g] = turn;
-    return true;
-  }
-
- private:
-  std::pair<std::uint32_t, bool> root(std::uint32_t i) {
-    std::uint32_t top = i;
-    bool turn = false;
-    for (; parent_[top] != top; top = parent_[top]) turn = turn != turned_[top];
-    // Path compression.
-    for (bool rest = turn; parent_[i] != top && i != top;) {
-      const std::uint32_t up = parent_[i];
-      const bool own = turned_[i];
-      parent_[i] = top;
-      turned_[i] = rest;
-      rest = rest != own;
-      i = up;
-    }
-    return {top, turn};
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::vector<bool> turned_;  // parity relative to the parent
-};
-
 }  // namespace
 
 std::uint32_t count_face_components(Neighbourhood& around) {
@@ -87,14 +49,21 @@ bool is_orientable(Neighbourhood& around) { return !find_twist(around); }
 
 Halfedge find_twist(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
-  TurnSets sets(mesh.face_slots());
+  // Each face as it is and, behind all faces, turned over: what is in one set stays together.
+  const std::uint32_t faces = mesh.face_slots();
+  DisjointSets sets(2 * std::size_t{faces});
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     stop_if_interrupted();
     const Halfedge h(i);
     if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
     const Halfedge other = around.across(h);
     if (!other || other < h) continue;
-    if (!sets.join(mesh.face(h).index, mesh.face(other).index, around.edge(h).is_misoriented())) return h;
+    const std::uint32_t f = mesh.face(h).index, g = mesh.face(other).index;
+    const bool against = around.edge(h).is_misoriented();
+    const std::uint32_t with_f = against ? faces + g : g, with_turned_f = against ? g : faces + g;
+    if (sets.root(f) == sets.root(with_turned_f)) return h;
+    sets.join(f, with_f);
+    sets.join(faces + f, with_turned_f);
   }
   return Halfedge();
 }

@@ -10,7 +10,7 @@
 #include "app/editor/shown/levels.h"
 #include "app/ui/end_dots.h"
 #include "app/ui/overlay_painter.h"
-#include "ryosen/analysis/measuring.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"

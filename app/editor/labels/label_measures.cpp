@@ -6,7 +6,7 @@
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
-#include "ryosen/analysis/measuring.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/middle.h"

@@ -1,7 +1,7 @@
 // What is said of measurements and of the values of a colour map.
 #pragma once
 
-#include "ryosen/analysis/measuring.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/scene/highlights/map_values.h"
 
 namespace ryosen {

@@ -1,11 +1,10 @@
-#include "ryosen/analysis/measuring.h"
+#include "ryosen/analysis/measures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "ryosen/analysis/measures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
 #include "tests/support/core/shapes.h"

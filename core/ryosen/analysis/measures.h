@@ -1,5 +1,5 @@
-// What can be measured: at one element lengths, angles, areas, between picked ones distances too, and the volume
-// inside. All on points, copies counting as one.
+// Measures of elements: lengths, angles and areas of one, distances too between picked ones, and the volume inside. All
+// on points, copies counting as one.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Whether and where two triangles in space meet: exactly, by doubles for warnings, and by quick tests that let most
+// Tests whether and where two triangles in space meet: exactly, by doubles for warnings, and quick ones that let most
 // pairs be left out.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What hulls are measured by: places of points in a unit in which nothing overflows and only what is far below the
-// others underflows, products of their differences, and what sentences say of them.
+// Measures of hulls: places of points in a unit in which nothing overflows and only what is far below the others
+// underflows, products of their differences, and numbers within sentences.
 #pragma once
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/hull/hull_parts.h"
+#include "ryosen/hull/hull_shape.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/input_file.h"

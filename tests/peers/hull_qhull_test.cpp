@@ -13,7 +13,7 @@
 #include <set>
 
 #include "ryosen/hull/convex_hull.h"
-#include "ryosen/hull/hull_parts.h"
+#include "ryosen/hull/hull_shape.h"
 #include "tests/peers/point_sets.h"
 #include "tests/support/core/brute_hull.h"
 

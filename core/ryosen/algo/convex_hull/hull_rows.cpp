@@ -2,7 +2,6 @@
 
 #include "ryosen/algo/duplicate/part.h"
 #include "ryosen/hull/hull_extent.h"
-#include "ryosen/hull/hull_parts.h"
 #include "ryosen/hull/hull_shape.h"
 #include "ryosen/hull/projection.h"
 #include "ryosen/mesh/copies.h"

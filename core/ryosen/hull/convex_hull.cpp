@@ -17,11 +17,10 @@
 #include "ryosen/hull/solid_hull.h"
 #include "ryosen/hull/unite_facets.h"
 
-namespace ryosen {
+namespace ryosen::hull {
 
 namespace {
 
-using namespace hull;
 using Index = std::uint32_t;
 
 struct OuterPoints {
@@ -260,7 +259,12 @@ FacetList polygon(const DistinctPoints& points, const AffineBasis& basis) {
 
 }  // namespace
 
+}  // namespace ryosen::hull
+
+namespace ryosen {
+
 ConvexHull convex_hull(std::span<const glm::dvec3> points, Progress& progress) {
+  using namespace hull;
   ConvexHull result;
   const OuterPoints outer = outer_points(points);
   const DistinctPoints distinct = distinct_points(points, outer.numbers);

@@ -13,7 +13,6 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/document/quarantine_text.h"
 #include "ryosen/indexed/from_indexed.h"
-#include "ryosen/io/coordinate_type.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/io/elements.h"
 #include "ryosen/io/file_target.h"
@@ -53,6 +52,22 @@ std::vector<std::string> names_with_copies(const Mesh& mesh, const std::vector<E
       names.push_back(name_of(mesh, element));
   }
   return names;
+}
+
+// Whether the coordinates are of type float: those of a binary STL file, and of a PLY file whose properties are. A
+// binary PLY file with other types has none. Not known for texts, whose digits alone tell it, and other files.
+std::optional<bool> holds_float_coordinates(const MeshFile& file) {
+  const bool is_binary = file.encoding == Encoding::binary_little || file.encoding == Encoding::binary_big;
+  if (!file.properties.has_layout()) {
+    if (is_binary && file.format && file.format->id == "stl") return true;
+    return std::nullopt;
+  }
+  bool are_floats = true;
+  for (const PropertyTable& table : file.properties.tables)
+    for (const Property& property : table.properties)
+      if (property.role == PropertyRole::position) are_floats = are_floats && property.type == NumberType::f32;
+  if (are_floats || is_binary) return are_floats;
+  return std::nullopt;
 }
 
 std::uint64_t next_serial() {

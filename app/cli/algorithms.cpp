@@ -16,7 +16,7 @@
 #include "app/editor/commands/text/script.h"
 #include "app/editor/document/repair_call.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/io/given_back.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::cli {
 

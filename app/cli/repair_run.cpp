@@ -4,7 +4,7 @@
 
 #include "app/cli/progress_line.h"
 #include "ryosen/algo/repair/side_effects.h"
-#include "ryosen/io/given_back.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen::cli {
 

@@ -5,7 +5,7 @@
 
 #include "ryosen/algo/repair/recipe.h"
 #include "ryosen/document/document.h"
-#include "ryosen/io/given_back.h"
+#include "ryosen/io/formats.h"
 
 namespace ryosen {
 

@@ -73,6 +73,13 @@ Failure refusal_of_losses();
 // Warnings about the losses, and one about vertices that are written although they were removed from the mesh.
 std::vector<Message> loss_messages(const MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);
 
+// Whether a file in a writable format may give back other vertices and faces than were written: one without a list of
+// vertices makes one of those at one place.
+bool gives_back_others(const MeshFile& file, const Format& format);
+// The file as writing it and reading it again gives it; itself where that gives the same vertices and faces. Cost: that
+// of both.
+MeshFile given_back(MeshFile file, const Format& format);
+
 // Takes away what uses vertices beside the faces and cannot be held by the format: lines and points, elements such as
 // the edges of PLY. What counts on the file then counts as on the one to be written. Returns the warnings about them.
 std::vector<Message> give_up_lost_elements(MeshFile& file, const Format& format, Encoding wanted = Encoding::automatic);

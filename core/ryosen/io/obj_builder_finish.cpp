@@ -1,13 +1,87 @@
-// The parts of ObjBuilder that need the whole file, and library lines.
+// The parts of ObjBuilder behind its lines: joining of the builders of pieces, and what needs the whole file; and
+// library lines.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
+#include "ryosen/base/column_memory.h"
+#include "ryosen/base/parallel.h"
+#include "ryosen/base/release.h"
 #include "ryosen/io/byte_colours.h"
-#include "ryosen/io/material_libraries.h"
 #include "ryosen/io/obj_builder.h"
 
 namespace ryosen {
 namespace {
+
+struct MaterialLibraries {
+  std::vector<std::string> missing;
+  std::vector<std::string> no_files;  // there, but folders, pipes or devices
+  std::vector<std::string> unknown;   // in a folder that may not be looked into
+  std::vector<std::string> outside;   // absolute, or outside the model's folder: not checked
+};
+
+// Longer names cannot be file names; splitting them would only cost time.
+constexpr std::size_t longest_name = 4096;
+
+enum class Library { found, missing, no_file, unknown, outside };
+
+Library look_for(std::string name, const std::filesystem::path& folder) {
+  if (name.size() > longest_name) return Library::missing;
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+  const bool has_drive = name.size() >= 2 && name[1] == ':';
+  if (path.is_absolute() || has_drive || path.begin() == path.end() || *path.begin() == "..") return Library::outside;
+  std::error_code error;
+  switch (std::filesystem::status(folder / path, error).type()) {
+    case std::filesystem::file_type::regular:
+      return Library::found;
+    case std::filesystem::file_type::not_found:
+      return Library::missing;
+    case std::filesystem::file_type::none:
+      return Library::unknown;
+    default:
+      return Library::no_file;
+  }
+}
+
+std::vector<std::string> split(std::string_view text) {
+  std::vector<std::string> names(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool keeps_space = text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ' ';
+    if (keeps_space) {
+      names.back() += ' ';
+      ++i;
+    } else if (text[i] != ' ' && text[i] != '\t') {
+      names.back() += text[i];
+    } else if (!names.back().empty()) {
+      names.emplace_back();
+    }
+  }
+  if (names.back().empty()) names.pop_back();
+  return names;
+}
+
+// `text` follows mtllib: one name with spaces, or several names separated by spaces (a backslash escapes a space or is
+// a path separator). `folder` is the model's; empty means the current folder.
+MaterialLibraries look_for_libraries(std::string_view text, const std::filesystem::path& folder) {
+  constexpr std::size_t most_names = 16;
+  MaterialLibraries out;
+  if (look_for(std::string(text), folder) == Library::found) return out;
+  std::vector<std::string> names = split(text);
+  if (names.size() > most_names) names.resize(most_names);
+  for (std::string& name : names) {
+    const Library library = look_for(name, folder);
+    if (library == Library::missing) out.missing.push_back(std::move(name));
+    if (library == Library::no_file) out.no_files.push_back(std::move(name));
+    if (library == Library::unknown) out.unknown.push_back(std::move(name));
+    if (library == Library::outside) out.outside.push_back(std::move(name));
+  }
+  return out;
+}
 
 // Limit on distinct library lines looked up on disk.
 constexpr std::size_t most_libraries = 100;
@@ -40,7 +114,105 @@ void scale_bytes(MeshFile& file, bool some_lack_alpha) {
       if (is_number(colour, i)) colour[i] /= byte_scale;
 }
 
+template <class Value>
+void append_all(const std::vector<Value>& from, std::vector<Value>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+// Appends an optional column, which is empty when unused; `none` is the default value. `count` and `next_count` are the
+// lengths that the columns have when in use.
+template <class Value>
+void append_optional(const std::vector<Value>& from, std::size_t next_count, const Value& none, std::size_t count,
+                     std::vector<Value>& to) {
+  if (from.empty() && to.empty()) return;
+  if (to.empty()) to.assign(count, none);
+  if (from.empty())
+    to.resize(count + next_count, none);
+  else
+    append_all(from, to);
+}
+
 }  // namespace
+
+void ObjBuilder::reserve_for(std::span<ObjBuilder* const> pieces) {
+  std::size_t positions = 0, corners = 0, faces = 0;
+  for (const ObjBuilder* piece : pieces) {
+    positions += piece->mesh_.positions.size();
+    corners += piece->mesh_.corners.size();
+    faces += piece->mesh_.face_count();
+  }
+  reserve_large(mesh_.positions, positions);
+  reserve_large(mesh_.corners, corners);
+  reserve_large(mesh_.face_offsets, faces + 1);
+  reserve_large(mesh_.face_lines, faces);
+}
+
+std::uint64_t ObjBuilder::append(std::span<ObjBuilder* const> run, std::uint64_t lines_before, unsigned threads) {
+  std::uint64_t lines_after = lines_before;
+  for_each_task(2, threads, [&](unsigned part) {
+    std::uint64_t lines = lines_before;
+    for (ObjBuilder* next : run) {
+      part == 0 ? append_points(*next, lines) : append_faces(*next, lines);
+      lines += next->lines_->count();
+    }
+    if (part == 0) lines_after = lines;
+  });
+  for (const ObjBuilder* next : run) {
+    if (in_head_) append_all(next->file_.head_comments, file_.head_comments);
+    in_head_ = in_head_ && next->in_head_;
+    has_known_line_ = has_known_line_ || next->has_known_line_;
+    some_lack_alpha_ = some_lack_alpha_ || next->some_lack_alpha_;
+  }
+  return lines_after;
+}
+
+void ObjBuilder::append_points(ObjBuilder& next, std::uint64_t lines_before) {
+  const std::size_t points = mesh_.positions.size(), next_points = next.mesh_.positions.size();
+  append_optional(next.mesh_.vertex_weights, next_points, no_colour, points, mesh_.vertex_weights);
+  append_optional(next.mesh_.vertex_colours, next_points, glm::dvec4(no_colour, no_colour, no_colour, 1), points,
+                  mesh_.vertex_colours);
+  mesh_.colour_components = std::max(mesh_.colour_components, next.mesh_.colour_components);
+  append_all(next.mesh_.positions, mesh_.positions);
+  mesh_.vertex_lines.append(next.mesh_.vertex_lines, lines_before);
+  release(next.mesh_.vertex_weights);
+  release(next.mesh_.vertex_colours);
+  release(next.mesh_.positions);
+}
+
+void ObjBuilder::append_faces(ObjBuilder& next, std::uint64_t lines_before) {
+  append_values(next.mesh_.texcoords, next.mesh_.corners.size(), mesh_.texcoords);
+  append_values(next.mesh_.normals, next.mesh_.corners.size(), mesh_.normals);
+  for (std::size_t i = 0; i < 4; ++i) append_names(next.names_[i], next.mesh_.face_count(), names_[i]);
+  faces_.append(next.faces_, lines_before);
+  next.mesh_.texcoords = {};
+  next.mesh_.normals = {};
+  for (NameTable& table : next.names_) *table.target = {};
+  release(next.mesh_.corners);
+  release(next.mesh_.face_offsets);
+  release(next.mesh_.face_lines);
+}
+
+void ObjBuilder::append_values(const CornerValues& next, std::size_t next_corners, CornerValues& values) {
+  append_optional(next.index, next_corners, no_index, mesh_.corners.size(), values.index);
+  append_all(next.pool, values.pool);
+  values.components = std::max(values.components, next.components);
+}
+
+// Faces of the piece before its first name line have the name current at its start.
+void ObjBuilder::append_names(const NameTable& next, std::size_t next_faces, NameTable& table) {
+  std::vector<std::uint32_t> numbers;  // of the piece's names in this table
+  for (const std::string& name : next.target->names) numbers.push_back(number_of(name, table));
+  const auto number = [&](std::uint32_t theirs) { return theirs == no_index ? no_index : numbers[theirs]; };
+  const std::size_t inherited = next.is_set ? next.faces_before : next_faces;
+  std::vector<std::uint32_t> index(next_faces, no_index);
+  std::fill_n(index.begin(), inherited, table.current);
+  for (std::size_t face = inherited; face < next.target->index.size(); ++face)
+    index[face] = number(next.target->index[face]);
+  if (next.is_set) table.current = number(next.current);
+  if (table.target->index.empty() && std::all_of(index.begin(), index.end(), [](auto i) { return i == no_index; }))
+    return;
+  append_optional(index, next_faces, no_index, mesh_.face_count(), table.target->index);
+}
 
 void ObjBuilder::material_library(std::string_view text) {
   has_given_up_ = is_later_piece_;

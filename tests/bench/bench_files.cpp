@@ -15,7 +15,7 @@
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/input_file.h"
-#include "ryosen/io/obj_pieces.h"
+#include "ryosen/io/obj.h"
 #include "tests/bench/bench_meshes.h"
 #include "tests/bench/cost.h"
 #include "tests/bench/peer_cgal.h"

@@ -10,7 +10,6 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/io/obj.h"
 #include "ryosen/io/obj_builder.h"
-#include "ryosen/io/obj_pieces.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

@@ -1,5 +1,4 @@
 // A file read in pieces is the file read in one, whatever the cuts and the threads.
-#include "ryosen/io/obj_pieces.h"
 
 #include <random>
 

@@ -1,16 +1,47 @@
-// Builds the mesh from the vertices and faces of an OFF file, text or binary.
+// Builds the mesh from the vertices and faces of an OFF file, text or binary, and reads those forms of it that are not
+// laid out line by line.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
+#include "ryosen/base/result.h"
 #include "ryosen/io/face_list.h"
 #include "ryosen/io/mesh_file.h"
 #include "ryosen/io/off.h"
-#include "ryosen/io/off_order.h"
 #include "ryosen/io/reporter.h"
 
 namespace ryosen {
+
+// The order of normal and colour behind the place of an OFF vertex. The format says the normal first. Some programs
+// write the colour first; the numbers tell, since normals have the length 1 (to 0.01) and colours lie in 0..255.
+class OffOrder {
+ public:
+  // The numbers of a vertex behind its place: the three of a normal and `colours` of a colour, 3 or 4.
+  void add(const double* numbers, std::size_t colours) {
+    has_vertex_ = true;
+    normals_first_ = normals_first_ && is_normal(numbers) && is_colour(numbers + 3, colours);
+    colours_first_ = colours_first_ && is_colour(numbers, colours) && is_normal(numbers + colours);
+  }
+  // Whether only this order makes sense of all vertices.
+  bool is_colours_first() const { return has_vertex_ && colours_first_ && !normals_first_; }
+
+ private:
+  static bool is_normal(const double* n) {
+    constexpr double least = 0.99 * 0.99, most = 1.01 * 1.01;
+    const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    return square >= least && square <= most;
+  }
+  static bool is_colour(const double* numbers, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!(numbers[i] >= 0 && numbers[i] <= 255)) return false;
+    return true;
+  }
+
+  bool has_vertex_ = false, normals_first_ = true, colours_first_ = true;
+};
 
 class OffBuilder {
  public:
@@ -48,5 +79,20 @@ class OffBuilder {
   Reporter reporter_;
   OffOrder order_;
 };
+
+// Reads the data of a binary file after the BINARY line, from `start` on. The byte order, and whether each face is
+// followed by a colour count as in the format's specification, are not stored in the file: the interpretation that is
+// consistent and leaves the fewest bytes over is used.
+Result<MeshFile> read_off_binary(std::string_view bytes, std::uint64_t start, OffKind kind);
+
+// Reads the text form as nothing but words: the three counts (the first may stand right behind the word OFF), the
+// numbers of every vertex, then for every face how many corners it has and these. Where a colour ends words cannot
+// tell: those of vertices have all four or all three numbers, faces have none. None unless everything comes out exactly
+// at the end of the file, every face has three or more corners that all exist, and the file is not laid out with a line
+// for each vertex and face, so that damage is not taken for such a file.
+//
+// `line` is where reading by lines failed, for the warning (read_by_words). O(bytes); nothing is kept before all is
+// right.
+std::optional<MeshFile> read_off_words(std::string_view bytes, std::uint64_t line);
 
 }  // namespace ryosen

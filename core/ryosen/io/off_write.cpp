@@ -3,7 +3,7 @@
 
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/off.h"
-#include "ryosen/io/off_order.h"
+#include "ryosen/io/off_builder.h"
 #include "ryosen/io/reporter.h"
 #include "ryosen/io/text_out.h"
 #include "ryosen/io/vertex_values.h"

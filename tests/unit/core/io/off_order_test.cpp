@@ -1,5 +1,5 @@
 // The letters of the first word of OFF, and which of normal and colour comes first.
-#include "ryosen/io/off_order.h"
+#include "ryosen/io/off_builder.h"
 
 #include "ryosen/io/off.h"
 #include "tests/unit/core/io/io_helpers.h"

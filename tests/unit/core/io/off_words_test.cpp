@@ -1,5 +1,5 @@
 // OFF whose numbers do not stand line by line, and what only looks so.
-#include "ryosen/io/off_words.h"
+#include "ryosen/io/off_builder.h"
 
 #include "tests/unit/core/io/io_helpers.h"
 

@@ -9,8 +9,7 @@
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/io/numbers.h"
-#include "ryosen/io/ply_strips.h"
-#include "ryosen/io/ply_values.h"
+#include "ryosen/io/ply_builder.h"
 #include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {

@@ -1,16 +1,32 @@
-// Distributes the values of a PLY file, text or binary, to the mesh and the property tables.
+// Reading of the data section of a PLY file: its readers, and where they put its values.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "ryosen/base/result.h"
 #include "ryosen/io/face_list.h"
 #include "ryosen/io/mesh_file.h"
 #include "ryosen/io/ply_header.h"
 #include "ryosen/io/reporter.h"
 
 namespace ryosen {
+
+// The vertex numbers of the strips of triangles, as some files have them in place of faces, if a table is one of strips
+// (element tristrips with a list of whole numbers), else null.
+const Property* strip_corners(const PropertyTable& table);
+
+// Appends the triangles of all strips to the faces, behind those of the element face, and gives the strips up: they
+// would say the same again. -1 ends a strip (in unsigned types the largest number, if no vertex has it); every second
+// triangle is turned over; a triangle that has a vertex twice only joins two strips and is no face. A strip of one or
+// two vertices is reported. `places`: the line of each row, in binary files its byte. Fails if corners do not fit 32
+// bits. O(numbers).
+std::optional<Failure> take_strips(MeshFile& file, FaceList& faces, std::span<const std::uint64_t> places,
+                                   Reporter& reporter);
 
 // The destination of a scalar property's values.
 struct PlyTarget {
@@ -21,6 +37,7 @@ struct PlyTarget {
   void put(std::size_t row, double value) const { first[row * stride] = value / divisor; }
 };
 
+// Distributes the values, text or binary, to the mesh and the property tables.
 class PlyBuilder {
  public:
   explicit PlyBuilder(PlyHeader header);
@@ -58,5 +75,33 @@ class PlyBuilder {
   std::vector<FilePlace> places_;            // of the first row of each table
   std::vector<std::uint64_t> strip_places_;  // a line or byte for each strip
 };
+
+// Pass all values of `bytes` (the whole file) to the builder, as described by the header; return the failure, if any.
+std::optional<Failure> read_ply_text(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
+std::optional<Failure> read_ply_binary(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
+
+// Passes the numbers of an ascii file to the builder as they come, whatever lines they stand on. Returns whether the
+// file has exactly as many as its header announces, and every face three or more corners that all exist; where it has
+// not, the builder must not be used any more.
+bool read_ply_words(std::string_view bytes, const PlyHeader& header, PlyBuilder& builder);
+
+// The failure for a count too large for the file's size.
+Failure ply_count_too_large(const PlyHeader& header, std::size_t table);
+// The failure for a file that ends after `there` rows of a table.
+Failure ply_early_end(const PropertyTable& table, std::size_t there, FilePlace place);
+// Whether a count is implausible: the file has room for fewer than a quarter of the rows.
+bool is_absurd(std::size_t rows, std::size_t least_bytes_each, std::size_t bytes_left);
+
+// Where reading stopped.
+struct PlainRows {
+  std::size_t rows = 0, bytes = 0;
+};
+
+// Reads up to `most` rows of a table from the start of `text`, which begins behind row `first` - 1 and line `lines`, as
+// long as each is one line of nothing but finite decimal numbers that the mesh takes, or of one list: a triangle. What
+// is read is as if it had been read row by row; of a row that is not like that, and of tables with other properties,
+// nothing is.
+PlainRows read_plain_rows(std::string_view text, PropertyTable& table, std::span<const PlyTarget> targets,
+                          std::size_t first, std::size_t most, std::uint64_t lines, PlyBuilder& builder);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/io/ply_plain_rows.h"
+#include "ryosen/io/ply_builder.h"
 
 #include <algorithm>
 #include <charconv>

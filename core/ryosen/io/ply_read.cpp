@@ -1,6 +1,6 @@
 #include "ryosen/io/ply.h"
 
-#include "ryosen/io/ply_values.h"
+#include "ryosen/io/ply_builder.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

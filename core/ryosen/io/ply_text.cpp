@@ -5,9 +5,7 @@
 
 #include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
-#include "ryosen/io/ply_plain_rows.h"
-#include "ryosen/io/ply_strips.h"
-#include "ryosen/io/ply_values.h"
+#include "ryosen/io/ply_builder.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

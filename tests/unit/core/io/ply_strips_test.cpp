@@ -1,5 +1,5 @@
 // Strips of triangles in PLY become faces.
-#include "ryosen/io/ply_strips.h"
+#include "ryosen/io/ply_builder.h"
 
 #include <bit>
 

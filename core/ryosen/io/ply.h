@@ -13,12 +13,12 @@ namespace ryosen {
 // texture coordinates of their corners become the mesh; all other properties and elements are kept in
 // MeshFile::properties, with the layout of the file and unknown header lines. Reals of ascii files are read as doubles
 // whatever the declared type; 64-bit integers in the mesh become doubles, with a warning if rounded. Triangle strips
-// become faces (see take_strips). The lines of the header end as its first one: LF, CR LF, CR or LF CR. Counts in the
-// header are checked against the size of the file. Unreadable numbers, negative lengths and an early end are errors,
-// with line or byte; so is binary data in the other byte order, if every face shows it. Unusable faces are quarantined.
-// Where the file has exactly as many numbers as its header announces, rows may be spread over lines, with a warning,
-// and vertices without z lie in the plane z = 0. `path` is not used. Cost: O(bytes), one pass, two where rows are
-// spread.
+// become faces (see PlyBuilder::take_strips). The lines of the header end as its first one: LF, CR LF, CR or LF CR.
+// Counts in the header are checked against the size of the file. Unreadable numbers, negative lengths and an early end
+// are errors, with line or byte; so is binary data in the other byte order, if every face shows it. Unusable faces are
+// quarantined. Where the file has exactly as many numbers as its header announces, rows may be spread over lines, with
+// a warning, and vertices without z lie in the plane z = 0. `path` is not used. Cost: O(bytes), one pass, two where
+// rows are spread.
 Result<MeshFile> read_ply(std::string_view bytes, const std::filesystem::path& path);
 
 // Whether it starts with the keyword of the format.

@@ -105,40 +105,6 @@ const Property* strip_corners(const PropertyTable& table) {
   return found == table.properties.end() ? nullptr : &*found;
 }
 
-std::optional<Failure> take_strips(MeshFile& file, FaceList& faces, std::span<const std::uint64_t> places,
-                                   Reporter& reporter) {
-  std::vector<PropertyTable>& tables = file.properties.tables;
-  const auto strips = std::find_if(tables.begin(), tables.end(), strip_corners);
-  if (strips == tables.end()) return std::nullopt;
-  const bool has_lines = file.encoding == Encoding::ascii;
-  const Property& corners = *strip_corners(*strips);
-  const std::int64_t last = end_of_strip(corners.type, file.mesh.positions.size());
-  const std::size_t faces_before = file.mesh.face_count();
-  for (std::size_t row = 0; row < strips->rows; ++row) {
-    const FilePlace place = has_lines ? FilePlace::at_line(places[row]) : FilePlace::at_byte(places[row]);
-    const std::size_t end = corners.first_value(row) + corners.value_count(row);
-    if (faces.is_full(3 * corners.value_count(row))) return too_many_corners(place);
-    for (std::size_t begin = corners.first_value(row), at = begin; at <= end; ++at) {
-      if (at < end && corners.integer(at) != -1 && corners.integer(at) != last) continue;
-      if (at - begin == 1 || at - begin == 2) warn_of_short_strip(reporter, place, at - begin);
-      add_triangles(corners, begin, at, has_lines ? places[row] : 0, faces);
-      begin = at + 1;
-    }
-  }
-  if (strips->rows != 0 && strips->properties.size() > 1) {
-    warn_of_further_properties(
-        reporter, has_lines ? FilePlace::at_line(places.front()) : FilePlace::at_byte(places.front()), strips->rows);
-  }
-  const bool has_faces = std::any_of(tables.begin(), tables.end(),
-                                     [](const PropertyTable& table) { return table.kind == TableKind::faces; });
-  if (has_faces || file.mesh.face_count() == 0)
-    tables.erase(strips);
-  else
-    *strips = face_table();
-  extend_to_all_faces(file, faces_before);
-  return std::nullopt;
-}
-
 PlyBuilder::PlyBuilder(PlyHeader header) : faces_(file_.mesh), places_(header.tables.tables.size()) {
   file_.properties = std::move(header.tables);
   file_.head_comments = std::move(header.comments);
@@ -214,6 +180,39 @@ void PlyBuilder::warn_rounded(FilePlace place) {
     return Text{"A whole number of a vertex or face has more than the 53 bits of a double; it is rounded.",
                 "頂点または面の整数が倍精度の 53 ビットに収まらないため、丸めました。"};
   });
+}
+
+std::optional<Failure> PlyBuilder::take_strips() {
+  const auto strips = std::find_if(tables().begin(), tables().end(), strip_corners);
+  if (strips == tables().end()) return std::nullopt;
+  const bool has_lines = file_.encoding == Encoding::ascii;
+  const Property& corners = *strip_corners(*strips);
+  const std::int64_t last = end_of_strip(corners.type, file_.mesh.positions.size());
+  const std::size_t faces_before = file_.mesh.face_count();
+  for (std::size_t row = 0; row < strips->rows; ++row) {
+    const FilePlace place = has_lines ? FilePlace::at_line(strip_places_[row]) : FilePlace::at_byte(strip_places_[row]);
+    const std::size_t end = corners.first_value(row) + corners.value_count(row);
+    if (faces_.is_full(3 * corners.value_count(row))) return too_many_corners(place);
+    for (std::size_t begin = corners.first_value(row), at = begin; at <= end; ++at) {
+      if (at < end && corners.integer(at) != -1 && corners.integer(at) != last) continue;
+      if (at - begin == 1 || at - begin == 2) warn_of_short_strip(reporter_, place, at - begin);
+      add_triangles(corners, begin, at, has_lines ? strip_places_[row] : 0, faces_);
+      begin = at + 1;
+    }
+  }
+  if (strips->rows != 0 && strips->properties.size() > 1) {
+    warn_of_further_properties(
+        reporter_, has_lines ? FilePlace::at_line(strip_places_.front()) : FilePlace::at_byte(strip_places_.front()),
+        strips->rows);
+  }
+  const bool has_faces = std::any_of(tables().begin(), tables().end(),
+                                     [](const PropertyTable& table) { return table.kind == TableKind::faces_; });
+  if (has_faces || file_.mesh.face_count() == 0)
+    tables().erase(strips);
+  else
+    *strips = face_table();
+  extend_to_all_faces(file_, faces_before);
+  return std::nullopt;
 }
 
 // If every list has two numbers per corner or is empty they become texture coordinates; else they are kept as lists.
@@ -310,7 +309,7 @@ Result<MeshFile> PlyBuilder::finish() {
   warn_of_kept_lists();
   if (file_.encoding == Encoding::ascii) widen_odd_colours();
   take_corner_texcoords();
-  if (std::optional<Failure> failure = take_strips(file_, faces_, strip_places_, reporter_)) return std::move(*failure);
+  if (std::optional<Failure> failure = take_strips()) return std::move(*failure);
   faces_.finish(reporter_);
   if (has_other_byte_order()) {
     return malformed("wrong_byte_order",

@@ -20,14 +20,6 @@ namespace ryosen {
 // (element tristrips with a list of whole numbers), else null.
 const Property* strip_corners(const PropertyTable& table);
 
-// Appends the triangles of all strips to the faces, behind those of the element face, and gives the strips up: they
-// would say the same again. -1 ends a strip (in unsigned types the largest number, if no vertex has it); every second
-// triangle is turned over; a triangle that has a vertex twice only joins two strips and is no face. A strip of one or
-// two vertices is reported. `places`: the line of each row, in binary files its byte. Fails if corners do not fit 32
-// bits. O(numbers).
-std::optional<Failure> take_strips(MeshFile& file, FaceList& faces, std::span<const std::uint64_t> places,
-                                   Reporter& reporter);
-
 // The destination of a scalar property's values.
 struct PlyTarget {
   double* first = nullptr;  // null: to Property::data
@@ -61,6 +53,11 @@ class PlyBuilder {
 
  private:
   PlyTarget target_of(const Property& property);
+  // Appends the triangles of all strips to the faces, behind those of the element face, and gives the strips up: they
+  // would say the same again. -1 ends a strip (in unsigned types the largest number, if no vertex has it); every second
+  // triangle is turned over; a triangle that has a vertex twice only joins two strips and is no face. A strip of one or
+  // two vertices is reported. Fails if corners do not fit 32 bits. O(numbers).
+  std::optional<Failure> take_strips();
   void take_corner_texcoords();
   void widen_odd_colours();
   void warn_of_kept_lists();

@@ -1,5 +1,4 @@
-#include "ryosen/io/ply_builder.h"
-
+// Reads on several threads what nearly all rows of a large ascii PLY look like.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/io/ply_builder.h"
 
 namespace ryosen {
 namespace {

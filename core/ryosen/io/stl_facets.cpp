@@ -5,7 +5,6 @@
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/io/place_table.h"
 
 namespace ryosen {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
+#include "ryosen/io/stl_facets.h"
 #include "ryosen/io/text_lines.h"
-#include "ryosen/io/welder.h"
 
 namespace ryosen {
 namespace {

@@ -5,8 +5,6 @@
 #include <limits>
 #include <random>
 
-#include "ryosen/io/welder.h"
-
 namespace ryosen {
 namespace {
 

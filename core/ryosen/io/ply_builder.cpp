@@ -206,7 +206,7 @@ std::optional<Failure> PlyBuilder::take_strips() {
         strips->rows);
   }
   const bool has_faces = std::any_of(tables().begin(), tables().end(),
-                                     [](const PropertyTable& table) { return table.kind == TableKind::faces_; });
+                                     [](const PropertyTable& table) { return table.kind == TableKind::faces; });
   if (has_faces || file_.mesh.face_count() == 0)
     tables().erase(strips);
   else

@@ -15,8 +15,8 @@
 
 namespace ryosen {
 
-// A hash table by position, for finding coincident points: an open-addressing table of item numbers: the first item at
-// each position. O(1) expected; 8 bytes per slot, load factor at most 2/3.
+// A hash table by position, for finding coincident points: the number of the first item at each. Open addressing; O(1)
+// expected; 8 bytes per slot, load factor at most 2/3.
 class PlaceTable {
  public:
   // A mesh has about a sixth as many vertices as corners.

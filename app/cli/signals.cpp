@@ -14,7 +14,7 @@
 
 #include "app/cli/last_words.h"
 #include "ryosen/base/uninterrupted.h"
-#include "ryosen/io/unfinished_files.h"
+#include "ryosen/io/safe_write.h"
 
 namespace ryosen::cli {
 namespace {

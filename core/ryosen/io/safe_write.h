@@ -1,4 +1,4 @@
-// Atomic writing of files.
+// Atomic writing of files, and what saves have begun to write, for whoever ends the program in the middle of one.
 #pragma once
 
 #include <filesystem>
@@ -30,5 +30,16 @@ Failure not_writable(const std::filesystem::path& path, int error);
 
 // Whether the new file is in place: success, or the failure output_not_durable.
 bool is_in_place(const Status& status);
+
+// Deletes the temporary files of saves under way. May be called within a signal handler, while no section is under way.
+void remove_unfinished_files() noexcept;
+
+// Whether a pipe, a device or a descriptor that was handed over is being written, or was left in the middle.
+bool is_stream_unfinished() noexcept;
+
+// Whether a file has been written whole, and its name is in place, since the start or the last call of
+// forget_what_is_written().
+bool is_something_written() noexcept;
+void forget_what_is_written() noexcept;
 
 }  // namespace ryosen

@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "ryosen/base/interruption.h"
-#include "ryosen/io/faults.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/input_file.h"

@@ -14,7 +14,6 @@
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/result.h"
 #include "ryosen/io/face_list.h"
-#include "ryosen/io/faults.h"
 #include "ryosen/io/mesh_file.h"
 #include "ryosen/io/reporter.h"
 #include "ryosen/io/text_lines.h"

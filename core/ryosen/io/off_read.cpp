@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/io/off.h"
 #include "ryosen/io/off_builder.h"
+#include "ryosen/io/reporter.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/io/ply_builder.h"
+#include "ryosen/io/reporter.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

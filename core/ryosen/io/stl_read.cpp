@@ -9,7 +9,6 @@
 #include "ryosen/base/result.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/io/face_list.h"
-#include "ryosen/io/faults.h"
 #include "ryosen/io/losses.h"
 #include "ryosen/io/mesh_file.h"
 #include "ryosen/io/numbers.h"

@@ -6,8 +6,8 @@
 
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/io/face_list.h"
-#include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
+#include "ryosen/io/reporter.h"
 #include "ryosen/io/text_lines.h"
 #include "ryosen/io/text_out.h"
 #include "ryosen/io/triangulated.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/io/faults.h"
 #include "ryosen/io/numbers.h"
+#include "ryosen/io/reporter.h"
 #include "ryosen/io/text_lines.h"
 
 namespace ryosen {

@@ -1,5 +1,5 @@
 // A file that is refused for a value says at how many places there are such.
-#include "ryosen/io/faults.h"
+#include "ryosen/io/reporter.h"
 
 #include "ryosen/io/obj.h"
 #include "tests/unit/core/io/io_helpers.h"

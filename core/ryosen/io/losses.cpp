@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "ryosen/geometry/single_precision.h"
+#include "ryosen/indexed/indexed.h"
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/ply_columns.h"
 #include "ryosen/io/reporter.h"
 #include "ryosen/io/stl.h"
 #include "ryosen/io/txt.h"
-#include "ryosen/io/vertex_values.h"
 
 namespace ryosen {
 namespace {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ryosen/indexed/indexed.h"
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/off.h"
 #include "ryosen/io/off_builder.h"
 #include "ryosen/io/reporter.h"
 #include "ryosen/io/text_out.h"
-#include "ryosen/io/vertex_values.h"
 
 namespace ryosen {
 namespace {

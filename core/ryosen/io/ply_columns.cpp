@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "ryosen/geometry/single_precision.h"
+#include "ryosen/indexed/indexed.h"
 #include "ryosen/io/byte_colours.h"
-#include "ryosen/io/vertex_values.h"
 
 namespace ryosen {
 namespace {

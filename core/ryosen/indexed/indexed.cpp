@@ -71,8 +71,4 @@ std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, co
   return out;
 }
 
-glm::dvec3 value_of(const CornerValues& values, std::uint32_t index) {
-  return index < values.pool.size() ? values.pool[index] : glm::dvec3(0.0);
-}
-
 }  // namespace ryosen

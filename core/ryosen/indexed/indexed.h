@@ -96,6 +96,8 @@ struct IndexedMesh {
 std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, const CornerValues& values);
 
 // The value of a pool; zeros for no_index.
-glm::dvec3 value_of(const CornerValues& values, std::uint32_t index);
+inline glm::dvec3 value_of(const CornerValues& values, std::uint32_t index) {
+  return index < values.pool.size() ? values.pool[index] : glm::dvec3(0.0);
+}
 
 }  // namespace ryosen

@@ -11,7 +11,7 @@
 #include "ryosen/analysis/figures.h"
 #include "ryosen/analysis/mesh_kind.h"
 #include "ryosen/analysis/problems.h"
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 #include "ryosen/io/mesh_file.h"
 
 namespace ryosen::cli {

@@ -4,7 +4,7 @@
 
 #include "app/editor/document/written_mesh.h"
 #include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 
 namespace ryosen {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/editor/document/left_edges.h"
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 

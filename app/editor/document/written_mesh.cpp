@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ryosen/indexed/from_indexed.h"
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 
 namespace ryosen {
 

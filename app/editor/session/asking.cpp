@@ -8,7 +8,7 @@
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/split_list.h"
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/parameters/op_line.h"
 

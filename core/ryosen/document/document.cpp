@@ -14,7 +14,6 @@
 #include "ryosen/document/quarantine_text.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/edited_file.h"
-#include "ryosen/io/elements.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/safe_write.h"
 #include "ryosen/mesh/copies.h"

@@ -1,10 +1,10 @@
 #include "ryosen/io/edited_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "ryosen/base/sort_unique.h"
-#include "ryosen/io/elements.h"
 #include "ryosen/io/format.h"
 #include "ryosen/mesh/circulate.h"
 
@@ -55,6 +55,16 @@ void drop_unused(CornerValues& values, std::vector<QuarantinedFace>& quarantine,
   for_each_use([&](std::uint32_t& entry) { entry = number[entry]; });
 }
 
+// Those of the numbers that are vertices of the file, ascending, each once.
+std::vector<Vertex> existing_vertices(const std::vector<std::int64_t>& numbers, std::size_t file_vertices) {
+  std::vector<Vertex> found;
+  for (const std::int64_t number : numbers)
+    if (number >= 0 && number < static_cast<std::int64_t>(file_vertices))
+      found.emplace_back(static_cast<std::uint32_t>(number));
+  sort_unique(found);
+  return found;
+}
+
 // In a format without pools of its own one with an entry per vertex has those of isolated vertices too.
 bool has_pools(const MeshFile& file) {
   return !file.format || !file.format->holds || holds(file.format->holds(file.encoding), Holds::corner_normals);
@@ -62,18 +72,70 @@ bool has_pools(const MeshFile& file) {
 
 }  // namespace
 
+ElementTotals totals_of(const MeshFile& file) {
+  ElementTotals totals;
+  for (const LineElement& item : file.elements.items) ++(item.is_points ? totals.points : totals.lines);
+  for (const PropertyTable& table : file.properties.tables) {
+    const bool has_ends = std::any_of(table.properties.begin(), table.properties.end(), [](const Property& p) {
+      return p.role == PropertyRole::vertex_number && !p.is_list;
+    });
+    if (table.kind == TableKind::other && has_ends) totals.lines += table.rows;
+  }
+  return totals;
+}
+
+std::vector<Vertex> vertices_on_lines(const MeshFile& file, std::size_t file_vertices) {
+  std::vector<std::int64_t> numbers = vertices_named(file.properties);
+  for (const LineElement& item : file.elements.items)
+    if (!item.is_points)
+      std::copy_n(file.elements.vertices.begin() + item.first, item.count, std::back_inserter(numbers));
+  return existing_vertices(numbers, file_vertices);
+}
+
+ElementList renumbered(const ElementList& elements, std::span<const std::uint32_t> vertex_number,
+                       std::span<const std::uint32_t> face_number, std::size_t old_vertices, std::size_t new_vertices) {
+  const auto old_end = static_cast<std::int64_t>(std::min(old_vertices, vertex_number.size()));
+  const auto file_end = static_cast<std::int64_t>(old_vertices), new_end = static_cast<std::int64_t>(new_vertices);
+  ElementList out;
+  std::size_t face = 0;
+  std::uint32_t faces_before = 0;  // remaining faces below `face`
+  for (LineElement item : elements.items) {
+    for (; face < std::min<std::size_t>(item.before_face, face_number.size()); ++face) {
+      if (face_number[face] != no_index) ++faces_before;
+    }
+    item.before_face = faces_before;
+    const std::uint32_t first = item.first, count = item.count;
+    item.first = static_cast<std::uint32_t>(out.vertices.size());
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      std::int64_t vertex = elements.vertices[i];
+      if (vertex >= file_end) {
+        vertex = past_new_end(vertex, file_end, new_end);
+      } else if (vertex >= 0) {
+        if (vertex >= old_end || vertex_number[static_cast<std::size_t>(vertex)] == no_index) continue;
+        vertex = vertex_number[static_cast<std::size_t>(vertex)];
+      }
+      out.vertices.push_back(vertex);
+      if (!elements.texcoords.empty()) out.texcoords.push_back(elements.texcoords[i]);
+    }
+    item.count = static_cast<std::uint32_t>(out.vertices.size()) - item.first;
+    const std::uint32_t least = item.is_points ? 1 : 2;
+    if (item.count < count && item.count < least) {
+      out.vertices.resize(item.first);
+      if (!elements.texcoords.empty()) out.texcoords.resize(item.first);
+    } else {
+      out.items.push_back(item);
+    }
+  }
+  return out;
+}
+
 std::vector<Vertex> used_beside_the_mesh(const MeshFile& source, std::span<const QuarantinedFace> quarantine,
                                          std::size_t file_vertices) {
-  std::vector<Vertex> used;
-  const auto add = [&](std::int64_t number) {
-    if (number >= 0 && number < static_cast<std::int64_t>(file_vertices))
-      used.emplace_back(static_cast<std::uint32_t>(number));
-  };
-  for (const QuarantinedFace& face : quarantine) std::for_each(face.corners.begin(), face.corners.end(), add);
-  std::for_each(source.elements.vertices.begin(), source.elements.vertices.end(), add);
-  for (const std::int64_t number : vertices_named(source.properties)) add(number);
-  sort_unique(used);
-  return used;
+  std::vector<std::int64_t> numbers = vertices_named(source.properties);
+  for (const QuarantinedFace& face : quarantine)
+    numbers.insert(numbers.end(), face.corners.begin(), face.corners.end());
+  numbers.insert(numbers.end(), source.elements.vertices.begin(), source.elements.vertices.end());
+  return existing_vertices(numbers, file_vertices);
 }
 
 MeshFile edited_file(const MeshFile& source, const Mesh& mesh, const FileTables& tables) {

@@ -9,7 +9,6 @@
 #include "ryosen/base/split_list.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/edited_file.h"
-#include "ryosen/io/elements.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/core/proof.h"

@@ -1,4 +1,4 @@
-#include "ryosen/io/elements.h"
+#include "ryosen/io/edited_file.h"
 
 #include "ryosen/io/obj.h"
 #include "tests/unit/core/io/io_helpers.h"

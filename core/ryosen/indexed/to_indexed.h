@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ryosen/indexed/indexed.h"
@@ -42,6 +43,17 @@ struct CompactMesh {
   std::vector<std::uint32_t> face_number;
   std::size_t kept_vertices = 0;  // deleted from the mesh but kept in the list
 };
+
+// How file vertices that were deleted from the mesh but are still referenced from outside it are written: kept, or
+// replaced by a live point.
+struct LostVertices {
+  std::vector<Vertex> kept;                             // ascending
+  std::vector<std::pair<Vertex, Vertex>> replacements;  // deleted vertex, live point that replaces it
+};
+
+// Considers the vertices referenced by the quarantine in `tables` and by `used_beside`; see to_indexed for which points
+// replace them. Linear in the references, plus a sort of the points if one of them was deleted.
+LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<const Vertex> used_beside);
 
 // Live points (isolated ones too) and live and quarantined faces, renumbered without gaps in order; each face starts at
 // its first corner; pools are unchanged. A face with rings is written with bridges: those of the file while its loops

@@ -8,7 +8,7 @@
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/analysis/problems.h"
-#include "ryosen/indexed/lost_vertices.h"
+#include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {

@@ -4,7 +4,6 @@
 #include <array>
 #include <unordered_map>
 
-#include "ryosen/base/comparison_counter.h"
 #include "ryosen/indexed/pair_corners.h"
 
 namespace ryosen {

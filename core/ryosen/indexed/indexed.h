@@ -2,22 +2,130 @@
 // from_indexed converts it to a Mesh, to_indexed converts back for writing.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <initializer_list>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "ryosen/base/compact_list.h"
 #include "ryosen/base/handle.h"
 #include "ryosen/base/message.h"
-#include "ryosen/indexed/line_runs.h"
 
 namespace ryosen {
+
+// An array of trivially copyable values that costs one pointer while empty; for structs that a file may hold by the
+// million. Contiguous like a vector, but resized only by assigning it as a whole. One allocation if not empty, none
+// otherwise. Copies are deep; a moved-from list is empty.
+template <class Value>
+class CompactList {
+  static_assert(std::is_trivially_copyable_v<Value> && alignof(Value) <= sizeof(std::size_t));
+
+ public:
+  using value_type = Value;
+  using iterator = Value*;
+  using const_iterator = const Value*;
+
+  CompactList() = default;
+  CompactList(std::initializer_list<Value> values) { assign(values.begin(), values.end()); }
+  CompactList(const std::vector<Value>& values) { assign(values.begin(), values.end()); }
+  CompactList(const CompactList& other) { assign(other.begin(), other.end()); }
+  CompactList(CompactList&& other) noexcept = default;
+  CompactList& operator=(const CompactList& other) {
+    if (this != &other) assign(other.begin(), other.end());
+    return *this;
+  }
+  CompactList& operator=(CompactList&& other) noexcept = default;
+  ~CompactList() = default;
+
+  // The range must not lie in this list.
+  template <class Iterator>
+  void assign(Iterator first, Iterator last) {
+    const auto count = static_cast<std::size_t>(std::distance(first, last));
+    block_.reset();
+    if (count == 0) return;
+    block_ = std::make_unique<std::byte[]>(sizeof count + count * sizeof(Value));
+    std::memcpy(block_.get(), &count, sizeof count);
+    std::copy(first, last, begin());
+  }
+  void clear() { block_.reset(); }
+
+  bool empty() const { return !block_; }
+  std::size_t size() const {
+    std::size_t count = 0;
+    if (block_) std::memcpy(&count, block_.get(), sizeof count);
+    return count;
+  }
+  Value* data() { return block_ ? reinterpret_cast<Value*>(block_.get() + sizeof(std::size_t)) : nullptr; }
+  const Value* data() const {
+    return block_ ? reinterpret_cast<const Value*>(block_.get() + sizeof(std::size_t)) : nullptr;
+  }
+  Value* begin() { return data(); }
+  Value* end() { return data() + size(); }
+  const Value* begin() const { return data(); }
+  const Value* end() const { return data() + size(); }
+  Value& operator[](std::size_t i) { return data()[i]; }
+  const Value& operator[](std::size_t i) const { return data()[i]; }
+
+  friend bool operator==(const CompactList& a, const CompactList& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+
+ private:
+  std::unique_ptr<std::byte[]> block_;  // the count, then the values
+};
+
+// The line number of each element of a file, run-length encoded (consecutive lines form a run): a few bytes for most
+// files.
+class LineRuns {
+ public:
+  // Appends the line of the next element, from 1.
+  void add(std::uint64_t line) { add(line, 1); }
+  // Appends the lines of as many elements, one after the other.
+  void add(std::uint64_t line, std::size_t elements) {
+    if (elements == 0) return;
+    begin_run({count_, line});
+    count_ += static_cast<std::uint32_t>(elements);
+  }
+  // Appends the elements of a part of the file that starts after `lines_before` lines. O(runs).
+  void append(const LineRuns& next, std::uint64_t lines_before) {
+    for (const Run& run : next.runs_) begin_run({count_ + run.first, lines_before + run.line});
+    count_ += next.count_;
+  }
+  friend bool operator==(const LineRuns&, const LineRuns&) = default;
+  // The line of an element, 0 if none was added. O(log runs).
+  std::uint64_t line(std::uint32_t element) const {
+    if (element >= count_) return 0;
+    const auto after = std::upper_bound(runs_.begin(), runs_.end(), element,
+                                        [](std::uint32_t e, const Run& r) { return e < r.first; });
+    return line_in(*(after - 1), element);
+  }
+
+ private:
+  struct Run {
+    std::uint32_t first;
+    std::uint64_t line;
+    friend bool operator==(const Run&, const Run&) = default;
+  };
+  // Starts a run unless it continues the last one.
+  void begin_run(const Run& run) {
+    if (runs_.empty() || line_in(runs_.back(), run.first) != run.line) runs_.push_back(run);
+  }
+  static std::uint64_t line_in(const Run& run, std::uint32_t element) { return run.line + (element - run.first); }
+
+  std::vector<Run> runs_;
+  std::uint32_t count_ = 0;
+};
 
 // A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays. A
 // malformed file may have one for every byte or two, so it is small: 40 bytes, and one allocation per non-empty list.

@@ -1,4 +1,4 @@
-#include "ryosen/indexed/line_runs.h"
+#include "ryosen/indexed/indexed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ryosen/base/compact_list.h"
+#include "ryosen/indexed/indexed.h"
 
 #include <gtest/gtest.h>
 

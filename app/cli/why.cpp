@@ -6,7 +6,7 @@
 #include "app/cli/subcommands.h"
 #include "app/cli/verdict_report.h"
 #include "app/editor/commands/text/script.h"
-#include "ryosen/document/quarantine_text.h"
+#include "ryosen/document/outcome.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/name_failure.h"

@@ -10,7 +10,7 @@
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/problems.h"
-#include "ryosen/document/quarantine_text.h"
+#include "ryosen/document/outcome.h"
 #include "ryosen/mesh/find_element.h"
 
 namespace ryosen {

@@ -11,7 +11,7 @@
 #include "ryosen/algo/duplicate/part.h"
 #include "ryosen/algo/repair/recipe.h"
 #include "ryosen/base/count_text.h"
-#include "ryosen/document/quarantine_text.h"
+#include "ryosen/document/outcome.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/io/file_target.h"

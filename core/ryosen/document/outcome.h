@@ -1,7 +1,10 @@
-// What has become of an operator or a command, in words.
+// What has become of an operator or a command, and why one cannot be, in words.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ryosen/base/codes.h"
@@ -9,6 +12,7 @@
 #include "ryosen/base/reasons.h"
 #include "ryosen/base/result.h"
 #include "ryosen/base/verdict.h"
+#include "ryosen/indexed/indexed.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -47,5 +51,12 @@ std::vector<Text> describe_first(const Mesh& mesh, const std::vector<Reason>& re
 // One behind the other.
 Text join(const std::vector<Text>& sentences);
 std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& elements);
+
+// A quarantined face keeps its number, but no command can use it. If a name (f7, 0-1@f7, ~0-1@f7, v3@f7) refers to such
+// a face: a sentence with the cause and its line. `quarantine` is ascending by face.
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine, std::string_view name);
+// The same for the first of several names that refers to one.
+std::optional<Text> quarantine_text(std::span<const QuarantinedFace> quarantine,
+                                    std::span<const std::string_view> names);
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/document/quarantine_text.h"
+#include "ryosen/document/outcome.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include "app/cli/inputs.h"
 #include "app/cli/subcommands.h"
 #include "app/editor/commands/text/script.h"
-#include "ryosen/base/out_of_memory.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/base/resource_limits.h"
 #include "ryosen/base/split_list.h"
 
 namespace ryosen::cli {

@@ -10,7 +10,7 @@
 
 #include "app/cli/contract/json.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/base/out_of_memory.h"
+#include "ryosen/base/resource_limits.h"
 
 namespace ryosen::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
-#include "ryosen/base/out_of_memory.h"
+#include "ryosen/base/resource_limits.h"
 
 namespace ryosen {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "app/editor/commands/expect.h"
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/base/release.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 

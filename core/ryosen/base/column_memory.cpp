@@ -6,6 +6,8 @@
 #include <sys/mman.h>
 #endif
 
+#include "ryosen/base/parallel.h"
+
 namespace ryosen {
 
 void* allocate_column(std::size_t bytes) {
@@ -31,6 +33,16 @@ void release_column(void* block, std::size_t bytes) noexcept {
     ::operator delete(block);
   else
     ::operator delete(block, std::align_val_t(huge_page));
+}
+
+void touch_pages(void* memory, std::size_t bytes) {
+  constexpr std::size_t page = 4096, worth_it = std::size_t{1} << 25, block = std::size_t{1} << 20;
+  if (bytes < worth_it) return;
+  volatile char* const begin = static_cast<volatile char*>(memory);
+  for_each_task(static_cast<unsigned>((bytes + block - 1) / block), threads_for(bytes), [&](unsigned i) {
+    const std::size_t end = block * (std::size_t{i} + 1);
+    for (std::size_t at = block * i; at < (end < bytes ? end : bytes); at += page) begin[at] = 0;
+  });
 }
 
 }  // namespace ryosen

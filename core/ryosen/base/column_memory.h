@@ -55,12 +55,22 @@ struct UnwrittenAllocator : ColumnAllocator<T> {
   }
 };
 
+// For a large block that nothing has been written to and that is then filled by one thread: the system gives and clears
+// its pages now, for several threads at once. What the block holds is unspecified afterwards.
+void touch_pages(void* memory, std::size_t bytes);
+
 // reserve() for a vector with any allocator, on huge pages if the block is large.
 template <class Vector>
 void reserve_large(Vector& values, std::size_t count) {
   if (count <= values.capacity()) return;
   values.reserve(count);
   offer_huge_pages(values.data(), values.capacity() * sizeof(typename Vector::value_type));
+}
+
+// Frees the memory of a vector, which neither clear() nor assigning {} does.
+template <class Value>
+void release(std::vector<Value>& values) {
+  std::vector<Value>().swap(values);
 }
 
 template <class T>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/base/release.h"
 #include "ryosen/mesh/bridges.h"
 
 namespace ryosen {

@@ -15,7 +15,6 @@
 #include "ryosen/base/column_memory.h"
 #include "ryosen/io/descriptor.h"
 #include "ryosen/io/system_reason.h"
-#include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {

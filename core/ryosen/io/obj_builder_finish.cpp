@@ -10,7 +10,6 @@
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
-#include "ryosen/base/release.h"
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/obj_builder.h"
 

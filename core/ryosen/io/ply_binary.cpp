@@ -10,7 +10,6 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/io/numbers.h"
 #include "ryosen/io/ply_builder.h"
-#include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "ryosen/base/column_memory.h"
-#include "ryosen/base/release.h"
-#include "ryosen/mesh/touch_pages.h"
 
 namespace ryosen {
 namespace {

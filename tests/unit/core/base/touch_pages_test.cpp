@@ -1,4 +1,4 @@
-#include "ryosen/mesh/touch_pages.h"
+#include "ryosen/base/column_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -110,6 +110,18 @@ void make_room(std::vector<Value>& values, std::size_t count) {
 
 }  // namespace
 
+void CellMarks::grow() {
+  constexpr std::size_t smallest = 128;
+  std::vector<std::uint64_t> old(std::max(smallest, 2 * slots_.size()), 0);
+  std::swap(old, slots_);
+  for (std::uint64_t key : old) {
+    if (key >> key_bits != generation_) continue;
+    std::size_t slot = first_slot(key);
+    while (slots_[slot] != 0) slot = (slot + 1) & (slots_.size() - 1);
+    slots_[slot] = key;
+  }
+}
+
 void Journal::make_room_for_record(std::size_t words) {
   make_room(cells_, 1);
   make_room(words_, words);

@@ -7,7 +7,6 @@
 
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
-#include "ryosen/mesh/cell_marks.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 

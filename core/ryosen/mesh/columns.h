@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -87,7 +88,15 @@ struct MeshColumns {
   std::uint32_t file_vertices = 0;  // vertex numbers below this come from the file
 
   // Bitwise: a NaN equals itself, 0 and -0 differ.
-  friend bool operator==(const MeshColumns& a, const MeshColumns& b);
+  friend bool operator==(const MeshColumns& a, const MeshColumns& b) {
+    const bool same_positions = a.positions.size() == b.positions.size() &&
+                                (a.positions.empty() || std::memcmp(a.positions.data(), b.positions.data(),
+                                                                    a.positions.size() * sizeof(glm::dvec3)) == 0);
+    return same_positions && a.vertex_halfedge == b.vertex_halfedge && a.halfedges == b.halfedges &&
+           a.face_halfedge == b.face_halfedge && a.next_copy == b.next_copy && a.copy_point == b.copy_point &&
+           a.first_ring == b.first_ring && a.rings == b.rings && a.attributes == b.attributes && a.live == b.live &&
+           a.file_vertices == b.file_vertices;
+  }
 };
 
 // Column ids of the journal; attribute k of a mesh is first_attribute + k.

@@ -14,7 +14,7 @@
 #include "ryosen/base/column_memory.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/mesh/lookahead.h"
+#include "ryosen/mesh/prefetch.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/preview/collapsible_edges.h"
 #include "ryosen/ops/swap_edge.h"

@@ -1,4 +1,4 @@
-#include "ryosen/mesh/lookahead.h"
+#include "ryosen/mesh/prefetch.h"
 
 #include <gtest/gtest.h>
 

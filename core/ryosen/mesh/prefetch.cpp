@@ -1,5 +1,3 @@
-#include "ryosen/mesh/lookahead.h"
-
 #include "ryosen/mesh/prefetch.h"
 
 namespace ryosen {

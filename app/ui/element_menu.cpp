@@ -13,8 +13,8 @@
 #include "app/ui/submenu.h"
 #include "app/ui/widgets.h"
 #include "ryosen/base/number_text.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/parameters/op_line.h"
 

@@ -4,7 +4,7 @@
 
 #include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
-#include "ryosen/mesh/middle.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/laid.h"
 

@@ -8,7 +8,7 @@
 #include "ryosen/analysis/problems.h"
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
-#include "ryosen/mesh/middle.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/names.h"
 #include "tests/support/app/drawn_text.h"
 #include "tests/support/app/window_hand.h"

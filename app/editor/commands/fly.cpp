@@ -18,7 +18,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 

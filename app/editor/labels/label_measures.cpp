@@ -7,9 +7,9 @@
 #include "app/editor/session/selecting.h"
 #include "app/editor/texts/measure_text.h"
 #include "ryosen/analysis/measures.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 

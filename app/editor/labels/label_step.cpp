@@ -4,9 +4,9 @@
 #include "app/editor/shown/player.h"
 #include "app/editor/shown/shown.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 

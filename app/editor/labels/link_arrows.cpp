@@ -1,7 +1,7 @@
 #include "app/editor/labels/link_arrows.h"
 
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 #include "ryosen/mesh/rings.h"
 
 namespace ryosen {

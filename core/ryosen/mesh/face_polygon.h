@@ -5,7 +5,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "ryosen/base/element.h"
 #include "ryosen/geometry/triangulate.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/rings.h"
 
 namespace ryosen {
@@ -47,5 +49,9 @@ class FacePolygon {
 // The same walk in canonical form, independent of bridges, ring order and loop starts, so that sums over a mesh and
 // over the file written from it are bitwise equal.
 std::vector<glm::dvec3> measured_walk(const Mesh& mesh, Face f);
+
+// One place of an element, in its middle, and on the element: of a face the middle of one of its triangles, so that it
+// lies on it though that is not convex. Cost: of a face its triangulation, else O(1).
+glm::dvec3 middle_of(const Mesh& mesh, const Element& element);
 
 }  // namespace ryosen

@@ -16,7 +16,7 @@
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/scene/highlights/map_values.h"
 
 namespace ryosen::cli {

@@ -9,7 +9,7 @@
 #include "ryosen/document/outcome.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
-#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/ops/preview/known_answers.h"
 #include "ryosen/ops/preview/preview.h"
 #include "ryosen/ops/preview/remedy.h"

@@ -5,7 +5,7 @@
 #include "app/cli/contract/record.h"
 #include "app/editor/textbook/record_text.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/records.h"
 

@@ -9,7 +9,6 @@
 #include "app/editor/textbook/figures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
-#include "ryosen/mesh/name_failure.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen::cli {

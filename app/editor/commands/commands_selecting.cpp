@@ -9,7 +9,7 @@
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/slot_ranges.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/scene/selection/element_set.h"
 #include "ryosen/scene/selection/selectors.h"
 

@@ -10,7 +10,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/mesh/slot_ranges.h"
 #include "ryosen/scene/selection/spread.h"
 
 namespace ryosen {

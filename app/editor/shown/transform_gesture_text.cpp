@@ -5,7 +5,7 @@
 #include "app/editor/shown/transform_gesture.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/base/number_text.h"
-#include "ryosen/mesh/slot_ranges.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen {
 

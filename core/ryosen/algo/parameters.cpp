@@ -14,7 +14,7 @@
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/slot_ranges.h"
+#include "ryosen/mesh/names.h"
 
 namespace ryosen {
 

@@ -2,15 +2,33 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <vector>
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/find_element.h"
 
 namespace ryosen {
 
 namespace {
+
+constexpr char slot_letters[] = {'v', 'h', 'e', 'f'};  // by Element::Kind
+
+std::optional<Element> parse_slot(std::string_view word) {
+  if (word.size() < 2) return std::nullopt;
+  Element e;
+  const char* const end = word.data() + word.size();
+  const auto [behind, error] = std::from_chars(word.data() + 1, end, e.index);
+  if (error != std::errc() || behind != end) return std::nullopt;
+  for (std::size_t kind = 0; kind < std::size(slot_letters); ++kind)
+    if (word[0] == slot_letters[kind]) {
+      e.kind = static_cast<Element::Kind>(kind);
+      return e;
+    }
+  return std::nullopt;
+}
 
 std::string number(std::uint32_t n) { return std::to_string(n); }
 
@@ -143,8 +161,7 @@ std::string name_of(const Mesh& m, Element element) {
 }
 
 std::string slot_name(Element element) {
-  constexpr char letters[] = {'v', 'h', 'e', 'f'};
-  return letters[static_cast<std::size_t>(element.kind)] + std::to_string(element.index);
+  return slot_letters[static_cast<std::size_t>(element.kind)] + std::to_string(element.index);
 }
 
 std::string name_and_slot(const Mesh& m, Element element) {
@@ -197,6 +214,43 @@ Named<Halfedge> find_edge(const Mesh& m, std::string_view name) {
   if (h.is_none()) return no_such_edge(name);
   if (!same_point(m, m.from(h), va)) h = twin(h);
   return {twin_side ? twin(h) : h, NameError::none, {}};
+}
+
+Failure failure_of_name(NameError error, Text sentence) {
+  if (error == NameError::deleted) return make_failure(ExitCode::refused, "refused", std::move(sentence));
+  const Code code = error == NameError::never_existed ? Code("element_unknown")
+                    : error == NameError::ambiguous   ? Code("name_ambiguous")
+                                                      : Code("line_malformed");
+  return make_failure(ExitCode::usage, code, std::move(sentence));
+}
+
+std::string slot_ranges(std::span<const Element> elements) {
+  std::string text;
+  for (std::size_t i = 0; i < elements.size();) {
+    std::size_t end = i + 1;
+    while (end < elements.size() && elements[end].kind == elements[i].kind &&
+           elements[end].index == elements[end - 1].index + 1)
+      ++end;
+    text += " " + slot_name(elements[i]);
+    if (end > i + 1) text += ".." + slot_name(elements[end - 1]);
+    i = end;
+  }
+  return text;
+}
+
+std::optional<SlotRange> parse_slot_range(std::string_view word) {
+  const std::size_t dots = word.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  const auto first = parse_slot(word.substr(0, dots)), last = parse_slot(word.substr(dots + 2));
+  if (!first || !last || first->kind != last->kind || last->index < first->index || last->index == no_index)
+    return std::nullopt;
+  return SlotRange{*first, last->index};
+}
+
+void add_living(const Mesh& mesh, const SlotRange& range, Elements& elements) {
+  const ColumnLengths lengths = mesh.lengths();
+  for (Element e = range.first; e.index <= range.last && has_slot(lengths, e); ++e.index)
+    if (is_alive(mesh, e)) elements.push_back(e);
 }
 
 }  // namespace ryosen

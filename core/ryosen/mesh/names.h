@@ -1,14 +1,18 @@
 // Formatting and parsing of element names as used in files, commands and reports.
 //
 //   v7  f3  12-88 (halfedge or edge)  12-88@f5 (the half of face 5)  ~12-88@f5 (its twin)  v7@f5 (the copy of face 5)
-//   h12 e6 (by slot)
+//   h12 e6 (by slot)  v3..v9 (several slots in a row)
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
+#include "ryosen/base/result.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -49,5 +53,22 @@ struct Named {
 Named<Vertex> find_vertex(const Mesh& mesh, std::string_view name);
 Named<Face> find_face(const Mesh& mesh, std::string_view name);
 Named<Halfedge> find_edge(const Mesh& mesh, std::string_view name);
+
+// The failure about a name that means no one living element, the same for every command: usage with the code of what is
+// wrong with the name, or `refused` where the element is gone.
+Failure failure_of_name(NameError error, Text sentence);
+
+// Many elements in few words: by their numbers, several in a row as v3..v9. A word for each, with a blank before it, in
+// the order of the elements: vN, eN, fN, hN by slot, and A..B for ascending neighbours.
+std::string slot_ranges(std::span<const Element> elements);
+
+struct SlotRange {
+  Element first;
+  std::uint32_t last;  // not below first.index
+};
+// Of a word as slot_ranges() writes it for several; none for anything else.
+std::optional<SlotRange> parse_slot_range(std::string_view word);
+// Those of a range that are alive.
+void add_living(const Mesh& mesh, const SlotRange& range, Elements& elements);
 
 }  // namespace ryosen

@@ -4,8 +4,7 @@
 #include <array>
 
 #include "ryosen/base/open_table.h"
-#include "ryosen/scene/highlights/creases.h"
-#include "ryosen/scene/highlights/seams.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 
 namespace ryosen {
 

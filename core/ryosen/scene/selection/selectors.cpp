@@ -10,7 +10,7 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/scene/highlights/creases.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 #include "ryosen/scene/highlights/map_values.h"
 #include "ryosen/scene/selection/conversion.h"
 #include "ryosen/scene/selection/element_set.h"

@@ -6,7 +6,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/scene/highlights/creases.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 #include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {

@@ -1,4 +1,4 @@
-#include "ryosen/scene/highlights/creases.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 
 #include <gtest/gtest.h>
 

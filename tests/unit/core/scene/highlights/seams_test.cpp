@@ -1,4 +1,4 @@
-#include "ryosen/scene/highlights/seams.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,8 @@
-#include "ryosen/scene/highlights/creases.h"
+#include "ryosen/scene/highlights/feature_edges.h"
 
 #include <glm/geometric.hpp>
+
+#include "ryosen/mesh/attribute.h"
 
 namespace ryosen {
 
@@ -16,6 +18,13 @@ double cosine_of_bend(Neighbourhood& around, Halfedge a, Halfedge b) {
 bool bends(Neighbourhood& around, Edge e, double cosine_of_angle) {
   const auto [h, o] = around.two_sides(e);
   return h && cosine_of_bend(around, h, o) < cosine_of_angle;
+}
+
+bool is_seam_edge(Neighbourhood& around, Edge e) {
+  const Mesh& mesh = around.mesh();
+  if (mesh.attributes().empty()) return false;
+  const auto [h, o] = around.two_sides(e);
+  return h && corner_values_differ(mesh, h, o, around.run_alike(h, o));
 }
 
 }  // namespace ryosen

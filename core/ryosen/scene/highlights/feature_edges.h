@@ -1,4 +1,5 @@
-// Creases: edges at which the surface bends.
+// Edges that a surface is told by: creases, at which it bends, and seams, at which what the corners of two faces carry
+// does not go together.
 #pragma once
 
 #include "ryosen/analysis/neighbourhood.h"
@@ -18,5 +19,9 @@ double cosine_of_bend(Neighbourhood& around, Halfedge a, Halfedge b);
 bool bends(Neighbourhood& around, Edge e, double cosine_of_angle);
 // By more than 30 degrees.
 inline bool is_crease(Neighbourhood& around, Edge e) { return bends(around, e, crease_cosine); }
+
+// Whether exactly two faces share the edge on points and the values of their corners (texture coordinates, normals)
+// differ at one of its ends. The lowest sheet with a face answers for the edge.
+bool is_seam_edge(Neighbourhood& around, Edge e);
 
 }  // namespace ryosen

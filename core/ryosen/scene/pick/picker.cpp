@@ -1,6 +1,7 @@
 #include "ryosen/scene/pick/picker.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
@@ -9,7 +10,6 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/scene/pick/screen_segment.h"
-#include "ryosen/scene/pick/seen_place.h"
 
 namespace ryosen {
 
@@ -187,6 +187,15 @@ class PickQuery {
 };
 
 }  // namespace
+
+bool is_seen(const Bvh& tree, const Mesh& mesh, const Ray& ray, const glm::dvec3& place, Face own,
+             const IndexSet* passed_over) {
+  const auto hit = tree.cast(mesh.positions(), ray, passed_over);
+  if (!hit || (own && tree.primitive(hit->slot).owner == own.index)) return true;
+  constexpr double tolerance = 1e-7;
+  const double t = glm::dot(place - ray.origin, ray.direction);
+  return hit->t >= t - tolerance * std::abs(t);
+}
 
 void Picker::prepare(const Mesh& mesh, Progress& progress) {
   if (!has_tree_) build(mesh, progress);

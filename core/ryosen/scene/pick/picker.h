@@ -1,6 +1,7 @@
 // Picking: the front-most vertex, edge or face at a pixel, by a BVH over the drawn triangles.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,11 +10,11 @@
 #include "ryosen/base/element.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/base/recent_cells.h"
+#include "ryosen/geometry/ray.h"
 #include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/touched.h"
 #include "ryosen/scene/pick/hidden_elements.h"
-#include "ryosen/scene/pick/screen_region.h"
 #include "ryosen/scene/view/camera.h"
 #include "ryosen/scene/view/clip_plane.h"
 
@@ -33,10 +34,30 @@ struct Picked {
   double distance_px = 0;  // from the pointer, 0 for a face
 };
 
+// A region of the picture: a polygon of pixels, as a box or a lasso draws it.
+class ScreenRegion {
+ public:
+  // Inside is what an odd number of its sides surrounds. With fewer than three corners it holds nothing.
+  explicit ScreenRegion(std::vector<glm::dvec2> corners);
+  static ScreenRegion box(glm::dvec2 a, glm::dvec2 b);
+
+  // O(corners) within its bounding box, else O(1).
+  bool holds(glm::dvec2 pixel) const;
+
+ private:
+  std::vector<glm::dvec2> corners_;
+  glm::dvec2 low_{0}, high_{0};
+};
+
 // What is moved just now, and not where the mesh has it: neither picked nor in the way of what lies behind.
 struct PassedOver {
   IndexSet faces, vertices;  // an edge where one of its ends is
 };
+
+// Whether no surface in the tree but that of `own`, and of the faces that are passed over, lies clearly in front of a
+// place, which the ray goes through.
+bool is_seen(const Bvh& tree, const Mesh& mesh, const Ray& ray, const glm::dvec3& place, Face own = {},
+             const IndexSet* passed_over = nullptr);
 
 // Holds the triangles of a mesh and a BVH over them, the wires and the isolated vertices. Pass the same mesh to every
 // call. The BVH is built by the first pick, so rendering alone does not pay for it.

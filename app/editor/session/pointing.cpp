@@ -10,7 +10,7 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/scene/selection/spread.h"
+#include "ryosen/scene/selection/derived_selections.h"
 
 namespace ryosen {
 

@@ -12,9 +12,8 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/scene/highlights/feature_edges.h"
 #include "ryosen/scene/highlights/map_values.h"
-#include "ryosen/scene/selection/conversion.h"
+#include "ryosen/scene/selection/derived_selections.h"
 #include "ryosen/scene/selection/element_set.h"
-#include "ryosen/scene/selection/spread.h"
 
 namespace ryosen {
 

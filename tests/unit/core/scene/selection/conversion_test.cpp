@@ -1,4 +1,4 @@
-#include "ryosen/scene/selection/conversion.h"
+#include "ryosen/scene/selection/derived_selections.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/scene/selection/spread.h"
+#include "ryosen/scene/selection/derived_selections.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/shapes.h"
 

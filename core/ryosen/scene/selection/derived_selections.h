@@ -1,4 +1,4 @@
-// Selections that grow from a selection along the mesh.
+// Selections that come from a selection: what it grows to along the mesh, and its elements turned into another kind.
 //
 // Elements are neighbours of their own kind if they touch at a point, vertices if an edge joins them. Copies of a point
 // count as the point. Each function keeps the order of what was selected and puts what is new behind it. Cost: the
@@ -36,5 +36,11 @@ Elements edge_rings(const Mesh& mesh, std::span<const Element> selection);
 // The faces that are reached from the selected ones over edges with two faces that bend by at most this angle, and over
 // those at faces that have no normal.
 Elements flat_regions(const Mesh& mesh, std::span<const Element> selection, double angle_deg);
+
+// What is selected, turned into elements of another kind. Elements of the kind stay. Downwards it is all that belongs
+// to something selected: the sides and corners of faces, the ends of edges. Upwards it is what lies wholly in the
+// selection: an edge with both ends, a face with all corners; where there is no such thing, what meets it. Halfedges
+// are those of a face. Ascending, points in place of vertices. O(corners).
+Elements converted(const Mesh& mesh, std::span<const Element> selection, Element::Kind to);
 
 }  // namespace ryosen

@@ -8,6 +8,7 @@
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/input_file.h"
+#include "ryosen/io/numbers.h"
 #include "ryosen/io/reporter.h"
 #include "ryosen/io/safe_write.h"
 #include "ryosen/io/system_reason.h"
@@ -89,7 +90,7 @@ std::optional<Failure> refuse_binary(std::string_view head) {
 // The extension, before any .gz.
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = without_gzip(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::transform(extension.begin(), extension.end(), extension.begin(), lower_case);
   return extension;
 }
 
@@ -141,7 +142,7 @@ bool may_be_mesh(const std::filesystem::path& path) {
   std::string text(head, static_cast<std::size_t>(file.gcount()));
   if (is_gzip(text)) text = unpacked_head(text, 64);
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  return begin != std::string_view::npos && (text[begin] == '-' || (text[begin] >= '0' && text[begin] <= '9'));
+  return begin != std::string_view::npos && (text[begin] == '-' || is_digit(text[begin]));
 }
 
 Result<const Format*> recognise(std::string_view bytes, const std::filesystem::path& path) {

@@ -1,11 +1,10 @@
 #include "ryosen/io/numbers.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace ryosen {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Whether a number out of range for from_chars overflows rather than underflows, by the decimal place of its first
 // nonzero digit plus the exponent.
@@ -30,17 +29,10 @@ bool is_too_large(std::string_view digits) {
   return place + exponent > 0;
 }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool starts_with_word(std::string_view text, std::string_view word) {
-  if (text.size() < word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    if (lower(text[i]) != word[i]) return false;
-  }
-  for (const char c : text.substr(word.size())) {
-    if (c != '0') return false;
-  }
-  return true;
+// Whether it is this word, in letters of either case, and zeros behind it.
+bool is_padded_word(std::string_view text, std::string_view word) {
+  return text.size() >= word.size() && text.find_first_not_of('0', word.size()) == std::string_view::npos &&
+         std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) { return a == lower_case(b); });
 }
 
 }  // namespace
@@ -57,9 +49,8 @@ NumberRead read_unusual_real(std::string_view token, double& value) {
   // The output of the Windows C library, padded with zeros to the requested precision.
   if (digits.starts_with("1.#")) {
     const std::string_view kind = digits.substr(3);
-    const bool infinite = starts_with_word(kind, "inf");
-    if (!infinite && !starts_with_word(kind, "ind") && !starts_with_word(kind, "qnan") &&
-        !starts_with_word(kind, "snan")) {
+    const bool infinite = is_padded_word(kind, "inf");
+    if (!infinite && !is_padded_word(kind, "ind") && !is_padded_word(kind, "qnan") && !is_padded_word(kind, "snan")) {
       return NumberRead::unreadable;
     }
     const double magnitude =

@@ -10,6 +10,10 @@
 
 namespace ryosen {
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+// Of the letters of ASCII.
+constexpr char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 enum class NumberRead { finite, non_finite, unreadable };
 
 // The cases that std::from_chars does not handle: a leading plus, overflow and underflow, 1.#INF etc.

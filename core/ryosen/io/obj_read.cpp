@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ryosen/base/parallel.h"
+#include "ryosen/io/numbers.h"
 #include "ryosen/io/obj.h"
 #include "ryosen/io/obj_builder.h"
 #include "ryosen/io/text_lines.h"
@@ -178,8 +179,8 @@ Likeness looks_like_obj(std::string_view head, std::uint64_t) {
     if (word.empty() || word[0] == '#') continue;
     if (is_one_of(word, telling)) return Likeness::sure;
     const std::string_view value = take_word(rest);
-    const bool is_number = !value.empty() && (value[0] == '-' || value[0] == '+' || value[0] == '.' ||
-                                              (value[0] >= '0' && value[0] <= '9'));
+    const bool is_number =
+        !value.empty() && (value[0] == '-' || value[0] == '+' || value[0] == '.' || is_digit(value[0]));
     if (is_one_of(word, with_number) && is_number) return Likeness::sure;
     if (!is_one_of(word, with_number) && !is_one_of(word, with_text)) return likeness;
     likeness = Likeness::maybe;

@@ -8,6 +8,7 @@
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/io/numbers.h"
 #include "ryosen/io/ply_builder.h"
 
 namespace ryosen {
@@ -66,7 +67,7 @@ const char* read_index(const char* at, std::uint32_t& index) {
   constexpr int most_digits = 9;  // no more fits in any case
   std::uint32_t value = 0;
   int digits = 0;
-  for (; *at >= '0' && *at <= '9' && digits <= most_digits; ++at, ++digits)
+  for (; is_digit(*at) && digits <= most_digits; ++at, ++digits)
     value = 10 * value + static_cast<std::uint32_t>(*at - '0');
   index = value;
   return digits > 0 && digits <= most_digits && ends_number(*at) ? at : nullptr;

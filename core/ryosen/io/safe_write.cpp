@@ -26,6 +26,7 @@
 #include "ryosen/base/uninterrupted.h"
 #include "ryosen/io/descriptor.h"
 #include "ryosen/io/file_target.h"
+#include "ryosen/io/numbers.h"
 #include "ryosen/io/system_reason.h"
 
 namespace ryosen {
@@ -73,7 +74,7 @@ bool is_name_beside(std::string_view name, std::string_view stem) {
   if (!name.starts_with(stem)) return false;
   name.remove_prefix(stem.size());
   const auto is_number = [](std::string_view word) {
-    return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
   };
   const std::size_t point = std::min(name.find('.'), name.size() - 1);
   return is_number(name.substr(0, point)) && is_number(name.substr(point + 1));

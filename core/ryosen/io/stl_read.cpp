@@ -35,12 +35,8 @@ MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
 
 // Whether `token` is this keyword, case-insensitively. `word` is in lower case.
 bool is_stl_word(std::string_view token, std::string_view word) {
-  if (token.size() != word.size()) return false;
-  for (std::size_t i = 0; i < word.size(); ++i) {
-    const char c = token[i] >= 'A' && token[i] <= 'Z' ? static_cast<char>(token[i] - 'A' + 'a') : token[i];
-    if (c != word[i]) return false;
-  }
-  return true;
+  return std::equal(token.begin(), token.end(), word.begin(), word.end(),
+                    [](char a, char b) { return lower_case(a) == b; });
 }
 
 // Words in any layout; only the name of a solid goes to the end of its line. Every step returns false where nothing

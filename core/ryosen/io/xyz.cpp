@@ -47,7 +47,6 @@ class LineWords {
 // Whether it is a number with a comma in place of its point, or several of them that blanks keep apart.
 bool has_decimal_comma(std::string_view word) {
   const std::size_t comma = word.find_first_of(", \t");
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   return comma != std::string_view::npos && comma + 1 < word.size() && is_digit(word[comma + 1]);
 }
 

@@ -79,27 +79,17 @@ class ObjFeed : public std::streambuf {
   bool has_called_ = true;  // false: the current line had no callback yet
 };
 
-ObjFeed& feed_of(void* data) { return *static_cast<ObjFeed*>(data); }
-
-// The numbers of tinyobjloader are ignored: they are inexact and wrap around. The builder parses the line itself.
-void on_vertex(void* data, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
-  feed_of(data).builder().vertex(feed_of(data).after_keyword(1));
+// Callbacks of lines with values, and of those with a name, behind a keyword of so many letters. What tinyobjloader
+// makes of them is ignored: its numbers are inexact and wrap around. The builder parses the line itself.
+template <auto take, std::size_t keyword, class... Ignored>
+void on_values(void* data, Ignored...) {
+  ObjFeed& feed = *static_cast<ObjFeed*>(data);
+  (feed.builder().*take)(feed.after_keyword(keyword));
 }
-void on_normal(void* data, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
-  feed_of(data).builder().normal(feed_of(data).after_keyword(2));
-}
-void on_texcoord(void* data, tinyobj::real_t, tinyobj::real_t, tinyobj::real_t) {
-  feed_of(data).builder().texcoord(feed_of(data).after_keyword(2));
-}
-void on_face(void* data, tinyobj::index_t*, int) { feed_of(data).builder().face(feed_of(data).after_keyword(1)); }
-void on_material(void* data, const char*, int) {
-  feed_of(data).builder().name(ObjBuilder::NameKind::material, feed_of(data).after_keyword(6));
-}
-void on_group(void* data, const char**, int) {
-  feed_of(data).builder().name(ObjBuilder::NameKind::group, feed_of(data).after_keyword(1));
-}
-void on_object(void* data, const char*) {
-  feed_of(data).builder().name(ObjBuilder::NameKind::object, feed_of(data).after_keyword(1));
+template <ObjBuilder::NameKind kind, std::size_t keyword, class... Ignored>
+void on_name(void* data, Ignored...) {
+  ObjFeed& feed = *static_cast<ObjFeed*>(data);
+  feed.builder().name(kind, feed.after_keyword(keyword));
 }
 
 // Passes the lines through tinyobjloader's callbacks to the builder.
@@ -108,13 +98,13 @@ void feed(TextLines& lines, ObjBuilder& builder) {
   std::istream stream(&source);
   stream.exceptions(std::ios_base::badbit);  // otherwise the stream swallows exceptions thrown while reading a line
   tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = on_vertex;
-  callbacks.normal_cb = on_normal;
-  callbacks.texcoord_cb = on_texcoord;
-  callbacks.index_cb = on_face;
-  callbacks.usemtl_cb = on_material;
-  callbacks.group_cb = on_group;
-  callbacks.object_cb = on_object;
+  callbacks.vertex_cb = on_values<&ObjBuilder::vertex, 1>;
+  callbacks.normal_cb = on_values<&ObjBuilder::normal, 2>;
+  callbacks.texcoord_cb = on_values<&ObjBuilder::texcoord, 2>;
+  callbacks.index_cb = on_values<&ObjBuilder::face, 1>;
+  callbacks.usemtl_cb = on_name<ObjBuilder::NameKind::material, 6>;
+  callbacks.group_cb = on_name<ObjBuilder::NameKind::group, 1>;
+  callbacks.object_cb = on_name<ObjBuilder::NameKind::object, 1>;
   // Without a material reader the library opens no file. Its result is ignored: every line is checked here.
   tinyobj::LoadObjWithCallback(stream, callbacks, &source, nullptr, nullptr, nullptr);
 }

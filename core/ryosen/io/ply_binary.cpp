@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
@@ -14,28 +15,15 @@
 namespace ryosen {
 namespace {
 
-template <std::size_t Size>
-struct BitsOf;
-template <>
-struct BitsOf<1> {
-  using type = std::uint8_t;
-};
-template <>
-struct BitsOf<2> {
-  using type = std::uint16_t;
-};
-template <>
-struct BitsOf<4> {
-  using type = std::uint32_t;
-};
-template <>
-struct BitsOf<8> {
-  using type = std::uint64_t;
-};
+// An unsigned type of so many bytes: 1, 2, 4 or 8.
+template <std::size_t size>
+using BitsOf = std::conditional_t<
+    size == 1, std::uint8_t,
+    std::conditional_t<size == 2, std::uint16_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
 
 template <class Number, bool Swap>
 Number load(const char* at) {
-  using Bits = typename BitsOf<sizeof(Number)>::type;
+  using Bits = BitsOf<sizeof(Number)>;
   Bits bits;
   std::memcpy(&bits, at, sizeof bits);
   if constexpr (Swap && sizeof(Number) > 1) {

@@ -77,12 +77,6 @@ void extend_to_all_faces(MeshFile& file, std::size_t faces_before) {
   file.properties = with_faces_of(file.properties, source);
 }
 
-// The value that represents 1 in a colour of this type.
-double full_scale(NumberType type) {
-  if (is_real(type)) return 1.0;
-  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
-}
-
 std::uint32_t swapped(std::uint32_t value) {
   return value >> 24 | (value >> 8 & 0xff00u) | (value << 8 & 0xff0000u) | value << 24;
 }
@@ -120,9 +114,9 @@ PlyTarget PlyBuilder::target_of(const Property& property) {
     case PropertyRole::texcoord:
       return component_of(mesh.texcoords.pool, property.component);
     case PropertyRole::vertex_colour:
-      return component_of(mesh.vertex_colours, property.component, full_scale(property.type));
+      return component_of(mesh.vertex_colours, property.component, colour_scale(property.type));
     case PropertyRole::face_colour:
-      return component_of(mesh.face_colours.values, property.component, full_scale(property.type));
+      return component_of(mesh.face_colours.values, property.component, colour_scale(property.type));
     default:
       return {};
   }
@@ -149,7 +143,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
     if (property.role == PropertyRole::face_colour) {
       mesh.face_colours.values.resize(table.rows, glm::dvec4(0.0));
       mesh.face_colours.count.assign(table.rows, static_cast<std::uint8_t>(property.component + 1));
-      mesh.face_colours.are_bytes = full_scale(property.type) == 255.0;
+      mesh.face_colours.are_bytes = colour_scale(property.type) == 255.0;
     }
   }
   std::vector<PlyTarget> targets;

@@ -62,11 +62,6 @@ bool rounds_to_byte(double component) {
 
 bool is_colour(PropertyRole role) { return role == PropertyRole::vertex_colour || role == PropertyRole::face_colour; }
 
-double colour_scale(NumberType type) {
-  if (is_real(type)) return 1.0;
-  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
-}
-
 }  // namespace
 
 int ply_face_colour_components(const FaceColours& colours) {
@@ -166,13 +161,7 @@ void PlyColumns::add_layout() {
                                                  : table.rows;
     for (const Property& property : table.properties) {
       if (!has_data(property.role, property.component)) continue;
-      PlyColumn& column = out.columns.emplace_back();
-      column.name = property.name;
-      column.type = property.type;
-      column.is_list = property.is_list;
-      column.count_type = property.count_type;
-      column.role = property.role;
-      column.component = property.component;
+      PlyColumn& column = out.columns.emplace_back(property);
       column.is_of_layout = true;
       if (is_colour(property.role)) column.scale = colour_scale(property.type);
       if (property.is_kept()) column.kept = &property;

@@ -9,13 +9,7 @@
 
 namespace ryosen {
 
-struct PlyColumn {
-  std::string_view name;
-  NumberType type = NumberType::f32;
-  bool is_list = false;
-  NumberType count_type = NumberType::u8;
-  PropertyRole role = PropertyRole::extra;
-  std::uint8_t component = 0;
+struct PlyColumn : PropertyHead {
   double scale = 1.0;  // for colours: the written value of 1
   bool is_of_layout = false;
   const Property* kept = nullptr;  // the source of its values, if not in the mesh

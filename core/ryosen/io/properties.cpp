@@ -58,20 +58,9 @@ void add_empty_row(Property& to) {
     to.data.resize(to.data.size() + size_of(to.type));
 }
 
-Property without_values(const Property& property) {
-  Property out;
-  out.name = property.name;
-  out.type = property.type;
-  out.is_list = property.is_list;
-  out.count_type = property.count_type;
-  out.role = property.role;
-  out.component = property.component;
-  return out;
-}
-
 PropertyTable without_rows(const PropertyTable& table) {
   PropertyTable out{table.name, table.kind, 0, {}};
-  for (const Property& property : table.properties) out.properties.push_back(without_values(property));
+  for (const PropertyHead& head : table.properties) out.properties.push_back({head, {}, {}});
   return out;
 }
 
@@ -148,6 +137,11 @@ PropertyTable with_new_numbers(const PropertyTable& table, const VertexNumbers& 
 std::size_t size_of(NumberType type) { return row_of(type).size; }
 
 bool is_real(NumberType type) { return type == NumberType::f32 || type == NumberType::f64; }
+
+double colour_scale(NumberType type) {
+  if (is_real(type)) return 1.0;
+  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
+}
 
 bool find_number_type(std::string_view word, NumberType& type) {
   for (const TypeRow& row : number_types) {

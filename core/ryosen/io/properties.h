@@ -18,6 +18,8 @@ enum class NumberType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32
 // Size in bytes: 1, 2, 4 or 8.
 std::size_t size_of(NumberType type);
 bool is_real(NumberType type);
+// The value that represents 1 in a colour of this type.
+double colour_scale(NumberType type);
 // Parses a type name of a PLY header, in either spelling (float, float32); false for any other word.
 bool find_number_type(std::string_view word, NumberType& type);
 std::string_view name_of(NumberType type);
@@ -65,19 +67,24 @@ enum class PropertyRole : std::uint8_t {
   extra,            // in the property
 };
 
-struct Property {
+// What a property is, without its values.
+struct PropertyHead {
   std::string name;
   NumberType type = NumberType::f32;
   bool is_list = false;
   NumberType count_type = NumberType::u8;  // of a list
   PropertyRole role = PropertyRole::extra;
   std::uint8_t component = 0;
+
+  bool is_kept() const { return role == PropertyRole::vertex_number || role == PropertyRole::extra; }
+};
+
+struct Property : PropertyHead {
   // For the last two roles: the values in native byte order, row by row. The values of row i of a list end before index
   // ends[i].
   std::vector<std::byte> data;
   std::vector<std::uint32_t> ends;
 
-  bool is_kept() const { return role == PropertyRole::vertex_number || role == PropertyRole::extra; }
   // The first value of a row, and their number.
   std::size_t first_value(std::size_t row) const { return !is_list ? row : row == 0 ? 0 : ends[row - 1]; }
   std::size_t value_count(std::size_t row) const { return is_list ? ends[row] - first_value(row) : 1; }

@@ -53,4 +53,12 @@ struct MeshFile {
   std::vector<Message> messages;
 };
 
+// A file that has been read, with what there is to say of it.
+inline MeshFile finished(MeshFile& file, Reporter& reporter) {
+  warn_of_missing_elements(reporter, file.mesh.positions.size(), file.mesh.face_count());
+  file.left_out = reporter.left_out();
+  file.messages = reporter.take();
+  return std::move(file);
+}
+
 }  // namespace ryosen

@@ -97,7 +97,6 @@ class ObjBuilder {
   void drop_stray_values(CornerValues& values, bool is_normal);
   void check_elements();
   void report_unknown();
-  void report_whole_file();
 
   const TextLines* lines_;
   const std::filesystem::path& model_;

@@ -325,10 +325,6 @@ void ObjBuilder::report_unknown() {
   });
 }
 
-void ObjBuilder::report_whole_file() {
-  warn_of_missing_elements(reporter_, mesh_.positions.size(), mesh_.face_count());
-}
-
 Result<MeshFile> ObjBuilder::finish() {
   if (faults_.any()) return faults_.take();
   if (!has_known_line_ && !unknown_.empty()) {
@@ -346,12 +342,9 @@ Result<MeshFile> ObjBuilder::finish() {
   drop_if_all_none(mesh_.normals.index);
   drop_if_all_none(file_.elements.texcoords);
   report_unknown();
-  report_whole_file();
   if (mesh_.texcoords.components == 0) mesh_.texcoords.components = 3;
   scale_bytes(file_, some_lack_alpha_);
-  file_.left_out = reporter_.left_out();
-  file_.messages = reporter_.take();
-  return std::move(file_);
+  return finished(file_, reporter_);
 }
 
 }  // namespace ryosen

@@ -316,10 +316,7 @@ Result<MeshFile> PlyBuilder::finish() {
     mesh.texcoords.index = mesh.corners;
     mesh.texcoords.components = 2;
   }
-  warn_of_missing_elements(reporter_, mesh.positions.size(), mesh.face_count());
-  file_.left_out = reporter_.left_out();
-  file_.messages = reporter_.take();
-  return std::move(file_);
+  return finished(file_, reporter_);
 }
 
 }  // namespace ryosen

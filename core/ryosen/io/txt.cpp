@@ -49,11 +49,8 @@ class TxtReader {
   Result<MeshFile> read() {
     if (!read_counts() || !read_vertices() || !read_faces() || faults_.any()) return faults_.take();
     warn_of_lines_left(lines_, reporter_, {"face", "面"}, [this] { return next_line(); });
-    warn_of_missing_elements(reporter_, vertices_, face_count_);
     faces_.finish(reporter_);
-    file_.left_out = reporter_.left_out();
-    file_.messages = reporter_.take();
-    return std::move(file_);
+    return finished(file_, reporter_);
   }
 
  private:

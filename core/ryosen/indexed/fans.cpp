@@ -20,6 +20,16 @@ struct Fan {
 
 Halfedge counter_clockwise(const MeshColumns& c, Halfedge h) { return twin(c.halfedges[h.index].prev); }
 
+// Calls visit(halfedge) around a fan; the visit may write all but the links that are gone along.
+template <class Visit>
+void for_each_of_fan(const MeshColumns& c, Halfedge start, Visit visit) {
+  Halfedge h = start;
+  do {
+    visit(h);
+    h = counter_clockwise(c, h);
+  } while (h != start);
+}
+
 // Total size of the fans reached from vertex_halfedge, for the vertices begin .. end-1. Walks around several vertices
 // are interleaved, so that their cache misses overlap.
 std::size_t count_in_fans(const MeshColumns& c, std::uint32_t begin, std::uint32_t end) {
@@ -62,11 +72,7 @@ bool has_one_fan_each(const MeshColumns& c) {
 
 std::uint32_t fan_size(const MeshColumns& c, Halfedge start) {
   std::uint32_t n = 0;
-  Halfedge h = start;
-  do {
-    ++n;
-    h = counter_clockwise(c, h);
-  } while (h != start);
+  for_each_of_fan(c, start, [&](Halfedge) { ++n; });
   return n;
 }
 
@@ -91,28 +97,18 @@ std::vector<Fan> collect_fans(const MeshColumns& c, const std::vector<bool>& sev
     const std::uint32_t point = c.halfedges[i].from.index;
     if (!several[point] || seen[i]) continue;
     Fan fan{point, Face(), Halfedge(i)};
-    Halfedge h(i);
-    do {
+    for_each_of_fan(c, Halfedge(i), [&](Halfedge h) {
       seen[h.index] = true;
       const Face face = c.halfedges[h.index].face;
       if (!face) fan.halfedge = h;
       fan.lowest_face = std::min(fan.lowest_face, face);  // none compares largest
-      h = counter_clockwise(c, h);
-    } while (h != Halfedge(i));
+    });
     fans.push_back(fan);
   }
   std::sort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) {
     return a.point != b.point ? a.point < b.point : a.lowest_face < b.lowest_face;
   });
   return fans;
-}
-
-void set_origin_of_fan(MeshColumns& c, Halfedge start, Vertex v) {
-  Halfedge h = start;
-  do {
-    c.halfedges[h.index].from = v;
-    h = counter_clockwise(c, h);
-  } while (h != start);
 }
 
 }  // namespace
@@ -142,7 +138,7 @@ void separate_fans(MeshColumns& c) {
     c.next_copy.push_back(Vertex(fan.point));
     c.copy_point.push_back(Vertex(fan.point));
     c.next_copy[before.index] = copy;
-    set_origin_of_fan(c, fan.halfedge, copy);
+    for_each_of_fan(c, fan.halfedge, [&](Halfedge h) { c.halfedges[h.index].from = copy; });
     ++c.live.vertices;
   }
 }

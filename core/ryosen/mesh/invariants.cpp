@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "ryosen/mesh/bridges.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 
@@ -90,25 +92,17 @@ Broken check_loops(const Mesh& m, Face f, const std::vector<Halfedge>& starts, s
   CornerLoops loops;
   for (Halfedge start : starts) {
     std::uint32_t corners = 0;
-    Halfedge h = start;
-    do {
-      Face& seen_in = last_face[m.from(h).index];
-      if (seen_in == f) twice = m.from(h);
-      seen_in = f;
+    for (Halfedge h : loop(m, start)) {
+      if (std::exchange(last_face[m.from(h).index], f) == f) twice = m.from(h);
       ++corners;
-      h = m.next(h);
-    } while (h != start);
+    }
     if (corners < 3) return broken("too_few_corners", f, "has a loop of fewer than three corners");
     in_loops += corners;
   }
   if (!twice) return {};
   for (Halfedge start : starts) {
     std::vector<std::uint32_t> corners;
-    Halfedge h = start;
-    do {
-      corners.push_back(m.from(h).index);
-      h = m.next(h);
-    } while (h != start);
+    for (Halfedge h : loop(m, start)) corners.push_back(m.from(h).index);
     loops.add(corners);
   }
   if (!take_out_bridges(loops)) return broken("corner_twice", f, "visits " + name(twice) + " twice without a bridge");
@@ -143,40 +137,37 @@ Broken check_faces(const Mesh& m) {
   return {};
 }
 
-Broken check_vertex(const Mesh& m, Vertex v, std::uint32_t outgoing, std::vector<std::uint32_t>& last_neighbour) {
+Broken check_vertex(const Mesh& m, Vertex v, std::uint32_t edges, std::vector<std::uint32_t>& last_neighbour) {
   const Halfedge start = m.halfedge(v);
   if (start.is_none())
-    return outgoing == 0 ? Broken() : broken("vertex_halfedge", v, "holds no halfedge although edges begin at it");
+    return edges == 0 ? Broken() : broken("vertex_halfedge", v, "holds no halfedge although edges begin at it");
   if (!is_live_link(m, start) || m.from(start) != v)
     return broken("vertex_halfedge", v, "holds no halfedge of its own");
   std::uint32_t seen = 0;
   bool has_gap = false;
-  Halfedge h = start;
-  do {
+  for (Halfedge h : outgoing(m, v)) {
     ++seen;
     has_gap |= m.is_outside(h);
-    std::uint32_t& reached_from = last_neighbour[m.to(h).index];
-    if (reached_from == v.index) return broken("edge_twice", v, "and " + name(m.to(h)) + " are joined by two edges");
-    reached_from = v.index;
-    h = m.counter_clockwise(h);
-  } while (h != start);
-  if (seen != outgoing) return broken("several_cycles", v, "has more than one cycle of halfedges");
+    if (std::exchange(last_neighbour[m.to(h).index], v.index) == v.index)
+      return broken("edge_twice", v, "and " + name(m.to(h)) + " are joined by two edges");
+  }
+  if (seen != edges) return broken("several_cycles", v, "has more than one cycle of halfedges");
   if (has_gap && !m.is_outside(start)) return broken("vertex_boundary", v, "does not hold its outside halfedge");
   return {};
 }
 
 // Precondition: twin(prev(h)) is a permutation of the live halfedges that preserves the origin, so the walks close.
 Broken check_vertices(const Mesh& m) {
-  std::vector<std::uint32_t> outgoing(m.vertex_slots(), 0);
+  std::vector<std::uint32_t> edges(m.vertex_slots(), 0);  // that begin at each
   for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i)
-    if (m.is_alive(Halfedge(i))) ++outgoing[m.from(Halfedge(i)).index];
+    if (m.is_alive(Halfedge(i))) ++edges[m.from(Halfedge(i)).index];
   std::vector<std::uint32_t> last_neighbour(m.vertex_slots(), no_index);
   std::uint32_t live = 0;
   for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
     const Vertex v(i);
     if (!m.is_alive(v)) continue;
     ++live;
-    if (Broken b = check_vertex(m, v, outgoing[i], last_neighbour)) return b;
+    if (Broken b = check_vertex(m, v, edges[i], last_neighbour)) return b;
   }
   if (live != m.live().vertices) return BrokenInvariant{"vertex_count", "", "the count of live vertices is wrong"};
   return {};

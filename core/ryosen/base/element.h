@@ -14,6 +14,8 @@ struct Element {
   std::uint32_t index = no_index;
 
   constexpr Element() = default;
+  // None of a kind.
+  constexpr explicit Element(Kind none_of) : kind(none_of) {}
   constexpr Element(Vertex v) : kind(Kind::vertex), index(v.index) {}
   constexpr Element(Halfedge h) : kind(Kind::halfedge), index(h.index) {}
   constexpr Element(Edge e) : kind(Kind::edge), index(e.index) {}
@@ -24,6 +26,20 @@ struct Element {
   constexpr Halfedge halfedge() const { return Halfedge(index); }
   constexpr Edge edge() const { return Edge(index); }
   constexpr Face face() const { return Face(index); }
+  // What visit(handle) returns, of the typed handle.
+  template <class Visit>
+  constexpr decltype(auto) visit(Visit&& visit) const {
+    switch (kind) {
+      case Kind::vertex:
+        return visit(vertex());
+      case Kind::halfedge:
+        return visit(halfedge());
+      case Kind::edge:
+        return visit(edge());
+      default:
+        return visit(face());
+    }
+  }
 
   friend constexpr auto operator<=>(const Element&, const Element&) = default;
 };

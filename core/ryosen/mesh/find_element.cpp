@@ -38,30 +38,12 @@ NamedElement find_element(const Mesh& mesh, std::string_view name) {
 }
 
 bool is_alive(const Mesh& mesh, const Element& element) {
-  const auto lives = [&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); };
-  switch (element.kind) {
-    case Element::Kind::vertex:
-      return lives(element.vertex());
-    case Element::Kind::halfedge:
-      return lives(element.halfedge());
-    case Element::Kind::edge:
-      return lives(element.edge());
-    default:
-      return lives(element.face());
-  }
+  return element.visit([&](auto handle) { return mesh.exists(handle) && mesh.is_alive(handle); });
 }
 
 bool has_slot(const ColumnLengths& lengths, const Element& element) {
-  switch (element.kind) {
-    case Element::Kind::vertex:
-      return element.index < lengths.vertices;
-    case Element::Kind::halfedge:
-      return element.index < lengths.halfedges;
-    case Element::Kind::edge:
-      return element.index < lengths.halfedges / 2;
-    default:
-      return element.index < lengths.faces;
-  }
+  const std::uint32_t slots[] = {lengths.vertices, lengths.halfedges, lengths.halfedges / 2, lengths.faces};
+  return element.index < slots[static_cast<std::size_t>(element.kind)];
 }
 
 }  // namespace ryosen

@@ -150,18 +150,4 @@ std::vector<Element> HiddenElements::elements() const {
   return all;
 }
 
-bool HiddenElements::hides(const Mesh& mesh, const Element& e) const {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return hides(mesh, e.vertex());
-    case Element::Kind::halfedge:
-      return hides(mesh, e.halfedge());
-    case Element::Kind::edge:
-      return hides(mesh, e.edge());
-    case Element::Kind::face:
-      return hides(mesh, e.face());
-  }
-  return false;
-}
-
 }  // namespace ryosen

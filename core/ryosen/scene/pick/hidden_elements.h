@@ -47,7 +47,9 @@ class HiddenElements {
   bool hides(const Mesh& mesh, Edge e) const;
   bool hides(const Mesh& mesh, Halfedge h) const { return hides(mesh, edge(h)); }
   bool hides(const Mesh&, Face f) const { return faces_.contains(f.index); }
-  bool hides(const Mesh& mesh, const Element& e) const;
+  bool hides(const Mesh& mesh, const Element& e) const {
+    return e.visit([&](auto handle) { return hides(mesh, handle); });
+  }
 
  private:
   Parts noted(Parts changed);

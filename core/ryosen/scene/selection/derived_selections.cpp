@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "ryosen/mesh/circulate.h"
@@ -209,11 +210,13 @@ class SelectedParts {
   Slots edges_, halfedges_, faces_;
 };
 
-template <class Handle, class IsAlive>
-Elements converted_to(const SelectedParts& selected, std::uint32_t slots, IsAlive is_alive) {
+template <class Handle>
+Elements converted_to(const Mesh& mesh, const SelectedParts& selected) {
   Elements found, meeting;
-  for (Handle element(0); element.index < slots; ++element.index) {
-    if (!is_alive(element)) continue;
+  for (Handle element(0); mesh.exists(element); ++element.index) {
+    if (!mesh.is_alive(element)) continue;
+    if constexpr (std::is_same_v<Handle, Vertex>)
+      if (point(mesh, element) != element) continue;
     if (selected.belongs(element) || selected.lies_in(element))
       found.emplace_back(element);
     else if (found.empty() && selected.meets(element))
@@ -290,20 +293,7 @@ Elements flat_regions(const Mesh& mesh, std::span<const Element> selection, doub
 
 Elements converted(const Mesh& mesh, std::span<const Element> selection, Element::Kind to) {
   const SelectedParts selected(mesh, selection);
-  const auto lives = [&](auto element) { return mesh.is_alive(element); };
-  switch (to) {
-    case Element::Kind::vertex:
-      return converted_to<Vertex>(selected, mesh.vertex_slots(),
-                                  [&](Vertex v) { return mesh.is_alive(v) && point(mesh, v) == v; });
-    case Element::Kind::edge:
-      return converted_to<Edge>(selected, mesh.edge_slots(), lives);
-    case Element::Kind::halfedge:
-      return converted_to<Halfedge>(selected, mesh.halfedge_slots(),
-                                    [&](Halfedge h) { return mesh.is_alive(edge(h)); });
-    case Element::Kind::face:
-      return converted_to<Face>(selected, mesh.face_slots(), lives);
-  }
-  return {};
+  return Element(to).visit([&](auto none) { return converted_to<decltype(none)>(mesh, selected); });
 }
 
 }  // namespace ryosen

@@ -21,37 +21,23 @@ namespace {
 
 using Selected = std::span<const Element>;
 
-std::uint32_t slots(const Mesh& mesh, Vertex) { return mesh.vertex_slots(); }
-std::uint32_t slots(const Mesh& mesh, Halfedge) { return mesh.halfedge_slots(); }
-std::uint32_t slots(const Mesh& mesh, Edge) { return mesh.edge_slots(); }
-std::uint32_t slots(const Mesh& mesh, Face) { return mesh.face_slots(); }
-
 bool counts(const Mesh& mesh, Vertex v) { return mesh.is_alive(v) && point(mesh, v) == v; }
-bool counts(const Mesh& mesh, Halfedge h) { return mesh.is_alive(edge(h)); }
-bool counts(const Mesh& mesh, Edge e) { return mesh.is_alive(e); }
-bool counts(const Mesh& mesh, Face f) { return mesh.is_alive(f); }
+template <class Handle>
+bool counts(const Mesh& mesh, Handle element) {
+  return mesh.is_alive(element);
+}
 
 // The live elements of a kind, points in place of vertices, that are so; ascending.
 template <class Handle, class Is>
 Elements those(const Mesh& mesh, Is is) {
   Elements found;
-  for (std::uint32_t i = 0; i < slots(mesh, Handle()); ++i)
-    if (const Handle element(i); counts(mesh, element) && is(element)) found.emplace_back(element);
+  for (Handle element(0); mesh.exists(element); ++element.index)
+    if (counts(mesh, element) && is(element)) found.emplace_back(element);
   return found;
 }
 template <class Is>
 Elements those(const Mesh& mesh, Element::Kind sort, Is is) {
-  switch (sort) {
-    case Element::Kind::vertex:
-      return those<Vertex>(mesh, is);
-    case Element::Kind::halfedge:
-      return those<Halfedge>(mesh, is);
-    case Element::Kind::edge:
-      return those<Edge>(mesh, is);
-    case Element::Kind::face:
-      return those<Face>(mesh, is);
-  }
-  return {};
+  return Element(sort).visit([&](auto none) { return those<decltype(none)>(mesh, is); });
 }
 
 Elements find_none(const Mesh&, Selected, Element::Kind, ValueRange) { return {}; }

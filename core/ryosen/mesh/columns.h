@@ -114,5 +114,11 @@ enum class Column : std::uint8_t {
   ring,
   first_attribute
 };
+// The length that each has but for attributes, in their order.
+inline constexpr std::uint32_t ColumnLengths::*length_of_column[] = {
+    &ColumnLengths::vertices,  &ColumnLengths::halfedges,    &ColumnLengths::halfedges, &ColumnLengths::halfedges,
+    &ColumnLengths::halfedges, &ColumnLengths::faces,        &ColumnLengths::vertices,  &ColumnLengths::copies,
+    &ColumnLengths::copies,    &ColumnLengths::ringed_faces, &ColumnLengths::rings,
+};
 
 }  // namespace ryosen

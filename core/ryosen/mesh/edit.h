@@ -76,29 +76,10 @@ class Edit {
   template <Column column, class Value>
   void write(std::uint32_t index, Value& cell, const Value& value) {
     if (std::memcmp(&cell, &value, sizeof(Value)) == 0) return;
-    if (journal_ && index < length_before(column)) journal_->record(column, index, &cell, sizeof(Value));
+    // Cells at or past the length before belong to elements created by this edit and have no old value.
+    constexpr auto length = length_of_column[static_cast<std::size_t>(column)];
+    if (journal_ && index < before_.*length) journal_->record(column, index, &cell, sizeof(Value));
     cell = value;
-  }
-  // Cells at or past this length belong to elements created by this edit and have no old value.
-  std::uint32_t length_before(Column column) const {
-    switch (column) {
-      case Column::from:
-      case Column::next:
-      case Column::prev:
-      case Column::face:
-        return before_.halfedges;
-      case Column::face_halfedge:
-        return before_.faces;
-      case Column::next_copy:
-      case Column::copy_point:
-        return before_.copies;
-      case Column::first_ring:
-        return before_.ringed_faces;
-      case Column::ring:
-        return before_.rings;
-      default:
-        return before_.vertices;
-    }
   }
   void extend_attributes(ElementKind element, std::uint32_t count);
 

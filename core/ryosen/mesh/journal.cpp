@@ -161,10 +161,8 @@ void Journal::rollback(Mesh& mesh) {
     mesh.columns_ = std::move(*open_replaced_);
     open_replaced_.reset();
   } else {
-    const std::size_t counts = open_.first_word + words_of_lengths(words_[open_.first_word]);
-    exchange_values(mesh, open_.first_cell, cells_.size(), counts + count_words);
+    exchange(mesh, open_, cells_.size());
     cut_tail(mesh.columns_, read_lengths(words_.data() + open_.first_word));
-    exchange_counts(mesh, counts);
   }
   cells_.resize(open_.first_cell);
   words_.resize(open_.first_word);
@@ -174,9 +172,14 @@ std::size_t Journal::cell_end(std::size_t i) const {
   return i + 1 < transactions_.size() ? transactions_[i + 1].first_cell : cells_.size();
 }
 
-void Journal::exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value) {
-  std::uint32_t* value = words_.data() + first_value;
-  for (std::size_t i = first_cell; i < cell_end; ++i) {
+void Journal::exchange(Mesh& mesh, const Transaction& t, std::size_t cell_end) {
+  using Counts = std::array<std::uint32_t, count_words>;
+  std::uint32_t* value = words_.data() + t.first_word + words_of_lengths(words_[t.first_word]);
+  Counts counts;
+  std::copy_n(value, count_words, counts.begin());
+  const auto now = std::bit_cast<Counts>(std::exchange(mesh.columns_.live, std::bit_cast<ElementCounts>(counts)));
+  value = std::copy(now.begin(), now.end(), value);
+  for (std::size_t i = t.first_cell; i < cell_end; ++i) {
     std::uint32_t index;
     std::memcpy(&index, cells_[i].index.data(), sizeof index);
     const auto [cell, bytes] = mesh.cell(cells_[i].column, index);
@@ -187,15 +190,6 @@ void Journal::exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t ce
       *value = word;
     }
   }
-}
-
-void Journal::exchange_counts(Mesh& mesh, std::size_t first_word) {
-  using Words = std::array<std::uint32_t, count_words>;
-  Words words;
-  std::copy_n(words_.begin() + static_cast<std::ptrdiff_t>(first_word), count_words, words.begin());
-  const auto now = std::bit_cast<Words>(mesh.columns_.live);
-  std::copy(now.begin(), now.end(), words_.begin() + static_cast<std::ptrdiff_t>(first_word));
-  mesh.columns_.live = std::bit_cast<ElementCounts>(words);
 }
 
 void Journal::undo(Mesh& mesh) {
@@ -216,11 +210,8 @@ void Journal::undo(Mesh& mesh) {
     std::swap(mesh.columns_, replaced->second);
     return;
   }
-  const Transaction& t = transactions_[i];
-  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
-  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
+  exchange(mesh, transactions_[i], cell_end(i));
   cut_tail(mesh.columns_, lengths_before(i));
-  exchange_counts(mesh, counts);
 }
 
 void Journal::redo(Mesh& mesh) {
@@ -235,11 +226,8 @@ void Journal::redo(Mesh& mesh) {
     std::swap(mesh.columns_, replaced->second);
     return;
   }
-  const Transaction& t = transactions_[i];
-  const std::size_t counts = t.first_word + words_of_lengths(words_[t.first_word]);
   restore_tail(mesh.columns_, undone.after, undone.tail);
-  exchange_values(mesh, t.first_cell, cell_end(i), counts + count_words);
-  exchange_counts(mesh, counts);
+  exchange(mesh, transactions_[i], cell_end(i));
 }
 
 void Journal::withdraw(Mesh& mesh) noexcept {

@@ -139,8 +139,8 @@ class Journal {
 
   std::size_t cell_end(std::size_t i) const;
   void drop_undone();
-  void exchange_values(Mesh& mesh, std::size_t first_cell, std::size_t cell_end, std::size_t first_value);
-  void exchange_counts(Mesh& mesh, std::size_t first_word);
+  // Swaps the counts and the values of the cells of a transaction with those of the mesh.
+  void exchange(Mesh& mesh, const Transaction& transaction, std::size_t cell_end);
 
   std::vector<PackedCell> cells_;
   std::vector<std::uint32_t> words_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -74,14 +73,11 @@ class CornerColumn {
                CornerValues& values)
       : values_(values) {
     values.components = components;
-    const int index = mesh.find_attribute(index_name), pool = mesh.find_attribute(pool_name);
-    if (pool >= 0) {
-      const AttributeColumn& column = mesh.attributes()[static_cast<std::size_t>(pool)];
-      values.pool.resize(column.data.size() / column.words);
-      if (!values.pool.empty()) std::memcpy(values.pool.data(), column.data.data(), column.data.size() * 4);
-    }
-    if (index < 0) return;
-    data_ = mesh.attributes()[static_cast<std::size_t>(index)].data.data();
+    if (const AttributeColumn* const pool = find_column(mesh, pool_name))
+      values.pool = attribute_values<glm::dvec3>(*pool);
+    const AttributeColumn* const index = find_column(mesh, index_name);
+    if (!index) return;
+    data_ = index->data.data();
     values.index.reserve(std::size_t{2} * mesh.live().edges);
   }
   void add(Halfedge corner) {
@@ -207,12 +203,9 @@ std::vector<Value> renumbered(const std::vector<Value>& values, const std::vecto
 
 void write_vertex_values(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
   const std::size_t count = out.mesh.positions.size();
-  if (const int colour = mesh.find_attribute(attribute_names::colour); colour >= 0) {
-    const AttributeColumn& column = mesh.attributes()[static_cast<std::size_t>(colour)];
-    std::vector<glm::dvec4> values(column.data.size() / column.words);
-    if (!values.empty()) std::memcpy(values.data(), column.data.data(), column.data.size() * 4);
-    out.mesh.vertex_colours = renumbered(values, out.vertex_number, count, glm::dvec4(0.0));
-  }
+  if (const AttributeColumn* const colours = find_column(mesh, attribute_names::colour))
+    out.mesh.vertex_colours =
+        renumbered(attribute_values<glm::dvec4>(*colours), out.vertex_number, count, glm::dvec4(0.0));
   out.mesh.colour_components = tables.colour_components;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!tables.vertex_weights.empty())
@@ -222,10 +215,8 @@ void write_vertex_values(const Mesh& mesh, const FileTables& tables, CompactMesh
 void write_face_names(const Mesh& mesh, std::string_view name, const std::vector<std::string>& names,
                       const CompactMesh& out, FaceNames& result) {
   result.names = names;
-  const int column = mesh.find_attribute(name);
-  if (column < 0) return;
-  result.index = renumbered(mesh.attributes()[static_cast<std::size_t>(column)].data, out.face_number,
-                            out.mesh.face_count(), no_index);
+  if (const AttributeColumn* const column = find_column(mesh, name))
+    result.index = renumbered(column->data, out.face_number, out.mesh.face_count(), no_index);
 }
 
 void write_face_values(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "ryosen/mesh/attribute.h"
+
 namespace ryosen {
 
 namespace {
@@ -10,9 +12,9 @@ namespace {
 void copy_attributes(Edit& edit, const Mesh& part, ElementKind kind, std::uint32_t first, std::uint32_t count) {
   for (std::size_t i = 0; i < edit.mesh().attributes().size(); ++i) {
     const AttributeColumn& column = edit.mesh().attributes()[i];
-    const int same = column.element == kind ? part.find_attribute(column.name) : -1;
-    if (same < 0 || part.attributes()[static_cast<std::size_t>(same)].words != column.words) continue;
-    const std::span words = part.attributes()[static_cast<std::size_t>(same)].data;
+    const AttributeColumn* const same = column.element == kind ? find_column(part, column.name) : nullptr;
+    if (!same || same->words != column.words) continue;
+    const std::span words = same->data;
     for (std::uint32_t k = 0; k < count; ++k)
       edit.set_attribute(i, first + k, words.subspan(std::size_t{k} * column.words, column.words));
   }

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "ryosen/mesh/mesh.h"
 
@@ -24,12 +25,25 @@ inline constexpr std::string_view object = "face.object";
 inline constexpr std::string_view smoothing = "face.smoothing";
 }  // namespace attribute_names
 
+// The column with this name, or null.
+inline const AttributeColumn* find_column(const Mesh& mesh, std::string_view name) {
+  const int i = mesh.find_attribute(name);
+  return i < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(i)];
+}
+
 // The value of type T at an index of a column; sizeof(T) must equal the column's words.
 template <class T>
 T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   T value;
   std::memcpy(&value, column.data.data() + std::size_t{index} * column.words, sizeof(T));
   return value;
+}
+// All of them.
+template <class T>
+std::vector<T> attribute_values(const AttributeColumn& column) {
+  std::vector<T> values(column.data.size() / column.words);
+  if (!values.empty()) std::memcpy(values.data(), column.data.data(), values.size() * sizeof(T));
+  return values;
 }
 // A value as the words of a column.
 template <class T>

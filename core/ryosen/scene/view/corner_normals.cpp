@@ -15,11 +15,6 @@ namespace ryosen {
 
 namespace {
 
-const AttributeColumn* column(const Mesh& mesh, std::string_view name) {
-  const int i = mesh.find_attribute(name);
-  return i < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(i)];
-}
-
 // From a to b, in a direction that no size spoils; zero where there is none.
 glm::dvec3 direction(const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 way = 0.5 * b - 0.5 * a;
@@ -46,12 +41,12 @@ bool goes_on(Face a, const glm::dvec3& normal_of_a, Face b, const glm::dvec3& no
 
 }  // namespace
 
-bool FileNormals::are_in(const Mesh& mesh) { return column(mesh, attribute_names::normal) != nullptr; }
+bool FileNormals::are_in(const Mesh& mesh) { return mesh.find_attribute(attribute_names::normal) >= 0; }
 
 FileNormals::Reader::Reader(const FileNormals& normals, const Mesh& mesh)
     : normals_(&normals),
-      indices_(column(mesh, attribute_names::normal)),
-      pool_(column(mesh, attribute_names::normal_pool)) {}
+      indices_(find_column(mesh, attribute_names::normal)),
+      pool_(find_column(mesh, attribute_names::normal_pool)) {}
 
 std::uint32_t FileNormals::Reader::at(Vertex from, Halfedge h) const {
   if (!indices_ || !pool_ || normals_->all_edited_) return no_normal;

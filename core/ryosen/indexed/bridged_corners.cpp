@@ -22,20 +22,6 @@ namespace ryosen {
 
 namespace {
 
-// Loops without bridges in canonical form, independent of where each starts.
-using LoopSet = std::vector<std::vector<std::uint32_t>>;
-
-LoopSet normal_form(const CornerLoops& list, const LoopSet& places) {
-  LoopSet loops;
-  for (const auto& part : places) {
-    std::vector<std::uint32_t>& loop = loops.emplace_back();
-    for (std::uint32_t place : part) loop.push_back(list.corners[place]);
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  }
-  std::sort(loops.begin(), loops.end());
-  return loops;
-}
-
 // Whether every bridge of the mesh face is also a side of the list (whose loops are known to be equal).
 bool has_bridges_of(const Mesh& mesh, Face f, std::span<const std::uint32_t> list) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
@@ -270,14 +256,8 @@ std::optional<std::vector<std::pair<Halfedge, std::size_t>>> corners_as_in_file(
 std::vector<Halfedge> corners_with_bridges(const Mesh& mesh, Face f) {
   const FacePolygon polygon(mesh, f);
   if (!mesh.has_rings(f)) return polygon.corners();
-  std::vector<std::span<const glm::dvec3>> loops;
-  std::uint32_t begin = 0;
-  for (std::uint32_t end : polygon.loop_ends()) {
-    loops.push_back(std::span(polygon.places()).subspan(begin, end - begin));
-    begin = end;
-  }
   std::vector<Halfedge> corners;
-  for (std::uint32_t corner : Bridger(loops).walk()) corners.push_back(polygon.corners()[corner]);
+  for (std::uint32_t corner : Bridger(polygon.loops()).walk()) corners.push_back(polygon.corners()[corner]);
   return corners;
 }
 

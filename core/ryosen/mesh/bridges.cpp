@@ -114,4 +114,15 @@ std::optional<std::vector<std::vector<std::uint32_t>>> take_out_bridges(const Co
   return parts;
 }
 
+std::vector<std::vector<std::uint32_t>> normal_form(const CornerLoops& loops,
+                                                    const std::vector<std::vector<std::uint32_t>>& parts) {
+  std::vector<std::vector<std::uint32_t>> form = parts;
+  for (auto& part : form) {
+    for (std::uint32_t& place : part) place = loops.corners[place];
+    std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());
+  }
+  std::sort(form.begin(), form.end());
+  return form;
+}
+
 }  // namespace ryosen

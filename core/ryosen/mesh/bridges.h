@@ -28,5 +28,9 @@ struct CornerLoops {
 // at its lowest index, and they are sorted by it. None if removing such an edge does not split a loop in two, or if a
 // remaining loop has fewer than three corners or two of them share a vertex. O(n log n).
 std::optional<std::vector<std::vector<std::uint32_t>>> take_out_bridges(const CornerLoops& loops);
+// Loops without bridges in canonical form, independent of where each starts: of vertex numbers, each from its smallest
+// one on, and sorted.
+std::vector<std::vector<std::uint32_t>> normal_form(const CornerLoops& loops,
+                                                    const std::vector<std::vector<std::uint32_t>>& parts);
 
 }  // namespace ryosen

@@ -25,6 +25,16 @@ void FacePolygon::read(const Mesh& mesh, Face f) {
   });
 }
 
+std::vector<std::span<const glm::dvec3>> FacePolygon::loops() const {
+  std::vector<std::span<const glm::dvec3>> loops;
+  std::uint32_t begin = 0;
+  for (std::uint32_t end : loop_ends_) {
+    loops.push_back(std::span(places_).subspan(begin, end - begin));
+    begin = end;
+  }
+  return loops;
+}
+
 bool FacePolygon::is_finite() const {
   return std::all_of(places_.begin(), places_.end(), [](const glm::dvec3& p) { return ryosen::is_finite(p); });
 }
@@ -41,13 +51,7 @@ void FacePolygon::move(Halfedge corner, const glm::dvec3& place) {
 
 void FacePolygon::triangulate(std::vector<CornerTriangle>& out) const {
   if (loop_ends_.size() == 1) return ryosen::triangulate(places_, out);
-  std::vector<std::span<const glm::dvec3>> loops;
-  std::uint32_t begin = 0;
-  for (std::uint32_t end : loop_ends_) {
-    loops.push_back(std::span(places_).subspan(begin, end - begin));
-    begin = end;
-  }
-  triangulate_loops(loops, out);
+  triangulate_loops(loops(), out);
 }
 
 std::uint32_t FacePolygon::next(std::uint32_t corner) const {
@@ -76,12 +80,7 @@ std::vector<glm::dvec3> measured_walk(const Mesh& mesh, Face f) {
     lists.add(points);
   });
   std::vector<std::vector<std::uint32_t>> loops;
-  if (const auto parts = take_out_bridges(lists)) loops = *parts;
-  for (auto& part : loops) {
-    for (std::uint32_t& place : part) place = lists.corners[place];
-    std::rotate(part.begin(), std::min_element(part.begin(), part.end()), part.end());
-  }
-  std::sort(loops.begin(), loops.end());
+  if (const auto parts = take_out_bridges(lists)) loops = normal_form(lists, *parts);
   std::vector<glm::dvec3> walk;
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (i > 0) walk.push_back(mesh.position(Vertex(loops[0][0])));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
 #include "ryosen/base/element.h"
@@ -25,6 +26,8 @@ class FacePolygon {
   const std::vector<glm::dvec3>& places() const { return places_; }
   // One past the last corner of each loop.
   const std::vector<std::uint32_t>& loop_ends() const { return loop_ends_; }
+  // The places of each loop.
+  std::vector<std::span<const glm::dvec3>> loops() const;
   bool is_finite() const;
   // Moves all corners at the point of v (its copies included) to another position.
   void move(const Mesh& mesh, Vertex v, const glm::dvec3& place);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "ryosen/io/byte_colours.h"
 #include "ryosen/io/obj.h"
@@ -146,35 +147,30 @@ class ObjWriter {
     if (normal != no_index) out_ << '/' << std::uint64_t{normal} + 1;
   }
 
-  void face(std::size_t number) {
-    out_ << 'f';
-    const std::size_t begin = mesh_.face_offsets[number], end = mesh_.face_offsets[number + 1];
-    const bool has_texcoords = !mesh_.texcoords.index.empty(), has_normals = !mesh_.normals.index.empty();
-    for (std::size_t i = begin; i < end; ++i) {
-      corner(mesh_.corners[i], has_texcoords ? mesh_.texcoords.index[i] : no_index,
-             has_normals ? mesh_.normals.index[i] : no_index);
-    }
+  // A line with the corners from begin to end of these lists, of which all but the vertices may end early.
+  template <class Vertices>
+  void line(char keyword, const Vertices& vertices, std::size_t begin, std::size_t end,
+            std::span<const std::uint32_t> texcoords, std::span<const std::uint32_t> normals) {
+    out_ << keyword;
+    for (std::size_t i = begin; i < end; ++i)
+      corner(vertices[i], i < texcoords.size() ? texcoords[i] : no_index, i < normals.size() ? normals[i] : no_index);
     out_ << '\n';
   }
 
+  void face(std::size_t number) {
+    line('f', mesh_.corners, mesh_.face_offsets[number], mesh_.face_offsets[number + 1], mesh_.texcoords.index,
+         mesh_.normals.index);
+  }
+
   void quarantined_face(const QuarantinedFace& face) {
-    out_ << 'f';
-    for (std::size_t i = 0; i < face.corners.size(); ++i) {
-      corner(face.corners[i], i < face.texcoords.size() ? face.texcoords[i] : no_index,
-             i < face.normals.size() ? face.normals[i] : no_index);
-    }
-    out_ << '\n';
+    line('f', face.corners, 0, face.corners.size(), face.texcoords, face.normals);
   }
 
   void element(const LineElement& item) {
     const std::uint32_t names[] = {item.object, item.group, item.material, item.smoothing};
     for (std::size_t i = 0; i < 4; ++i) all_names()[i]->change_to(names[i]);
-    out_ << (item.is_points ? 'p' : 'l');
     const ElementList& elements = file_.elements;
-    for (std::size_t i = item.first; i < item.first + item.count; ++i) {
-      corner(elements.vertices[i], elements.texcoords.empty() ? no_index : elements.texcoords[i], no_index);
-    }
-    out_ << '\n';
+    line(item.is_points ? 'p' : 'l', elements.vertices, item.first, item.first + item.count, elements.texcoords, {});
   }
 
   void faces_and_elements() {
@@ -198,12 +194,7 @@ class ObjWriter {
   void wires() {
     if (file_.wires.empty()) return;
     for (NameWriter* names : all_names()) names->change_to(no_index);
-    for (const auto& [a, b] : file_.wires) {
-      out_ << 'l';
-      corner(a, no_index, no_index);
-      corner(b, no_index, no_index);
-      out_ << '\n';
-    }
+    for (const auto& [a, b] : file_.wires) line('l', std::array{a, b}, 0, 2, {}, {});
   }
 
   const MeshFile& file_;

@@ -198,6 +198,18 @@ struct IndexedMesh {
   }
 };
 
+// Calls visit(face, corners) for each face in order, visit_aside(face) for those that are quarantined.
+template <class Visit, class VisitAside>
+void for_each_face(const IndexedMesh& mesh, Visit visit, VisitAside visit_aside) {
+  auto aside = mesh.quarantine.begin();
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    if (aside != mesh.quarantine.end() && aside->face == f)
+      visit_aside(*aside++);
+    else
+      visit(f, mesh.face(f));
+  }
+}
+
 // The pool index for each vertex, if all corners of each vertex have the same value; none if some differ, if corners
 // lack a value, or if no vertex has one. An isolated vertex gets the entry with its own number if the pool has one
 // entry per vertex, as readers of per-vertex values produce. O(corners).

@@ -26,20 +26,13 @@ class OffWriter {
   std::string write() {
     head();
     for (std::size_t v = 0; v < mesh_.positions.size(); ++v) vertex(v);
-    auto aside = mesh_.quarantine.begin();
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-      if (aside != mesh_.quarantine.end() && aside->face == f) {
-        out_ << aside->corners.size();
-        for (const std::int64_t corner : aside->corners) out_ << ' ' << corner;
-        ++aside;
-      } else {
-        const auto corners = mesh_.face(f);
-        out_ << corners.size();
-        for (const std::uint32_t corner : corners) out_ << ' ' << corner;
-      }
+    const auto face = [&](std::size_t f, const auto& corners) {
+      out_ << corners.size();
+      for (const auto corner : corners) out_ << ' ' << corner;
       face_colour(f);
       out_ << '\n';
-    }
+    };
+    for_each_face(mesh_, face, [&](const QuarantinedFace& aside) { face(aside.face, aside.corners); });
     return out_.take();
   }
 

@@ -27,17 +27,11 @@ glm::dvec3 facet_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dve
 template <class Visit>
 void for_each_facet(const IndexedMesh& mesh, bool is_free, Visit visit) {
   std::vector<std::uint32_t> corners;
-  auto aside = mesh.quarantine.begin();
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    if (aside == mesh.quarantine.end() || aside->face != f) {
-      visit(f, mesh.face(f));
-      continue;
-    }
-    const QuarantinedFace& face = *aside++;
-    if (!face.has_corners_within(mesh.positions.size()) || (face.corners.size() != 3 && !is_free)) continue;
+  for_each_face(mesh, visit, [&](const QuarantinedFace& face) {
+    if (!face.has_corners_within(mesh.positions.size()) || (face.corners.size() != 3 && !is_free)) return;
     corners.assign(face.corners.begin(), face.corners.end());
-    visit(f, std::span<const std::uint32_t>(corners));
-  }
+    visit(face.face, std::span<const std::uint32_t>(corners));
+  });
 }
 
 class StlTextWriter {

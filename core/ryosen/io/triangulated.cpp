@@ -14,19 +14,16 @@ class Triangulator {
   void run() {
     out_.corners.reserve(mesh_.corners.size() + mesh_.corners.size() / 2);
     out_.face_offsets.reserve(mesh_.face_offsets.size());
-    auto aside = mesh_.quarantine.begin();
-    for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
-      if (aside != mesh_.quarantine.end() && aside->face == f) {
-        out_.quarantine.push_back(*aside++);
-        out_.quarantine.back().face = static_cast<std::uint32_t>(out_.face_count());
-        end_face(f);
-      } else if (mesh_.face(f).size() == 3) {
-        for (std::uint32_t i = mesh_.face_offsets[f]; i < mesh_.face_offsets[f + 1]; ++i) add_corner(i);
-        end_face(f);
-      } else {
-        cut(f);
-      }
-    }
+    const auto take = [&](std::size_t f, std::span<const std::uint32_t> corners) {
+      if (corners.size() != 3) return cut(f);
+      for (std::uint32_t i = mesh_.face_offsets[f]; i < mesh_.face_offsets[f + 1]; ++i) add_corner(i);
+      end_face(f);
+    };
+    for_each_face(mesh_, take, [&](const QuarantinedFace& aside) {
+      out_.quarantine.push_back(aside);
+      out_.quarantine.back().face = static_cast<std::uint32_t>(out_.face_count());
+      end_face(aside.face);
+    });
     take_the_rest();
   }
 

@@ -245,15 +245,11 @@ std::string write_txt(const MeshFile& file) {
       out << (corner == INT64_MAX ? corner : corner + 1) << (i < 2 ? ' ' : '\n');
     }
   };
-  auto aside = mesh.quarantine.begin();
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-    if (aside == mesh.quarantine.end() || aside->face != f) {
-      write_face(mesh.face(f));
-    } else {
-      if (is_written(*aside)) write_face(aside->corners);
-      ++aside;
-    }
-  }
+  for_each_face(
+      mesh, [&](std::size_t, std::span<const std::uint32_t> corners) { write_face(corners); },
+      [&](const QuarantinedFace& aside) {
+        if (is_written(aside)) write_face(aside.corners);
+      });
   return out.take();
 }
 

@@ -36,10 +36,7 @@ bool read_index(const char*& at, const char* end, std::int64_t& value, bool& has
 
 // Whether it has the keyword of an element and a number behind it.
 bool is_line_of_obj(std::string_view text) {
-  constexpr std::string_view words[] = {"v", "vt", "vn", "f", "l", "p"};
-  if (std::find(std::begin(words), std::end(words), take_word(text)) == std::end(words)) return false;
-  const std::string_view value = take_word(text);
-  return value.find_first_of("0123456789") != std::string_view::npos;
+  return announces_numbers(take_word(text)) && take_word(text).find_first_of("0123456789") != std::string_view::npos;
 }
 
 }  // namespace

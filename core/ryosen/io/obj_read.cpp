@@ -154,12 +154,6 @@ Result<MeshFile> join(const Pieces& pieces, unsigned threads) {
 }  // namespace
 
 Likeness looks_like_obj(std::string_view head, std::uint64_t) {
-  constexpr std::string_view with_number[] = {"v", "vt", "vn", "f", "l", "p"};
-  constexpr std::string_view with_text[] = {"g", "o", "s"};
-  constexpr std::string_view telling[] = {"mtllib", "usemtl"};
-  const auto is_one_of = [](std::string_view word, const auto& words) {
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
-  };
   Likeness likeness = Likeness::no;
   TextLines lines(head, false);
   TextLine line;
@@ -167,12 +161,12 @@ Likeness looks_like_obj(std::string_view head, std::uint64_t) {
     std::string_view rest = line.text;
     const std::string_view word = take_word(rest);
     if (word.empty() || word[0] == '#') continue;
-    if (is_one_of(word, telling)) return Likeness::sure;
+    if (word == "mtllib" || word == "usemtl") return Likeness::sure;
     const std::string_view value = take_word(rest);
     const bool is_number =
         !value.empty() && (value[0] == '-' || value[0] == '+' || value[0] == '.' || is_digit(value[0]));
-    if (is_one_of(word, with_number) && is_number) return Likeness::sure;
-    if (!is_one_of(word, with_number) && !is_one_of(word, with_text)) return likeness;
+    if (announces_numbers(word) && is_number) return Likeness::sure;
+    if (!announces_numbers(word) && word != "g" && word != "o" && word != "s") return likeness;
     likeness = Likeness::maybe;
   }
   return likeness;

@@ -59,12 +59,7 @@ class PlyTextReader {
 
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
-  bool next_line() {
-    TextLine line;
-    if (!lines_.next_filled(line)) return false;
-    rest_ = line.text;
-    return true;
-  }
+  bool next_line() { return lines_.next_filled(rest_); }
 
   // Goes on to the next line that has a number if the current one has no more.
   bool has_number() { return !is_blank(rest_) || next_line(); }

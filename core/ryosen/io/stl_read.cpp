@@ -33,6 +33,12 @@ MeshFile finish_stl(MeshFile& file, FaceList& faces, Reporter& reporter) {
   return std::move(file);
 }
 
+void warn_of_non_finite_facet(Reporter& reporter, FilePlace place) {
+  reporter.warn("nonfinite_number", place, [] {
+    return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
+  });
+}
+
 // Whether `token` is this keyword, case-insensitively. `word` is in lower case.
 bool is_stl_word(std::string_view token, std::string_view word) {
   return std::equal(token.begin(), token.end(), word.begin(), word.end(),
@@ -193,9 +199,7 @@ class StlTextReader {
     }
     if (faults_.any()) return true;
     if (!is_finite_) {
-      reporter_.warn("nonfinite_number", FilePlace::at_line(line), [] {
-        return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
-      });
+      warn_of_non_finite_facet(reporter_, FilePlace::at_line(line));
     }
     faces_.add_corner(welder_.number(place));
     return true;
@@ -279,9 +283,7 @@ class StlBinaryReader {
     const auto has_place = [&](std::uint32_t c) { return is_finite(glm::dvec3(facets.place(c))); };
     for (std::uint32_t facet = 0; facet < facets.count(); ++facet) {
       if (has_place(3 * facet) && has_place(3 * facet + 1) && has_place(3 * facet + 2)) continue;
-      reporter_.warn("nonfinite_number", FilePlace::at_face(facet), [] {
-        return Text{"A coordinate of the facet is not finite.", "面の座標に有限でない数があります。"};
-      });
+      warn_of_non_finite_facet(reporter_, FilePlace::at_face(facet));
     }
   }
 

@@ -18,12 +18,6 @@ bool is_comment(std::string_view text) {
   return first != std::string_view::npos && text[first] == '#';
 }
 
-// Whether the line has numbers alone behind its first word.
-bool is_of_numbers(std::string_view text) {
-  constexpr std::string_view words[] = {"v", "vt", "vn", "f", "l", "p"};
-  return std::find(std::begin(words), std::end(words), take_word(text)) != std::end(words);
-}
-
 // The length of a line without the backslash that joins it with the next one, and blanks behind that; all of it if it
 // has none.
 std::size_t length_before_joint(std::string_view text, bool allows_blanks) {
@@ -36,7 +30,7 @@ bool goes_on_behind(std::string_view text) {
   if (text.empty() || (text.back() != '\\' && text.back() != ' ' && text.back() != '\t')) return false;
   const std::size_t last = text.find_last_not_of(" \t");
   if (last == std::string_view::npos || text[last] != '\\') return false;
-  return last + 1 == text.size() ? !is_comment(text) : is_of_numbers(text);
+  return last + 1 == text.size() ? !is_comment(text) : announces_numbers(take_word(text));
 }
 
 }  // namespace
@@ -76,7 +70,8 @@ std::string_view TextLines::take() {
 void TextLines::join(std::string_view first) {
   joined_.clear();
   pieces_.clear();
-  const bool allows_blanks = is_of_numbers(first);
+  std::string_view words = first;
+  const bool allows_blanks = announces_numbers(take_word(words));
   std::string_view text = first;
   while (true) {
     pieces_.push_back({joined_.size(), count_});
@@ -89,9 +84,12 @@ void TextLines::join(std::string_view first) {
   joined_ += '\n';
 }
 
-bool TextLines::next_filled(TextLine& line) {
-  while (next(line))
-    if (!is_blank(line.text)) return true;
+bool TextLines::next_filled(std::string_view& text) {
+  for (TextLine line; next(line);) {
+    if (is_blank(line.text)) continue;
+    text = line.text;
+    return true;
+  }
   return false;
 }
 

@@ -31,8 +31,8 @@ class TextLines {
   TextLines(std::string_view bytes, bool join_continuations, std::uint64_t lines_before = 0);
 
   bool next(TextLine& line);
-  // The next non-blank line.
-  bool next_filled(TextLine& line);
+  // The text of the next non-blank line.
+  bool next_filled(std::string_view& text);
 
   // Passes over so many bytes, which are so many whole lines.
   void skip(std::size_t bytes, std::uint64_t lines) {
@@ -106,6 +106,11 @@ bool take_number(std::string_view& text, Number& value) {
   if (error != std::errc() || (stop != end && *stop != ' ' && *stop != '\t')) return false;
   text = {stop, static_cast<std::size_t>(end - stop)};
   return true;
+}
+
+// Whether a word begins a line of OBJ with numbers alone behind it.
+inline bool announces_numbers(std::string_view word) {
+  return word == "v" || word == "vt" || word == "vn" || word == "f" || word == "l" || word == "p";
 }
 
 // Whether it contains only spaces and tabs.

@@ -56,12 +56,7 @@ class TxtReader {
  private:
   bool fail(Code code, Text text, FilePlace place) { return faults_.stop(malformed(code, std::move(text), place)); }
 
-  bool next_line() {
-    TextLine line;
-    if (!lines_.next_filled(line)) return false;
-    rest_ = line.text;
-    return true;
-  }
+  bool next_line() { return lines_.next_filled(rest_); }
 
   bool ends_early(std::size_t there, std::size_t claimed, bool are_faces) {
     const std::string found = std::to_string(there), all = std::to_string(claimed);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "ryosen/base/interruption.h"
+#include "ryosen/base/open_table.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/input_file.h"
@@ -112,11 +113,7 @@ const Format* looks_like(std::string_view bytes, Likeness wanted) {
 
 }  // namespace
 
-const Format* find_format(std::string_view id) {
-  const std::deque<Format>& table = formats();
-  const auto found = std::find_if(table.begin(), table.end(), [&](const Format& format) { return format.id == id; });
-  return found == table.end() ? nullptr : &*found;
-}
+const Format* find_format(std::string_view id) { return find_row(formats(), id); }
 
 const Format* format_of_extension(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);

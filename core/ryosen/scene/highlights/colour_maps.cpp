@@ -185,11 +185,7 @@ constexpr glm::dvec3 blue{0.46, -0.02, -0.14}, white{0.96, 0.0, 0.0}, orange{0.5
 std::span<const ColourMap> colour_maps() { return map_table.rows(); }
 const ColourMap* find_colour_map(std::string_view id) { return map_table.find(id); }
 
-std::string colour_map_ids() {
-  std::string ids;
-  for (const ColourMap& map : colour_maps()) ids.append(ids.empty() ? "" : "|").append(map.id);
-  return ids;
-}
+std::string colour_map_ids() { return joined_ids(colour_maps()); }
 
 ScopedColourMap::ScopedColourMap(const ColourMap& row) { map_table.add(row); }
 ScopedColourMap::~ScopedColourMap() { map_table.remove_last(); }

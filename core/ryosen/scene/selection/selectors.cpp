@@ -8,6 +8,7 @@
 #include "ryosen/analysis/components.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/number_text.h"
+#include "ryosen/base/open_table.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/scene/highlights/feature_edges.h"
@@ -265,10 +266,7 @@ const Selector rows[] = {
 
 std::span<const Selector> selectors() { return rows; }
 
-const Selector* find_selector(std::string_view id) {
-  const auto row = std::find_if(std::begin(rows), std::end(rows), [&](const Selector& r) { return r.id == id; });
-  return row == std::end(rows) ? nullptr : row;
-}
+const Selector* find_selector(std::string_view id) { return find_row(rows, id); }
 
 std::string syntax_of(const Selector& row) {
   const std::string id(row.id);

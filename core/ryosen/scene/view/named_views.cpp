@@ -1,7 +1,9 @@
 #include "ryosen/scene/view/named_views.h"
-#include "ryosen/geometry/unit_vector.h"
 
 #include <array>
+
+#include "ryosen/base/open_table.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 
@@ -21,17 +23,9 @@ constexpr std::array all_views{
 
 std::span<const NamedView> named_views() { return all_views; }
 
-const NamedView* find_named_view(std::string_view id) {
-  for (const NamedView& view : all_views)
-    if (view.id == id) return &view;
-  return nullptr;
-}
+const NamedView* find_named_view(std::string_view id) { return find_row(all_views, id); }
 
-std::string named_view_ids() {
-  std::string ids;
-  for (const NamedView& view : all_views) ids.append(ids.empty() ? "" : "|").append(view.id);
-  return ids;
-}
+std::string named_view_ids() { return joined_ids(all_views); }
 
 Camera camera_along(const NamedView& view) {
   Camera camera;

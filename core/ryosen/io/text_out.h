@@ -26,21 +26,21 @@ class TextOut {
     text_[size_++] = c;
     return *this;
   }
-  // The shortest decimal that std::from_chars reads as the same double; nan, -nan, inf, -inf.
-  TextOut& operator<<(double value) { return put(value); }
-  // The same for float.
-  TextOut& operator<<(float value) { return put(value); }
+  // An integer, or the shortest decimal that std::from_chars reads as the same double or float; nan, -nan, inf, -inf.
+  template <class Number>
+  requires std::integral<Number> || std::floating_point<Number> TextOut& operator<<(Number value) {
+    make_room(most_per_number);
+    char* const begin = text_.data() + size_;
+    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most_per_number, value).ptr - begin);
+    return *this;
+  }
   // The shortest decimal, with a decimal point if it would look like an integer.
   TextOut& put_real(double value) {
     const std::size_t begin = size_;
-    put(value);
+    *this << value;
     const bool is_whole = std::string_view(text_.data() + begin, size_ - begin).find_first_not_of("-0123456789") ==
                           std::string_view::npos;
     return is_whole ? *this << ".0" : *this;
-  }
-  template <std::integral Integer>
-  TextOut& operator<<(Integer value) {
-    return put(value);
   }
 
   bool is_empty() const { return size_ == 0; }
@@ -51,14 +51,6 @@ class TextOut {
 
  private:
   static constexpr std::size_t most_per_number = 32;
-
-  template <class Number>
-  TextOut& put(Number value) {
-    make_room(most_per_number);
-    char* const begin = text_.data() + size_;
-    size_ += static_cast<std::size_t>(std::to_chars(begin, begin + most_per_number, value).ptr - begin);
-    return *this;
-  }
 
   void make_room(std::size_t bytes) {
     if (text_.size() - size_ < bytes) text_.resize(2 * text_.size() + bytes);

@@ -23,16 +23,6 @@ struct Side {
   }
 };
 
-// Calls visit(corner, point, next point) for every side of every face.
-template <class Visit>
-void for_each_side(const IndexedMesh& source, Visit visit) {
-  const std::uint32_t* corners = source.corners.data();
-  for (std::size_t f = 0; f + 1 < source.face_offsets.size(); ++f) {
-    const std::uint32_t begin = source.face_offsets[f], end = source.face_offsets[f + 1];
-    for (std::uint32_t c = begin; c < end; ++c) visit(c, corners[c], corners[c + 1 < end ? c + 1 : begin]);
-  }
-}
-
 template <class Counter>
 void sort_bucket(Side* begin, Side* end, Counter& counter) {
   constexpr std::ptrdiff_t small = 24;
@@ -55,13 +45,15 @@ void sort_bucket(Side* begin, Side* end, Counter& counter) {
 template <class Counter>
 CornerPairing pair_by_buckets(const IndexedMesh& source, Counter& counter) {
   const std::size_t points = source.positions.size();
+  const auto faces = static_cast<std::uint32_t>(source.face_count());
   std::vector<std::uint32_t> bucket_end(points + 1, 0);
-  for_each_side(source, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++bucket_end[std::min(a, b) + 1]; });
+  for_each_side(source, 0, faces,
+                [&](std::uint32_t, std::uint32_t a, std::uint32_t b) { ++bucket_end[std::min(a, b) + 1]; });
   for (std::size_t p = 0; p < points; ++p) bucket_end[p + 1] += bucket_end[p];
 
   // Filling moves each bucket's start to its end, which is where the next one begins.
   std::vector<Side> sides(source.corners.size());
-  for_each_side(source, [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
+  for_each_side(source, 0, faces, [&](std::uint32_t corner, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t reversed = a > b;
     sides[bucket_end[reversed ? b : a]++] = {reversed ? a : b, corner * 2 + reversed};
   });

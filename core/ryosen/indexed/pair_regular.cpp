@@ -17,11 +17,11 @@ namespace {
 using Point = RegularPairing::Point;
 using Sides = RegularPairing::Sides;
 
-// Calls visit(corner, point, next point) for every side of the faces begin .. end-1. For triangles, prefetches the
-// entries of `fetched` for points that come soon; null for none.
+// The same as for_each_side(). For triangles, prefetches the entries of `fetched` for points that come soon; null for
+// none.
 template <class Visit>
-void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begin, std::uint32_t end, Visit visit,
-                   const Point* fetched) {
+void for_each_side_ahead(const IndexedMesh& source, bool triangles, std::uint32_t begin, std::uint32_t end, Visit visit,
+                         const Point* fetched) {
   const std::uint32_t* corners = source.corners.data();
   if (triangles) {
     const auto visit_face = [&](std::uint32_t c) {
@@ -41,10 +41,7 @@ void for_each_side(const IndexedMesh& source, bool triangles, std::uint32_t begi
     }
     return;
   }
-  for (std::uint32_t f = begin; f < end; ++f) {
-    const std::uint32_t first = source.face_offsets[f], last = source.face_offsets[f + 1];
-    for (std::uint32_t c = first; c < last; ++c) visit(c, corners[c], corners[c + 1 < last ? c + 1 : first]);
-  }
+  for_each_side(source, begin, end, visit);
 }
 
 // Whether consecutive faces mostly use distant points, so that each causes cache misses (by sampling).
@@ -90,7 +87,7 @@ class Pairer {
   void with_sides(Work work) {
     for_each_part(faces_, threads_, [&](unsigned t, std::uint32_t begin, std::uint32_t end) {
       work(t, [&](auto visit, const Point* fetched) {
-        for_each_side(source_, triangles_, begin, end, visit, scattered_ ? fetched : nullptr);
+        for_each_side_ahead(source_, triangles_, begin, end, visit, scattered_ ? fetched : nullptr);
       });
     });
   }

@@ -33,6 +33,16 @@ struct RegularPairing {
   std::uint32_t edges() const { return up_edges + static_cast<std::uint32_t>(down_only.size()); }
 };
 
+// Calls visit(corner, point, next point) for every side of the faces begin .. end-1.
+template <class Visit>
+void for_each_side(const IndexedMesh& source, std::uint32_t begin, std::uint32_t end, Visit visit) {
+  const std::uint32_t* corners = source.corners.data();
+  for (std::uint32_t f = begin; f < end; ++f) {
+    const std::uint32_t first = source.face_offsets[f], last = source.face_offsets[f + 1];
+    for (std::uint32_t c = first; c < last; ++c) visit(c, corners[c], corners[c + 1 < last ? c + 1 : first]);
+  }
+}
+
 // None if the list is not regular. Two passes over the corners with a counting sort by smaller point between them,
 // nearly free of data-dependent branches. The result does not depend on the number of threads. O(corners) plus sorting
 // at the few points of high valence.

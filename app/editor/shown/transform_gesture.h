@@ -11,7 +11,7 @@
 #include "app/editor/input/input.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/algo/transform/point_transform.h"
-#include "ryosen/mesh/touched.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/ops/op.h"
 #include "ryosen/scene/pick/picker.h"
 #include "ryosen/scene/view/camera.h"

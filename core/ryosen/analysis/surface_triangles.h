@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/mesh/touched.h"
+#include "ryosen/mesh/journal.h"
 
 namespace ryosen {
 

@@ -15,7 +15,7 @@
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/io/file_state.h"
 #include "ryosen/io/formats.h"
-#include "ryosen/mesh/touched.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/ops/each.h"
 #include "ryosen/ops/preview/preview.h"
 #include "ryosen/ops/preview/remedy.h"

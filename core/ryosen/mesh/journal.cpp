@@ -6,6 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/circulate.h"
+
 namespace ryosen {
 
 namespace {
@@ -93,6 +96,11 @@ std::size_t words_of_lengths(std::uint32_t mask) { return 1 + static_cast<std::s
 template <class Value>
 void make_room(std::vector<Value>& values, std::size_t count) {
   if (values.capacity() - values.size() < count) values.reserve(std::max(2 * values.capacity(), values.size() + count));
+}
+
+template <class Handle>
+void add_range(std::vector<Handle>& handles, std::uint32_t begin, std::uint32_t end) {
+  for (std::uint32_t i = begin; i < end; ++i) handles.push_back(Handle(i));
 }
 
 }  // namespace
@@ -265,6 +273,58 @@ ColumnLengths Journal::lengths_before(std::size_t i) const {
 std::size_t Journal::bytes() const {
   return cells_.size() * sizeof(PackedCell) + words_.size() * sizeof(std::uint32_t) +
          transactions_.size() * sizeof(Transaction);
+}
+
+TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::size_t i) {
+  TouchedElements touched;
+  if (journal.replaces_everything(i)) {
+    touched.everything = true;
+    return touched;
+  }
+  for (const TouchedCell& cell : journal.touched(i)) {
+    switch (cell.column) {
+      case Column::position:
+        touched.moved.push_back(Vertex(cell.index));
+        [[fallthrough]];
+      case Column::vertex_halfedge:
+      case Column::next_copy:
+      case Column::copy_point:
+        touched.vertices.push_back(Vertex(cell.index));
+        break;
+      case Column::from:
+      case Column::next:
+      case Column::prev:
+      case Column::face:
+        touched.halfedges.push_back(Halfedge(cell.index));
+        break;
+      case Column::first_ring:
+      case Column::face_halfedge:
+        touched.faces.push_back(Face(cell.index));
+        break;
+      default:
+        break;
+    }
+  }
+  const ColumnLengths before = journal.lengths_before(i), after = journal.lengths_after(mesh, i);
+  add_range(touched.vertices, before.vertices, after.vertices);
+  add_range(touched.moved, before.vertices, after.vertices);
+  add_range(touched.halfedges, before.halfedges, after.halfedges);
+  add_range(touched.faces, before.faces, after.faces);
+  sort_unique(touched.halfedges);
+  for (Halfedge h : touched.halfedges) {
+    if (!mesh.exists(h) || !mesh.is_alive(h)) continue;
+    touched.vertices.push_back(mesh.from(h));
+    if (!mesh.is_outside(h)) touched.faces.push_back(mesh.face(h));
+  }
+  sort_unique(touched.moved);
+  for (Vertex v : touched.moved) {
+    if (!mesh.exists(v) || !mesh.is_alive(v)) continue;
+    for (Halfedge h : outgoing(mesh, v))
+      if (!mesh.is_outside(h)) touched.faces.push_back(mesh.face(h));
+  }
+  sort_unique(touched.vertices);
+  sort_unique(touched.faces);
+  return touched;
 }
 
 }  // namespace ryosen

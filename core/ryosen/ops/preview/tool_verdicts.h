@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "ryosen/mesh/touched.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/preview/known_answers.h"
 

@@ -7,8 +7,8 @@
 
 #include "ryosen/base/element.h"
 #include "ryosen/base/index_set.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/touched.h"
 
 namespace ryosen {
 

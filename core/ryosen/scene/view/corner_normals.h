@@ -9,8 +9,8 @@
 
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/analysis/surface_triangles.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/touched.h"
 
 namespace ryosen {
 

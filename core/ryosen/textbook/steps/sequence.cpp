@@ -13,8 +13,8 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/rings.h"
-#include "ryosen/mesh/touched.h"
 
 namespace ryosen::steps {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ryosen/mesh/edit.h"
-#include "ryosen/mesh/touched.h"
+#include "ryosen/mesh/journal.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/core/shapes.h"
 

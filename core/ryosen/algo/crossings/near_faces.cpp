@@ -6,7 +6,6 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/hubs.h"
 
 namespace ryosen {
 

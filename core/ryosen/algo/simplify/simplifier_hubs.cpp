@@ -2,7 +2,6 @@
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/hubs.h"
 
 namespace ryosen {
 

@@ -8,11 +8,11 @@
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/ops/parameters/op_line.h"
-#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

@@ -3,7 +3,7 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
-#include "ryosen/scene/selection/element_set.h"
+#include "ryosen/base/index_set.h"
 
 namespace ryosen {
 

@@ -8,9 +8,9 @@
 #include "app/editor/input/pick_modes.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/scene/selection/element_set.h"
 #include "ryosen/scene/selection/selectors.h"
 
 namespace ryosen {

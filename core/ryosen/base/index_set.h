@@ -1,15 +1,20 @@
-// A set of slot numbers as a bit set with ascending iteration.
+// Sets of slot numbers, as bit sets with ascending iteration, and of elements.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "ryosen/base/element.h"
 
 namespace ryosen {
 
-// Two levels: a summary bit per nonzero word, so that sparse sets are fast to iterate. insert, erase and contains are
-// O(1) (insert may grow the set), iteration costs the members plus one step per 4096 slots, nth() only these steps.
+// A set of slot numbers. Two levels: a summary bit per nonzero word, so that sparse sets are fast to iterate. insert,
+// erase and contains are O(1) (insert may grow the set), iteration costs the members plus one step per 4096 slots,
+// nth() only these steps.
 class IndexSet {
  public:
   bool contains(std::uint32_t i) const {
@@ -99,6 +104,25 @@ class IndexSet {
   std::vector<std::uint64_t> summary_;  // one bit per word
   std::vector<std::uint32_t> members_;  // per summary word: number of members it covers
   std::uint32_t size_ = 0;
+};
+
+// A set of elements of all kinds. Costs of IndexSet: memory for the slots up to the highest member, a bit each.
+class ElementSet {
+ public:
+  ElementSet() = default;
+  explicit ElementSet(std::span<const Element> elements) {
+    for (const Element& e : elements) insert(e);
+  }
+
+  // Both return whether the set changed.
+  bool insert(Element e) { return of(e.kind).insert(e.index); }
+  bool erase(Element e) { return of(e.kind).erase(e.index); }
+  bool contains(Element e) const { return sets_[static_cast<std::size_t>(e.kind)].contains(e.index); }
+
+ private:
+  IndexSet& of(Element::Kind kind) { return sets_[static_cast<std::size_t>(kind)]; }
+
+  std::array<IndexSet, 4> sets_;
 };
 
 }  // namespace ryosen

@@ -6,10 +6,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/scene/highlights/feature_edges.h"
-#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

@@ -7,6 +7,7 @@
 
 #include "ryosen/analysis/components.h"
 #include "ryosen/analysis/measures.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/base/open_table.h"
 #include "ryosen/mesh/circulate.h"
@@ -14,7 +15,6 @@
 #include "ryosen/scene/highlights/feature_edges.h"
 #include "ryosen/scene/highlights/map_values.h"
 #include "ryosen/scene/selection/derived_selections.h"
-#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

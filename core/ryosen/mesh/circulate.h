@@ -50,7 +50,7 @@ class CycleRange {
     }
     friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }
 
-   private:
+   protected:
     const Mesh* mesh_;
     Halfedge start_, current_;
     std::uint32_t left_;
@@ -96,41 +96,23 @@ struct ToOppositeFace {
 template <class Map>
 class FaceRange {
  public:
-  class iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = decltype(Map()(std::declval<const Mesh&>(), Halfedge()));
-    using difference_type = std::ptrdiff_t;
-    using pointer = void;
-    using reference = value_type;
+  class iterator : public CycleRange<detail::StepNext, Map>::iterator {
+    using Loop = typename CycleRange<detail::StepNext, Map>::iterator;
 
-    iterator(const Mesh* mesh, Halfedge start, std::uint32_t next_ring)
-        : mesh_(mesh), start_(start), current_(start), next_ring_(next_ring), left_(mesh->halfedge_slots()) {}
-    value_type operator*() const { return Map()(*mesh_, current_); }
+   public:
+    iterator(const Mesh* mesh, Halfedge start, std::uint32_t next_ring) : Loop(mesh, start), next_ring_(next_ring) {}
     iterator& operator++() {
-      current_ = mesh_->next(current_);
-      if (current_ == start_) {
-        begin_ring();
-      } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
-        throw BrokenMesh(start_);
+      Loop::operator++();
+      if (this->current_.is_none() && next_ring_ != no_index) {
+        const Ring& ring = this->mesh_->ring(next_ring_);
+        this->start_ = this->current_ = ring.halfedge;
+        next_ring_ = ring.next;
       }
       return *this;
     }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }
 
    private:
-    void begin_ring() {
-      start_ = current_ = Halfedge();
-      if (next_ring_ == no_index) return;
-      const Ring& ring = mesh_->ring(next_ring_);
-      start_ = current_ = ring.halfedge;
-      next_ring_ = ring.next;
-    }
-
-    const Mesh* mesh_;
-    Halfedge start_, current_;
     std::uint32_t next_ring_;
-    std::uint32_t left_;
   };
 
   FaceRange(const Mesh& mesh, Face f) : mesh_(&mesh), start_(mesh.halfedge(f)), ring_(mesh.first_ring(f)) {}

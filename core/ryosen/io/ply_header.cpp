@@ -13,6 +13,11 @@
 namespace ryosen {
 namespace {
 
+bool has_role(const PropertyTable& table, PropertyRole role) {
+  return std::any_of(table.properties.begin(), table.properties.end(),
+                     [&](const Property& property) { return property.role == role; });
+}
+
 // A set of properties that the mesh has a place for. All of the first `needed` must be there.
 struct RoleRow {
   TableKind kind;
@@ -73,11 +78,6 @@ void give_scalar_role(PropertyTable& table, const RoleRow& row) {
     found[i]->role = row.role;
     found[i]->component = static_cast<std::uint8_t>(i);
   }
-}
-
-bool has_role(const PropertyTable& table, PropertyRole role) {
-  return std::any_of(table.properties.begin(), table.properties.end(),
-                     [&](const Property& property) { return property.role == role; });
 }
 
 // Gives the properties of a table their roles by their names and types.

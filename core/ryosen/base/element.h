@@ -14,7 +14,7 @@ struct Element {
   std::uint32_t index = no_index;
 
   constexpr Element() = default;
-  // None of a kind.
+  // No element, of a kind.
   constexpr explicit Element(Kind none_of) : kind(none_of) {}
   constexpr Element(Vertex v) : kind(Kind::vertex), index(v.index) {}
   constexpr Element(Halfedge h) : kind(Kind::halfedge), index(h.index) {}
@@ -26,7 +26,7 @@ struct Element {
   constexpr Halfedge halfedge() const { return Halfedge(index); }
   constexpr Edge edge() const { return Edge(index); }
   constexpr Face face() const { return Face(index); }
-  // What visit(handle) returns, of the typed handle.
+  // Calls visit(handle) with the typed handle, and returns what it does.
   template <class Visit>
   constexpr decltype(auto) visit(Visit&& visit) const {
     switch (kind) {

@@ -1,4 +1,4 @@
-// What has become of an operator or a command, and why one cannot be, in words.
+// Outcome of an operator or a command, and why one cannot be, in words.
 #pragma once
 
 #include <optional>

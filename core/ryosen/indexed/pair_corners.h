@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// What code that is measured counts its comparisons with: nothing where its time is taken, each where its work is.
+// Counters of the comparisons of code that is measured: of none where its time is taken, of each where its work is.
 struct NotCounted {
   static constexpr void count() {}
 };

@@ -1,4 +1,4 @@
-// What a file has beside its mesh, and conversion of an edited mesh back to a MeshFile.
+// Elements of a file beside its mesh, and conversion of an edited mesh back to a MeshFile.
 #pragma once
 
 #include <cstddef>

@@ -67,7 +67,7 @@ enum class PropertyRole : std::uint8_t {
   extra,            // in the property
 };
 
-// What a property is, without its values.
+// Head of a property: all but its values.
 struct PropertyHead {
   std::string name;
   NumberType type = NumberType::f32;

@@ -1,5 +1,5 @@
-// What a reader has to say of a file: its warnings, with a limit per kind, so that a malformed file cannot exhaust
-// memory; and why it is refused, and at how many places.
+// Warnings of a reader, with a limit per kind, so that a malformed file cannot exhaust memory; and the faults for which
+// it refuses a file, and at how many places.
 #pragma once
 
 #include <array>

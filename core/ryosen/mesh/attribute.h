@@ -38,7 +38,7 @@ T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   std::memcpy(&value, column.data.data() + std::size_t{index} * column.words, sizeof(T));
   return value;
 }
-// All of them.
+// All values of a column.
 template <class T>
 std::vector<T> attribute_values(const AttributeColumn& column) {
   std::vector<T> values(column.data.size() / column.words);

@@ -90,7 +90,7 @@ void leave_copies(Edit& edit, Vertex v);
 // without copies, else O(vertices + edges) and a sort of the edges at copies.
 ElementCounts counts_on_points(const Mesh& mesh);
 
-// Of a vertex with more edges than this not all can be looked at whenever something changes at one.
+// Hubs: vertices of so many edges that not all of them can be looked at whenever something changes at one.
 inline constexpr int most_looked_at = 64;
 
 // Counts on by the edges of a vertex, or by one if it has none, and tells whether there are many.

@@ -27,18 +27,6 @@ double length_of_first_sheet(Neighbourhood& around, Edge e) {
 double valence_of_point(Neighbourhood& around, Vertex v) {
   return around.point(v) == v ? double(valence(around.mesh(), v)) : no_value;
 }
-double smallest_angle(Neighbourhood& around, Face f) { return corner_angles(around, f).smallest_deg; }
-double largest_angle(Neighbourhood& around, Face f) { return corner_angles(around, f).largest_deg; }
-double aspect(Neighbourhood& around, Face f) { return aspect_ratio(around.mesh(), f); }
-double area(Neighbourhood& around, Face f) { return face_area(around.mesh(), f); }
-double sides(Neighbourhood& around, Face f) { return corner_count(around.mesh(), f); }
-double mean_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).mean(); }
-double gaussian_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).gaussian(); }
-double largest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).largest; }
-double distance_from_other(const Mesh& mesh, Vertex v, const OtherSurface& other) {
-  return other.distance(mesh.position(v));
-}
-double smallest_curvature(Neighbourhood& around, Vertex v) { return curvature_at(around, v).smallest; }
 
 constexpr std::array built_in_maps{
     ColourMap{.id = "edge_length",
@@ -54,21 +42,21 @@ constexpr std::array built_in_maps{
               .legend_en = "The smallest angle of each face, in degrees.",
               .legend_ja = "各面の最も小さい角（度）。",
               .unit = MapUnit::degrees,
-              .face = smallest_angle},
+              .face = [](Neighbourhood& around, Face f) { return corner_angles(around, f).smallest_deg; }},
     ColourMap{.id = "largest_angle",
               .name_en = "Largest angle",
               .name_ja = "最大の角",
               .legend_en = "The largest angle of each face, in degrees.",
               .legend_ja = "各面の最も大きい角（度）。",
               .unit = MapUnit::degrees,
-              .face = largest_angle},
+              .face = [](Neighbourhood& around, Face f) { return corner_angles(around, f).largest_deg; }},
     ColourMap{.id = "aspect",
               .name_en = "Aspect ratio",
               .name_ja = "細長さ",
               .legend_en = "How far each face is from a regular one: 1 is regular, slivers are large.",
               .legend_ja = "各面の正多角形からの外れ（1 が正多角形、細長いほど大きい）。",
               .scale = MapScale::ratio,
-              .face = aspect},
+              .face = [](Neighbourhood& around, Face f) { return aspect_ratio(around.mesh(), f); }},
     ColourMap{.id = "valence",
               .name_en = "Valence",
               .name_ja = "価数",
@@ -94,7 +82,7 @@ constexpr std::array built_in_maps{
               .legend_en = "How large each face is, in the square of the unit of the file.",
               .legend_ja = "各面の面積（ファイルの単位の二乗）。",
               .unit = MapUnit::area,
-              .face = area},
+              .face = [](Neighbourhood& around, Face f) { return face_area(around.mesh(), f); }},
     ColourMap{.id = "planarity",
               .name_en = "Distance from plane",
               .name_ja = "平面からのずれ",
@@ -108,7 +96,7 @@ constexpr std::array built_in_maps{
               .legend_en = "How many corners each face has.",
               .legend_ja = "各面の角の数。",
               .is_count = true,
-              .face = sides},
+              .face = [](Neighbourhood& around, Face f) { return double(corner_count(around.mesh(), f)); }},
     ColourMap{.id = "mean_curvature",
               .name_en = "Mean curvature",
               .name_ja = "平均曲率",
@@ -117,7 +105,7 @@ constexpr std::array built_in_maps{
               .legend_ja = "各頂点での曲がり（二方向の平均）。山で正、谷で負。",
               .unit = MapUnit::per_length,
               .scale = MapScale::about_middle,
-              .vertex = mean_curvature,
+              .vertex = [](Neighbourhood& around, Vertex v) { return curvature_at(around, v).mean(); },
               .reads_two_rings = true},
     ColourMap{.id = "gaussian_curvature",
               .name_en = "Gaussian curvature",
@@ -127,7 +115,7 @@ constexpr std::array built_in_maps{
               .legend_ja = "各頂点での二つの主曲率の積。椀で正、鞍で負、平らに広げられる所で 0。",
               .unit = MapUnit::per_area,
               .scale = MapScale::about_middle,
-              .vertex = gaussian_curvature,
+              .vertex = [](Neighbourhood& around, Vertex v) { return curvature_at(around, v).gaussian(); },
               .reads_two_rings = true},
     ColourMap{.id = "largest_curvature",
               .name_en = "Largest curvature",
@@ -137,7 +125,7 @@ constexpr std::array built_in_maps{
               .legend_ja = "各頂点で最も大きい方向の曲率（半径の逆数、山で正）。",
               .unit = MapUnit::per_length,
               .scale = MapScale::about_middle,
-              .vertex = largest_curvature,
+              .vertex = [](Neighbourhood& around, Vertex v) { return curvature_at(around, v).largest; },
               .reads_two_rings = true},
     ColourMap{.id = "smallest_curvature",
               .name_en = "Smallest curvature",
@@ -147,7 +135,7 @@ constexpr std::array built_in_maps{
               .legend_ja = "各頂点で最も小さい方向の曲率（半径の逆数、谷で負）。",
               .unit = MapUnit::per_length,
               .scale = MapScale::about_middle,
-              .vertex = smallest_curvature,
+              .vertex = [](Neighbourhood& around, Vertex v) { return curvature_at(around, v).smallest; },
               .reads_two_rings = true},
     ColourMap{.id = "distance",
               .name_en = "Distance from the other mesh",
@@ -155,7 +143,8 @@ constexpr std::array built_in_maps{
               .legend_en = "How far each vertex is from the surface of the mesh that this one is compared with.",
               .legend_ja = "各頂点の、比較しているメッシュの面からの距離。",
               .unit = MapUnit::length,
-              .against = distance_from_other},
+              .against = [](const Mesh& mesh, Vertex v,
+                            const OtherSurface& other) { return other.distance(mesh.position(v)); }},
 };
 
 constinit OpenTable<ColourMap, 32> map_table(built_in_maps);

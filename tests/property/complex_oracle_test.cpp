@@ -99,7 +99,7 @@ class Comparison {
   }
   Corners cycle_of(Halfedge h) const {
     Corners cycle;
-    for (Vertex v : CycleRange<detail::StepNext, detail::ToFrom>(mesh_, h)) cycle.push_back(number(v));
+    for (Vertex v : CycleRange<detail::next, detail::from>(mesh_, h)) cycle.push_back(number(v));
     return cycle;
   }
   Outcomes legal_among(const ComplexFacts& before, Outcomes outcomes, bool local) const {

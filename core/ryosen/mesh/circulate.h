@@ -24,23 +24,36 @@ class BrokenMesh : public std::runtime_error {
   Halfedge start_;
 };
 
-// The cycle of Step from a halfedge, each halfedge visited once, mapped to an element by Map. Empty if start is none.
-template <class Step, class Map>
+namespace detail {
+// Steps from a halfedge to another one, and elements that ranges give for it.
+inline Halfedge next(const Mesh& m, Halfedge h) { return m.next(h); }
+inline Halfedge counter_clockwise(const Mesh& m, Halfedge h) { return m.counter_clockwise(h); }
+inline Halfedge itself(const Mesh&, Halfedge h) { return h; }
+inline Edge edge(const Mesh&, Halfedge h) { return ryosen::edge(h); }
+inline Vertex from(const Mesh& m, Halfedge h) { return m.from(h); }
+inline Vertex to(const Mesh& m, Halfedge h) { return m.to(h); }
+inline Face face(const Mesh& m, Halfedge h) { return m.face(h); }
+inline Face opposite_face(const Mesh& m, Halfedge h) { return m.face(twin(h)); }
+}  // namespace detail
+
+// The cycle of `step` from a halfedge, each halfedge visited once, mapped to an element by `map`. Empty if start is
+// none.
+template <auto step, auto map>
 class CycleRange {
  public:
   class iterator {
    public:
     using iterator_category = std::input_iterator_tag;
-    using value_type = decltype(Map()(std::declval<const Mesh&>(), Halfedge()));
+    using value_type = decltype(map(std::declval<const Mesh&>(), Halfedge()));
     using difference_type = std::ptrdiff_t;
     using pointer = void;
     using reference = value_type;
 
     iterator(const Mesh* mesh, Halfedge start)
         : mesh_(mesh), start_(start), current_(start), left_(mesh->halfedge_slots()) {}
-    value_type operator*() const { return Map()(*mesh_, current_); }
+    value_type operator*() const { return map(*mesh_, current_); }
     iterator& operator++() {
-      current_ = Step()(*mesh_, current_);
+      current_ = step(*mesh_, current_);
       if (current_ == start_) {
         current_ = Halfedge();
       } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
@@ -65,39 +78,12 @@ class CycleRange {
   Halfedge start_;
 };
 
-namespace detail {
-struct StepNext {
-  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.next(h); }
-};
-struct StepLeft {
-  Halfedge operator()(const Mesh& m, Halfedge h) const { return m.counter_clockwise(h); }
-};
-struct ToHalfedge {
-  Halfedge operator()(const Mesh&, Halfedge h) const { return h; }
-};
-struct ToEdge {
-  Edge operator()(const Mesh&, Halfedge h) const { return edge(h); }
-};
-struct ToFrom {
-  Vertex operator()(const Mesh& m, Halfedge h) const { return m.from(h); }
-};
-struct ToEnd {
-  Vertex operator()(const Mesh& m, Halfedge h) const { return m.to(h); }
-};
-struct ToFace {
-  Face operator()(const Mesh& m, Halfedge h) const { return m.face(h); }
-};
-struct ToOppositeFace {
-  Face operator()(const Mesh& m, Halfedge h) const { return m.face(twin(h)); }
-};
-}  // namespace detail
-
-// The loops of a face one after another, the outer one first, mapped to an element by Map.
-template <class Map>
+// The loops of a face one after another, the outer one first, mapped to an element by `map`.
+template <auto map>
 class FaceRange {
  public:
-  class iterator : public CycleRange<detail::StepNext, Map>::iterator {
-    using Loop = typename CycleRange<detail::StepNext, Map>::iterator;
+  class iterator : public CycleRange<detail::next, map>::iterator {
+    using Loop = typename CycleRange<detail::next, map>::iterator;
 
    public:
     iterator(const Mesh* mesh, Halfedge start, std::uint32_t next_ring) : Loop(mesh, start), next_ring_(next_ring) {}
@@ -127,25 +113,25 @@ class FaceRange {
 
 // Around a vertex (its one-ring), counter-clockwise. faces_around may yield none (the gap at a boundary).
 inline auto outgoing(const Mesh& m, Vertex v) {
-  return CycleRange<detail::StepLeft, detail::ToHalfedge>(m, m.halfedge(v));
+  return CycleRange<detail::counter_clockwise, detail::itself>(m, m.halfedge(v));
 }
 inline auto edges_around(const Mesh& m, Vertex v) {
-  return CycleRange<detail::StepLeft, detail::ToEdge>(m, m.halfedge(v));
+  return CycleRange<detail::counter_clockwise, detail::edge>(m, m.halfedge(v));
 }
 inline auto neighbours(const Mesh& m, Vertex v) {
-  return CycleRange<detail::StepLeft, detail::ToEnd>(m, m.halfedge(v));
+  return CycleRange<detail::counter_clockwise, detail::to>(m, m.halfedge(v));
 }
 inline auto faces_around(const Mesh& m, Vertex v) {
-  return CycleRange<detail::StepLeft, detail::ToFace>(m, m.halfedge(v));
+  return CycleRange<detail::counter_clockwise, detail::face>(m, m.halfedge(v));
 }
 
 // Around a loop of a face, or a boundary loop, in the direction of next.
-inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::StepNext, detail::ToHalfedge>(m, start); }
+inline auto loop(const Mesh& m, Halfedge start) { return CycleRange<detail::next, detail::itself>(m, start); }
 // Around a face, counter-clockwise: its outer loop, then its rings. neighbour_faces may yield none.
-inline auto halfedges_around(const Mesh& m, Face f) { return FaceRange<detail::ToHalfedge>(m, f); }
-inline auto vertices_around(const Mesh& m, Face f) { return FaceRange<detail::ToFrom>(m, f); }
-inline auto edges_around(const Mesh& m, Face f) { return FaceRange<detail::ToEdge>(m, f); }
-inline auto neighbour_faces(const Mesh& m, Face f) { return FaceRange<detail::ToOppositeFace>(m, f); }
+inline auto halfedges_around(const Mesh& m, Face f) { return FaceRange<detail::itself>(m, f); }
+inline auto vertices_around(const Mesh& m, Face f) { return FaceRange<detail::from>(m, f); }
+inline auto edges_around(const Mesh& m, Face f) { return FaceRange<detail::edge>(m, f); }
+inline auto neighbour_faces(const Mesh& m, Face f) { return FaceRange<detail::opposite_face>(m, f); }
 
 // Both ends and both faces of an edge.
 inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {

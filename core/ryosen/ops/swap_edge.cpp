@@ -73,7 +73,7 @@ bool is_on(const Mesh& m, Halfedge h, const Points& points) {
     return count >= points.size() && point_set(loops_of(m, m.face(h)).corners) == points;
   };
   if (m.has_rings()) return is_in_all(vertices_around(m, m.face(h)));
-  return is_in_all(CycleRange<detail::StepNext, detail::ToFrom>(m, h));
+  return is_in_all(CycleRange<detail::next, detail::from>(m, h));
 }
 
 // Another face with exactly these points: of several the last one in the one-ring of `around` and its copies.

@@ -43,6 +43,8 @@ class Inflater {
   FilePlace here() const { return FilePlace::at_byte(at_); }
 
  private:
+  void fail(Code code, Text text) { failure_ = malformed(code, std::move(text), here()); }
+
   std::size_t step(char* room, std::size_t size) {
     const auto given = static_cast<uInt>(std::min(packed_.size() - at_, most_at_once));
     // zlib only reads; its API is not const-correct.
@@ -72,27 +74,22 @@ class Inflater {
       ::inflateReset(&stream_);
       return;
     }
-    failure_ = malformed("gzip_extra_data",
-                         {"The gzip file goes on behind its end with something that is not packed; the byte is that of "
-                          "the packed file. Take it off or pack the file again.",
-                          "gzip ファイルの終わりの後に、圧縮されていないデータが続いています(バイト位置は圧縮ファイル"
-                          "のもの)。取り除くか、圧縮し直してください。"},
-                         here());
+    fail("gzip_extra_data",
+         {"The gzip file goes on behind its end with something that is not packed; the byte is that of "
+          "the packed file. Take it off or pack the file again.",
+          "gzip ファイルの終わりの後に、圧縮されていないデータが続いています(バイト位置は圧縮ファイル"
+          "のもの)。取り除くか、圧縮し直してください。"});
   }
   void cut() {
-    failure_ = malformed("gzip_cut",
-                         {"The gzip file ends too early; the byte is that of the packed file. Get it again, whole.",
-                          "gzip ファイルが途中で終わっています(バイト位置は圧縮ファイルのもの)。"
-                          "ファイル全体を入手し直してください。"},
-                         here());
+    fail("gzip_cut", {"The gzip file ends too early; the byte is that of the packed file. Get it again, whole.",
+                      "gzip ファイルが途中で終わっています(バイト位置は圧縮ファイルのもの)。"
+                      "ファイル全体を入手し直してください。"});
   }
   void damaged() {
-    failure_ =
-        malformed("gzip_damaged",
-                  {"The gzip file is damaged; the byte is that of the packed file. Get it again, or pack it again.",
-                   "gzip ファイルが壊れています(バイト位置は圧縮ファイルのもの)。"
-                   "入手し直すか、圧縮し直してください。"},
-                  here());
+    fail("gzip_damaged",
+         {"The gzip file is damaged; the byte is that of the packed file. Get it again, or pack it again.",
+          "gzip ファイルが壊れています(バイト位置は圧縮ファイルのもの)。"
+          "入手し直すか、圧縮し直してください。"});
   }
 
   std::string_view packed_;

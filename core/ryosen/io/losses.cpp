@@ -27,10 +27,6 @@ std::uint64_t many_corners(const MeshFile& file, Holds held) {
   return count - file.mesh.bridged.size();
 }
 
-std::uint64_t bridged_faces_lost(const MeshFile& file, Holds held) {
-  return holds_polygons(file, held) ? 0 : file.mesh.bridged.size();
-}
-
 std::uint64_t corner_values(const IndexedMesh& mesh, const CornerValues& values, bool per_corner, bool for_vertices) {
   if (values.pool.empty() || per_corner || (for_vertices && per_vertex(mesh, values))) return 0;
   return values.pool.size();
@@ -50,10 +46,6 @@ std::uint64_t third_texcoords(const MeshFile& file, Holds held) {
 std::uint64_t normals(const MeshFile& file, Holds held) {
   return corner_values(file.mesh, file.mesh.normals, holds(held, Holds::corner_normals),
                        holds(held, Holds::vertex_normals));
-}
-
-std::uint64_t vertex_colours(const MeshFile& file, Holds held) {
-  return holds(held, Holds::vertex_colours) ? 0 : file.mesh.vertex_colours.size();
 }
 
 std::uint64_t missing_colours(const MeshFile& file, Holds held) {
@@ -250,7 +242,7 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_polygons", "faces with more than three corners, which are cut into triangles",
        "4 頂点以上の面(三角形に分割されます)", many_corners},
       {"loses_rings", "faces with holes, which are cut into triangles", "穴のある面(三角形に分割されます)",
-       bridged_faces_lost},
+       [](File f, Holds h) -> std::uint64_t { return holds_polygons(f, h) ? 0 : f.mesh.bridged.size(); }},
       {"loses_quarantined", "faces that were set aside", "隔離された面", quarantined_faces},
       {"loses_isolated_vertices", "vertices without a face", "面に属さない頂点", isolated_vertices},
       {"loses_topology", "points at equal places, which become one, or at no place, which fall apart",
@@ -275,7 +267,8 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_third_texcoord", "the third numbers of texture coordinates", "テクスチャ座標の 3 番目の数",
        third_texcoords},
       {"loses_normals", "normals", "法線", normals},
-      {"loses_vertex_colours", "colours of vertices", "頂点の色", vertex_colours},
+      {"loses_vertex_colours", "colours of vertices", "頂点の色",
+       [](File f, Holds h) { return unless<Holds::vertex_colours>(h, [&] { return f.mesh.vertex_colours.size(); }); }},
       {"loses_missing_colours", "vertices without a colour, which become white", "色のない頂点(白になります)",
        missing_colours},
       {"loses_exact_colours", "colours of vertices or faces among brighter ones than white, which are rounded",

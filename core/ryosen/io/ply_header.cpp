@@ -117,7 +117,8 @@ class HeaderReader {
 
  private:
   void fail(Code code, Text text, FilePlace place) { failure_ = malformed(code, std::move(text), place); }
-  FilePlace here() const { return FilePlace::at_line(lines_.count()); }
+  // On the line that is read.
+  void fail(Code code, Text text) { fail(code, std::move(text), FilePlace::at_line(lines_.count())); }
 
   void take(std::string_view text) {
     std::string_view rest = text;
@@ -186,13 +187,10 @@ class HeaderReader {
     else
       return fail("unknown_encoding",
                   {shown(word) + " is not ascii, binary_little_endian or binary_big_endian.",
-                   shown(word) + " は ascii、binary_little_endian、binary_big_endian のどれでもありません。"},
-                  here());
+                   shown(word) + " は ascii、binary_little_endian、binary_big_endian のどれでもありません。"});
     if (version != "1.0") {
-      return fail("unsupported_version",
-                  {"Only PLY 1.0 is supported, not " + shown(version) + ".",
-                   "PLY 1.0 だけに対応しています(" + shown(version) + " には未対応)。"},
-                  here());
+      return fail("unsupported_version", {"Only PLY 1.0 is supported, not " + shown(version) + ".",
+                                          "PLY 1.0 だけに対応しています(" + shown(version) + " には未対応)。"});
     }
     has_format_ = true;
   }
@@ -203,18 +201,15 @@ class HeaderReader {
     table.name = name;
     std::int64_t count = 0;
     if (table.name.empty() || word.empty() || !read_integer(word, count)) {
-      return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"},
-                  here());
+      return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"});
     }
     if (count < 0) {
       return fail("negative_count",
-                  {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"}, here());
+                  {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"});
     }
     if (!element_names_.insert(name).second) {
-      return fail(
-          "repeated_element",
-          {"The element " + shown(name) + " is announced twice.", "要素 " + shown(name) + " が 2 回宣言されています。"},
-          here());
+      return fail("repeated_element", {"The element " + shown(name) + " is announced twice.",
+                                       "要素 " + shown(name) + " が 2 回宣言されています。"});
     }
     table.kind = table.name == "vertex" ? TableKind::vertices
                  : table.name == "face" ? TableKind::faces
@@ -227,17 +222,15 @@ class HeaderReader {
 
   bool type(std::string_view word, NumberType& type) {
     if (find_number_type(word, type)) return true;
-    fail("unknown_type",
-         {shown(word) + " is not a type of PLY, such as float or int.",
-          shown(word) + " は PLY の型(float や int など)ではありません。"},
-         here());
+    fail("unknown_type", {shown(word) + " is not a type of PLY, such as float or int.",
+                          shown(word) + " は PLY の型(float や int など)ではありません。"});
     return false;
   }
 
   void property(std::string_view rest) {
     if (header_.tables.tables.empty()) {
       return fail("property_without_element",
-                  {"A property stands before the first element.", "最初の要素より前にプロパティがあります。"}, here());
+                  {"A property stands before the first element.", "最初の要素より前にプロパティがあります。"});
     }
     Property property;
     std::string_view word = take_word(rest);
@@ -246,21 +239,20 @@ class HeaderReader {
       if (!type(take_word(rest), property.count_type)) return;
       if (is_real(property.count_type)) {
         return fail("unknown_type",
-                    {"The length of a list must be a whole number.", "リストの長さは整数型でなければなりません。"},
-                    here());
+                    {"The length of a list must be a whole number.", "リストの長さは整数型でなければなりません。"});
       }
       word = take_word(rest);
     }
     if (!type(word, property.type)) return;
     property.name = take_word(rest);
     if (property.name.empty())
-      return fail("missing_name", {"The property has no name.", "プロパティに名前がありません。"}, here());
+      return fail("missing_name", {"The property has no name.", "プロパティに名前がありません。"});
     header_.tables.tables.back().properties.push_back(std::move(property));
   }
 
   void finish() {
     if (!has_format_) {
-      return fail("missing_format", {"The header has no line format.", "ヘッダーに format の行がありません。"}, here());
+      return fail("missing_format", {"The header has no line format.", "ヘッダーに format の行がありません。"});
     }
     for (PropertyTable& table : header_.tables.tables) give_roles(table);
     for (std::size_t i = 0; i < header_.tables.tables.size(); ++i) {
@@ -275,7 +267,7 @@ class HeaderReader {
       }
     }
     if (!header_.find(TableKind::vertices)) {
-      return fail("missing_element", {"The file has no element vertex.", "要素 vertex がありません。"}, here());
+      return fail("missing_element", {"The file has no element vertex.", "要素 vertex がありません。"});
     }
     header_.lines = lines_.count();
     header_.bytes = lines_.next_byte();

@@ -1,15 +1,25 @@
 // `why`: whether an operator is legal, and if not, the reasons and remedies.
+#include <algorithm>
+#include <compare>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "app/cli/edge_sides.h"
+#include "app/cli/console.h"
+#include "app/cli/contract/record.h"
+#include "app/cli/contract/why.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/verdict_report.h"
 #include "app/editor/commands/text/script.h"
+#include "app/editor/texts/remedy_text.h"
+#include "ryosen/document/document.h"
 #include "ryosen/document/outcome.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/ops/all.h"
 #include "ryosen/ops/preview/known_answers.h"
 #include "ryosen/ops/preview/preview.h"
 #include "ryosen/ops/preview/remedy.h"
@@ -17,6 +27,92 @@
 namespace ryosen::cli {
 
 namespace {
+
+// An edge of `why --all` between points a < b; if it is non-manifold or misoriented on points, one of its face sides.
+struct EdgeSide {
+  Vertex a, b;
+  Face face;          // none if the points suffice to name the edge
+  Halfedge halfedge;  // from a to b
+
+  friend auto operator<=>(const EdgeSide&, const EdgeSide&) = default;
+};
+
+// Sorted by smaller point, larger point, face. O(edges log edges), plus the one-rings of points with copies.
+std::vector<EdgeSide> find_edge_sides(const Mesh& mesh) {
+  std::vector<EdgeSide> sides;
+  sides.reserve(mesh.live().edges);
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i))) continue;
+    Halfedge h = halfedge(Edge(i));
+    Vertex a = point(mesh, mesh.from(h)), b = point(mesh, mesh.to(h));
+    if (b < a) {
+      std::swap(a, b);
+      h = twin(h);
+    }
+    if (!is_cut_on_points(mesh, h)) {
+      sides.push_back({a, b, Face(), h});
+      continue;
+    }
+    for (Face f : {mesh.face(h), mesh.face(twin(h))})
+      if (f) sides.push_back({a, b, f, h});
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// "3-7" or "3-7@f5"; reversed: points swapped.
+std::string name_of(const EdgeSide& side, bool reversed = false) {
+  std::string name = std::to_string((reversed ? side.b : side.a).index) + "-";
+  name += std::to_string((reversed ? side.a : side.b).index);
+  if (side.face) name += "@f" + std::to_string(side.face.index);
+  return name;
+}
+
+// The verdict on an operator with reasons, warnings and remedy.
+struct VerdictReport {
+  std::string_view op;
+  std::string edge;       // empty if the operator has none
+  std::string arguments;  // of the operator; for an operator on an edge only that edge
+  Verdict verdict;
+  std::vector<Reason> warnings;
+  std::vector<std::string> remedy;  // if refused; empty if none was found
+  std::optional<Text> quarantined;  // for a quarantined face: replaces the rule's sentence
+};
+
+// One line of JSON. Its remedy is "never" if the bounded search found nothing, whether or not a remedy can exist; the
+// text output distinguishes the two.
+std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
+  Record<why_shape> json;
+  json["op"] = report.op;
+  json["edge"] = report.edge.empty() ? Json() : Json(report.edge);
+  json["legal"] = report.verdict.legal();
+  json["reasons"] = to_json(mesh, report.verdict.reasons);
+  json["warnings"] = to_json(mesh, report.warnings);
+  if (report.quarantined) {
+    json["reasons"][0]["en"] = report.quarantined->en;
+    json["reasons"][0]["ja"] = report.quarantined->ja;
+  }
+  const bool never = !report.verdict.legal() && report.remedy.empty();
+  json["remedy"] = never ? Json("never") : Json(report.remedy);
+  return line_of(json);
+}
+
+std::string to_text(const Mesh& mesh, const VerdictReport& report, const Console& console) {
+  std::string text(report.op);
+  if (!report.arguments.empty()) text += " " + report.arguments;
+  text += report.verdict.legal() ? console.text(": legal\n", "：可能\n") : console.text(": refused\n", "：不可\n");
+  const auto add = [&](const Reason& reason, std::string_view label) {
+    text.append("  ").append(label).append(text_of(reason.rule).id) +=
+        ": " + console.text(report.quarantined.value_or(describe(mesh, reason))) + "\n";
+  };
+  for (const Reason& reason : report.verdict.reasons) add(reason, "");
+  for (const Reason& warning : report.warnings) add(warning, console.text("warning: ", "警告："));
+  if (report.verdict.legal()) return text;
+  text += console.text("  remedy: ", "  対処：");
+  if (report.remedy.empty()) text += console.text(without_remedy(report.verdict));
+  for (std::size_t i = 0; i < report.remedy.size(); ++i) text += (i ? "; " : "") + report.remedy[i];
+  return text + "\n";
+}
 
 // The operator with this id on an edge, without further arguments.
 AnyOp on_edge(const Mesh& mesh, std::string_view id, Halfedge h) {

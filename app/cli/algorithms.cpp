@@ -9,7 +9,7 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
 #include "app/cli/progress_line.h"
-#include "app/cli/repair_report.h"
+#include "app/cli/repair_run.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "app/editor/commands/commands.h"

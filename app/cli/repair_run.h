@@ -1,4 +1,4 @@
-// The repairs of the command `repair`, run as often as the file that is to be written asks for.
+// The repairs of the command `repair`, run as often as the file that is to be written asks for, and their report.
 #pragma once
 
 #include <memory>
@@ -55,5 +55,11 @@ class RepairRun {
   std::pair<std::size_t, std::size_t> boundary_edges_;
   std::vector<Element> loose_;
 };
+
+// The rounds, each kind of finding of which the number is another now, and the loose pieces.
+void print_repair(const RepairRun& run, const Console& console);
+
+// The keys of repairs_keys.
+void add_repair(Record<repair_shape>& json, const RepairRun& run, std::span<const Call> calls);
 
 }  // namespace ryosen::cli

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "app/cli/columns.h"
+#include "app/cli/console.h"
 #include "app/cli/contract/check.h"
-#include "app/cli/visible.h"
 #include "app/editor/commands/expect.h"
 #include "ryosen/analysis/boundary_loops.h"
 #include "ryosen/analysis/surface_name.h"

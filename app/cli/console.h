@@ -5,13 +5,21 @@
 #include <string>
 #include <string_view>
 
+#include "app/cli/console.h"
 #include "ryosen/base/message.h"
+#include "ryosen/base/progress.h"
 #include "ryosen/base/result.h"
 
 namespace ryosen::cli {
 
 // The language of the environment (LC_ALL, LC_MESSAGES, LANG).
 Language language_of_environment();
+
+// Makes text from files and file names safe for a terminal: control characters, those that turn the direction of
+// writing, and bytes that are no UTF-8 become escapes (\x1b, \u202e); line ends and tabs stay.
+std::string visible(std::string_view text);
+// The same for what belongs on one line; there they become escapes too.
+std::string visible_line(std::string_view text);
 
 struct Console {
   Language language = Language::english;
@@ -48,5 +56,8 @@ struct Console {
 
 // A usage error.
 Failure usage_failure(Code code, Text text);
+
+// Shows on stderr, where that is a terminal and not quiet, how far `what` is. Never cancels: signals end the program.
+Progress::Report report_on(const Console& console, std::string what);
 
 }  // namespace ryosen::cli

@@ -1,10 +1,9 @@
 // `distance`: how far two surfaces are from each other.
 #include <array>
 
+#include "app/cli/console.h"
 #include "app/cli/distance_report.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/indexed/from_indexed.h"

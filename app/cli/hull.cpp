@@ -9,7 +9,6 @@
 #include "app/cli/contract/json.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
-#include "app/cli/progress_line.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/write_output.h"
 #include "ryosen/geometry/is_finite.h"

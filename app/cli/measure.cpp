@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "app/cli/columns.h"
+#include "app/cli/console.h"
 #include "app/cli/contract/measure.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"

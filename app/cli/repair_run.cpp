@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/cli/progress_line.h"
+#include "app/cli/console.h"
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/io/formats.h"
 

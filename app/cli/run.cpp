@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/console.h"
 #include "app/cli/last_words.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommand_table.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/io/safe_write.h"

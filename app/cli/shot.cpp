@@ -3,11 +3,11 @@
 
 #include <filesystem>
 
+#include "app/cli/console.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/visible.h"
 #include "app/editor/preferences/user_files.h"
 #include "app/editor/session/session.h"
 #include "ryosen/base/number_text.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/cli/visible.h"
+#include "app/cli/console.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/safe_write.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "app/cli/columns.h"
+#include "app/cli/console.h"
 #include "app/cli/contract/forms.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
-#include "app/cli/progress_line.h"
 #include "app/ui/plot_picture.h"
 #include "app/ui/textbook/growth_plots.h"
 #include "ryosen/textbook/forms/growth/meshes.h"

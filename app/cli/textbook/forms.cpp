@@ -1,11 +1,11 @@
 // `forms`: the representations of the source texts side by side for a mesh.
 #include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
+#include "app/cli/console.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/subcommands.h"
 #include "app/cli/textbook/form_growth.h"
 #include "app/cli/textbook/form_records.h"
-#include "app/cli/visible.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/textbook/forms/comparison.h"

@@ -5,7 +5,6 @@
 #include "app/cli/contract/help.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/exit_codes.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/id_lists.h"
 #include "app/cli/subcommand_table.h"
@@ -56,8 +55,7 @@ std::string help_of_program(const Console& console) {
   text += "\n" + std::string(console.text("Common:", "共通：")) + "\n" + flag_texts(common_flags(), console);
   text += "\n" + std::string(console.text("Exit codes:", "終了コード：")) + "\n";
   Columns codes;
-  for (const ExitCodeText& row : exit_code_texts())
-    codes.add(std::to_string(static_cast<int>(row.code)), console.text(row.en, row.ja));
+  for (const IdEntry& row : list_of(Ids::exit_codes).entries()) codes.add(row.id, console.text(row.text));
   return text + codes.text();
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/cli/exit_codes.h"
+#include "app/cli/id_lists.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/ops/all.h"
 #include "tests/support/app/algorithm_call.h"
@@ -386,7 +386,8 @@ TEST(contract, the_readme_names_every_exit_code) {
   std::istringstream words(readme.substr(begin, end - begin));
   for (std::string word; words >> word;)
     if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) named.insert(std::stoi(word));
-  for (const ryosen::cli::ExitCodeText& row : ryosen::cli::exit_code_texts()) known.insert(static_cast<int>(row.code));
+  const ryosen::cli::IdList& codes = ryosen::cli::list_of(ryosen::cli::Ids::exit_codes);
+  for (const ryosen::cli::IdEntry& row : codes.entries()) known.insert(std::stoi(row.id));
   EXPECT_EQ(named, known);
 }
 

@@ -11,7 +11,6 @@
 #include "app/cli/outputs.h"
 #include "app/cli/repair_run.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/write_output.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/document/repair_call.h"

@@ -3,7 +3,6 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/write_output.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/formats.h"

@@ -8,7 +8,6 @@
 #include "app/cli/outputs.h"
 #include "app/cli/signals.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/write_output.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"
 #include "app/editor/document/file_findings.h"

@@ -10,7 +10,6 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommands.h"
-#include "app/cli/write_output.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/hull/hull_extent.h"
 #include "ryosen/hull/hull_shape.h"

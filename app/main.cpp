@@ -1,7 +1,7 @@
 #include <csignal>
 
 #include "app/cli/run.h"
-#include "app/cli/signals.h"
+#include "app/cli/sudden_end.h"
 #include "ryosen/base/resource_limits.h"
 
 int main(int argc, char** argv) {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "app/cli/contract/json.h"
-#include "app/cli/last_words.h"
+#include "app/cli/sudden_end.h"
 #include "app/editor/texts/message_place.h"
 #include "ryosen/base/uninterrupted.h"
 #include "ryosen/base/utf8.h"

@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "app/cli/last_words.h"
-#include "app/cli/signals.h"
 #include "app/cli/subcommand_table.h"
 #include "app/cli/subcommands.h"
+#include "app/cli/sudden_end.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/io/safe_write.h"

@@ -14,7 +14,7 @@
 #include <sstream>
 
 #include "app/cli/run.h"
-#include "app/cli/signals.h"
+#include "app/cli/sudden_end.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/faults/failing_memory.h"

@@ -17,8 +17,7 @@
 #include <thread>
 
 #include "app/cli/console.h"
-#include "app/cli/last_words.h"
-#include "app/cli/signals.h"
+#include "app/cli/sudden_end.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"

@@ -10,7 +10,7 @@
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
 #include "app/cli/repair_run.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/document/repair_call.h"

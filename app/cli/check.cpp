@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/cli/check_report.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/resource_limits.h"

@@ -2,7 +2,7 @@
 #include "app/cli/contract/convert.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/formats.h"

@@ -3,7 +3,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/distance_report.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/indexed/from_indexed.h"

@@ -11,7 +11,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/ui/fonts.h"
 #include "render/context/context.h"
 

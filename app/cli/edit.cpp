@@ -6,7 +6,7 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/cli/sudden_end.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"

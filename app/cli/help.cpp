@@ -8,7 +8,6 @@
 #include "app/cli/help_topics.h"
 #include "app/cli/id_lists.h"
 #include "app/cli/subcommand_table.h"
-#include "app/cli/subcommands.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/sort_unique.h"

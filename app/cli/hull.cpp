@@ -9,7 +9,7 @@
 #include "app/cli/contract/json.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/hull/hull_extent.h"
 #include "ryosen/hull/hull_shape.h"

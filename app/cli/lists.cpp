@@ -2,7 +2,7 @@
 #include "app/cli/contract/lists.h"
 #include "app/cli/columns.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/preferences/keys.h"
 #include "ryosen/io/formats.h"
 

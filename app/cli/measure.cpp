@@ -7,7 +7,7 @@
 #include "app/cli/console.h"
 #include "app/cli/contract/measure.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"

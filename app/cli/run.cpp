@@ -10,7 +10,6 @@
 
 #include "app/cli/console.h"
 #include "app/cli/subcommand_table.h"
-#include "app/cli/subcommands.h"
 #include "app/cli/sudden_end.h"
 #include "app/editor/commands/text/script.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -6,7 +6,7 @@
 #include "app/cli/console.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/shot_options.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/cli/sudden_end.h"
 #include "app/editor/preferences/user_files.h"
 #include "app/editor/session/session.h"

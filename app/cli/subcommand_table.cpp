@@ -20,7 +20,6 @@
 #include "app/cli/contract/steps.h"
 #include "app/cli/contract/why.h"
 #include "app/cli/help_topics.h"
-#include "app/cli/subcommands.h"
 #include "app/editor/preferences/view_switches.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/scene/view/named_views.h"

@@ -11,6 +11,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/contract/shape.h"
+#include "ryosen/algo/algorithm.h"
 #include "ryosen/base/result.h"
 
 namespace ryosen::cli {
@@ -69,5 +70,15 @@ struct Subcommand {
 std::vector<Subcommand> subcommands();
 std::span<const Flag> common_flags();
 std::optional<Subcommand> find_subcommand(std::string_view id);
+
+// The commands, one file each. Their arguments have been checked against their row of the table.
+using RunCommand = ExitCode(const Arguments& arguments, const Console& console);
+RunCommand check_command, why_command, edit_command, convert_command, view_command, repair_command, shot_command,
+    hull_command, measure_command, steps_command, distance_command, forms_command, practice_command, formats_command,
+    keys_command, doctor_command, help_command, version_command;
+ExitCode algorithm_command(const AlgorithmRow& row, const Arguments& arguments, const Console& console);
+
+// The help of one command, or of the program.
+ExitCode show_help(const std::optional<Subcommand>& command, const Console& console);
 
 }  // namespace ryosen::cli

@@ -1,5 +1,5 @@
 // `view`: the editor's window.
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/window/window.h"
 
 namespace ryosen::cli {

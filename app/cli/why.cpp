@@ -9,7 +9,7 @@
 #include "app/cli/console.h"
 #include "app/cli/contract/record.h"
 #include "app/cli/contract/why.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/texts/remedy_text.h"
 #include "ryosen/document/document.h"

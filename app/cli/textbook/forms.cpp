@@ -3,7 +3,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/cli/textbook/form_growth.h"
 #include "app/cli/textbook/form_records.h"
 #include "ryosen/indexed/from_indexed.h"

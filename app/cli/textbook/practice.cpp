@@ -5,7 +5,7 @@
 
 #include "app/cli/contract/practice.h"
 #include "app/cli/contract/record.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"

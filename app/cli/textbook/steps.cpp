@@ -6,7 +6,7 @@
 #include "app/cli/contract/record.h"
 #include "app/cli/contract/steps.h"
 #include "app/cli/outputs.h"
-#include "app/cli/subcommands.h"
+#include "app/cli/subcommand_table.h"
 #include "app/editor/commands/fly.h"
 #include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/session.h"

@@ -120,7 +120,7 @@ Text whole_sentence(const std::vector<MadeHull>& hulls) {
   return hulls_sentence(hulls.size(), sums.vertices, sums.facets, sums.size);
 }
 
-// What `hull` has made, and how it says so.
+// The hulls that were made, and how the command says so.
 struct HullReport {
   HullReport(std::string file, HullWishes what) : input(std::move(file)), wishes(what) {}
 

@@ -74,48 +74,6 @@ void write_whole(int descriptor, std::string_view bytes) noexcept {
   }
 }
 
-}  // namespace
-
-void prepare_last_words(const Console& console, std::optional<std::string_view> file, bool has_goal) {
-  static PreparedLines& lines = *new PreparedLines;  // for ever: a signal may come at the very end
-  prepared_lines = nullptr;
-  concluding_code = -1;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const LastWordsRow& row = last_words_rows[i];
-    const Message message = failure_of(row).message;
-    PreparedLine& line = lines[i];
-    line.on_stderr = console.shown_line(message, file.value_or(std::string_view()));
-    line.on_stdout.clear();
-    if (!console.json || row.exit_code == ExitCode::done) continue;
-    Json object = error_object(message, file);
-    if (has_goal && row.exit_code == ExitCode::cancelled) object["stopped"] = id_of(Stop::cancelled);
-    line.on_stdout = line_of(object);
-  }
-  prepared_lines = &lines;
-}
-
-ExitCode say_last_words(LastWords words, bool may_print) noexcept {
-  const LastWordsRow& row = last_words_rows[static_cast<std::size_t>(words)];
-  if (const PreparedLines* const lines = prepared_lines) {
-    const PreparedLine& line = (*lines)[static_cast<std::size_t>(words)];
-    if (may_print) write_whole(STDOUT_FILENO, line.on_stdout);
-    write_whole(STDERR_FILENO, line.on_stderr);
-  } else {
-    for (const std::string_view part : {std::string_view("ryosen: error: "), row.en, std::string_view("\n")})
-      write_whole(STDERR_FILENO, part);
-  }
-  return row.exit_code;
-}
-
-void note_conclusion(ExitCode code) noexcept { concluding_code = static_cast<int>(code); }
-
-std::optional<ExitCode> conclusion() noexcept {
-  const int code = concluding_code;
-  return code < 0 ? std::nullopt : std::optional(static_cast<ExitCode>(code));
-}
-
-namespace {
-
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP};
 constexpr suseconds_t patience_us = 80'000;
 
@@ -203,6 +161,44 @@ void end_by_exception() {
 }
 
 }  // namespace
+
+void prepare_last_words(const Console& console, std::optional<std::string_view> file, bool has_goal) {
+  static PreparedLines& lines = *new PreparedLines;  // for ever: a signal may come at the very end
+  prepared_lines = nullptr;
+  concluding_code = -1;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const LastWordsRow& row = last_words_rows[i];
+    const Message message = failure_of(row).message;
+    PreparedLine& line = lines[i];
+    line.on_stderr = console.shown_line(message, file.value_or(std::string_view()));
+    line.on_stdout.clear();
+    if (!console.json || row.exit_code == ExitCode::done) continue;
+    Json object = error_object(message, file);
+    if (has_goal && row.exit_code == ExitCode::cancelled) object["stopped"] = id_of(Stop::cancelled);
+    line.on_stdout = line_of(object);
+  }
+  prepared_lines = &lines;
+}
+
+ExitCode say_last_words(LastWords words, bool may_print) noexcept {
+  const LastWordsRow& row = last_words_rows[static_cast<std::size_t>(words)];
+  if (const PreparedLines* const lines = prepared_lines) {
+    const PreparedLine& line = (*lines)[static_cast<std::size_t>(words)];
+    if (may_print) write_whole(STDOUT_FILENO, line.on_stdout);
+    write_whole(STDERR_FILENO, line.on_stderr);
+  } else {
+    for (const std::string_view part : {std::string_view("ryosen: error: "), row.en, std::string_view("\n")})
+      write_whole(STDERR_FILENO, part);
+  }
+  return row.exit_code;
+}
+
+void note_conclusion(ExitCode code) noexcept { concluding_code = static_cast<int>(code); }
+
+std::optional<ExitCode> conclusion() noexcept {
+  const int code = concluding_code;
+  return code < 0 ? std::nullopt : std::optional(static_cast<ExitCode>(code));
+}
 
 void answer_lack_of_memory() { std::set_terminate(end_by_exception); }
 

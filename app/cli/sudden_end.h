@@ -1,6 +1,6 @@
-// What ends the program at once, and what it says then. That are interrupts, requests to terminate and the end of the
-// terminal (INT, TERM, HUP), and a lack of memory where nothing can be thrown. The sentences are ready before anything
-// begins, since nothing can be composed within a signal handler or without memory.
+// Sudden ends of the program, and what it says then: interrupts, requests to terminate and the end of the terminal
+// (INT, TERM, HUP), and a lack of memory where nothing can be thrown. The sentences are ready before anything begins,
+// since nothing can be composed within a signal handler or without memory.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/contract/algorithms.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen::cli {

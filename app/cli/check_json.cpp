@@ -3,7 +3,7 @@
 
 #include "app/cli/check_report.h"
 #include "app/cli/contract/check.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "ryosen/analysis/boundary_loops.h"
 
 namespace ryosen::cli {

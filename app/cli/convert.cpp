@@ -1,6 +1,6 @@
 // `convert`: writes a mesh in another format, after saying what would be lost.
 #include "app/cli/contract/convert.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "app/cli/columns.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/lists.h"
-#include "app/cli/contract/record.h"
 #include "app/cli/subcommand_table.h"
 #include "app/ui/fonts.h"
 #include "render/context/context.h"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "app/cli/contract/edit.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"

@@ -3,8 +3,8 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/help.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/lists.h"
-#include "app/cli/contract/record.h"
 #include "app/cli/help_topics.h"
 #include "app/cli/id_lists.h"
 #include "app/cli/subcommand_table.h"

@@ -7,7 +7,6 @@
 #include "app/cli/console.h"
 #include "app/cli/contract/hull.h"
 #include "app/cli/contract/json.h"
-#include "app/cli/contract/record.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"
 #include "ryosen/geometry/is_finite.h"

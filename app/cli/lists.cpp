@@ -1,7 +1,7 @@
 // `formats` and `keys`: print the tables of core and editor.
 #include "app/cli/contract/lists.h"
 #include "app/cli/columns.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/preferences/keys.h"
 #include "ryosen/io/formats.h"

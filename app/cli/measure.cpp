@@ -5,8 +5,8 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/measure.h"
-#include "app/cli/contract/record.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/text/script.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/cli/console.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/shot_options.h"
 #include "app/cli/subcommand_table.h"
 #include "app/cli/sudden_end.h"

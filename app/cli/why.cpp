@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/console.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/why.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/contract/distance.h"
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 
 namespace ryosen::cli {
 

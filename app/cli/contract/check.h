@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/contract/json.h"
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 #include "ryosen/analysis/problem_kinds.h"
 
 namespace ryosen::cli {

@@ -1,7 +1,7 @@
 // What `forms` prints.
 #pragma once
 
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 
 namespace ryosen::cli {
 

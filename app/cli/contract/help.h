@@ -1,7 +1,7 @@
 // What `help` prints, this contract included.
 #pragma once
 
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 
 namespace ryosen::cli {
 

@@ -1,7 +1,6 @@
 #include "app/cli/contract/json.h"
 
-#include "app/cli/contract/record.h"
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 #include "ryosen/base/utf8.h"
 #include "ryosen/document/document.h"
 

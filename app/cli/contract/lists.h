@@ -1,7 +1,7 @@
 // What `formats`, `keys`, `doctor` and `--version` print, and the window where it does not open.
 #pragma once
 
-#include "app/cli/contract/shared_shapes.h"
+#include "app/cli/contract/shape.h"
 
 namespace ryosen::cli {
 

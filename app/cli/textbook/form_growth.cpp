@@ -5,7 +5,7 @@
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
 #include "app/cli/contract/forms.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/outputs.h"
 #include "app/ui/plot_picture.h"
 #include "app/ui/textbook/growth_plots.h"

@@ -2,7 +2,7 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/forms.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/editor/textbook/record_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"

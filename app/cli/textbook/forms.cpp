@@ -2,7 +2,7 @@
 #include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/subcommand_table.h"
 #include "app/cli/textbook/form_growth.h"
 #include "app/cli/textbook/form_records.h"

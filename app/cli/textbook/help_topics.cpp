@@ -2,7 +2,7 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/help.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/practice.h"
 #include "app/editor/textbook/text_places.h"

@@ -3,8 +3,8 @@
 
 #include <charconv>
 
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/practice.h"
-#include "app/cli/contract/record.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/indexed/from_indexed.h"

@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "app/cli/columns.h"
-#include "app/cli/contract/record.h"
+#include "app/cli/contract/json.h"
 #include "app/cli/contract/steps.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"

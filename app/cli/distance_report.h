@@ -7,8 +7,8 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
-#include "app/cli/contract/distance.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/measure.h"
 #include "ryosen/analysis/measure/distance.h"
 
 namespace ryosen::cli {

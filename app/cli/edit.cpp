@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/contract/edit.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/operators.h"
 #include "app/cli/edit_script.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "app/cli/columns.h"
-#include "app/cli/contract/help.h"
 #include "app/cli/contract/json.h"
 #include "app/cli/contract/lists.h"
 #include "app/cli/help_topics.h"

@@ -8,7 +8,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/contract/json.h"
-#include "app/cli/contract/why.h"
+#include "app/cli/contract/operators.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/text/script.h"
 #include "app/editor/texts/remedy_text.h"

@@ -1,7 +1,7 @@
 // What `repair` and the subcommands of the algorithms print.
 #pragma once
 
-#include "app/cli/contract/distance.h"
+#include "app/cli/contract/measure.h"
 #include "app/cli/contract/shape.h"
 
 namespace ryosen::cli {

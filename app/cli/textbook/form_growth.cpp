@@ -4,8 +4,8 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
-#include "app/cli/contract/forms.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/textbook.h"
 #include "app/cli/outputs.h"
 #include "app/ui/plot_picture.h"
 #include "app/ui/textbook/growth_plots.h"

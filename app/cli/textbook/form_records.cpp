@@ -1,8 +1,8 @@
 #include "app/cli/textbook/form_records.h"
 
 #include "app/cli/columns.h"
-#include "app/cli/contract/forms.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/textbook.h"
 #include "app/editor/textbook/record_text.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"

@@ -1,8 +1,8 @@
 // `forms`: the representations of the source texts side by side for a mesh.
-#include "app/cli/contract/forms.h"
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/textbook.h"
 #include "app/cli/subcommand_table.h"
 #include "app/cli/textbook/form_growth.h"
 #include "app/cli/textbook/form_records.h"

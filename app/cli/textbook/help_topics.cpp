@@ -1,8 +1,8 @@
 #include "app/cli/help_topics.h"
 
 #include "app/cli/columns.h"
-#include "app/cli/contract/help.h"
 #include "app/cli/contract/json.h"
+#include "app/cli/contract/lists.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/practice.h"
 #include "app/editor/textbook/text_places.h"

@@ -4,7 +4,7 @@
 #include <charconv>
 
 #include "app/cli/contract/json.h"
-#include "app/cli/contract/practice.h"
+#include "app/cli/contract/textbook.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/indexed/from_indexed.h"

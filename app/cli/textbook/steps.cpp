@@ -4,7 +4,7 @@
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/json.h"
-#include "app/cli/contract/steps.h"
+#include "app/cli/contract/textbook.h"
 #include "app/cli/outputs.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/commands/fly.h"

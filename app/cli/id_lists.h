@@ -21,7 +21,7 @@ struct IdEntry {
   const OpLine* line = nullptr;              // of an operator
 };
 
-// Entries from the source texts: textbook/id_lists.cpp
+// Entries from the source texts: textbook/help_topics.cpp
 std::vector<IdEntry> form_entries(), relation_entries(), pairing_entries(), steps_entries(), role_entries();
 
 struct IdList {

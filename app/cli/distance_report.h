@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <vector>
 
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
@@ -33,22 +35,34 @@ void add_figures(Record<shape>& json, const Figures& f, double diagonal) {
 }
 
 // With six digits.
-std::string short_distance(double value);
+inline std::string short_distance(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
 
 // Two rows for each: in the unit of the files, and in percent of the diagonal.
 class DistanceTable {
  public:
-  explicit DistanceTable(const Console& console);
+  explicit DistanceTable(const Console& console) : console_(console) {
+    table_.add({"", "rms", std::string(console.text("mean", "平均")),
+                std::string(console.text("largest <=", "最大 <=")), std::string(console.text("gap", "上界の幅"))});
+  }
 
   template <class Figures>
   void add(const std::string& name, const Figures& f, double diagonal) {
-    add(name, {f.rms, f.mean, f.hausdorff, f.hausdorff_gap}, diagonal);
+    std::vector<std::string> row{name}, shares{std::string(console_.text("  % of the diagonal", "  対角線に対する %"))};
+    for (const double length : {f.rms, f.mean, f.hausdorff, f.hausdorff_gap}) {
+      row.push_back(short_distance(length));
+      shares.push_back(diagonal > 0 ? short_distance(100 * length / diagonal) : "-");
+    }
+    table_.add(row);
+    table_.add(shares);
   }
+
   std::string text() const { return table_.text(); }
 
  private:
-  void add(const std::string& name, const std::array<double, 4>& lengths, double diagonal);
-
   const Console& console_;
   Columns table_{Columns::Others::figures};
 };

@@ -86,8 +86,8 @@ std::string to_json_line(const Mesh& mesh, const VerdictReport& report) {
   json["op"] = report.op;
   json["edge"] = report.edge.empty() ? Json() : Json(report.edge);
   json["legal"] = report.verdict.legal();
-  json["reasons"] = to_json(mesh, report.verdict.reasons);
-  json["warnings"] = to_json(mesh, report.warnings);
+  json["reasons"] = cli::to_json(mesh, report.verdict.reasons);
+  json["warnings"] = cli::to_json(mesh, report.warnings);
   if (report.quarantined) {
     json["reasons"][0]["en"] = report.quarantined->en;
     json["reasons"][0]["ja"] = report.quarantined->ja;

@@ -8,12 +8,15 @@ constexpr PixelFormat window_formats[] = {PixelFormat::rgba8};
 }  // namespace
 
 Result<std::unique_ptr<Canvas>> Canvas::make() {
-  Result<UiPass> ui = UiPass::make();
-  if (!ui) return ui.failure();
-  return std::unique_ptr<Canvas>(new Canvas(std::move(*ui)));
+  std::optional<Failure> failure;
+  std::unique_ptr<Canvas> made(new Canvas(failure));
+  if (failure) return std::move(*failure);
+  return made;
 }
 
-Canvas::Canvas(UiPass ui) : ui_(std::move(ui)), target_("window", window_formats, false) { resize({1, 1}); }
+Canvas::Canvas(std::optional<Failure>& failure) : ui_(failure), target_("window", window_formats, false) {
+  resize({1, 1});
+}
 
 void Canvas::resize(Size size) {
   target_.resize({std::max(size.width, 1), std::max(size.height, 1)});

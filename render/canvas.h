@@ -42,7 +42,7 @@ class Canvas {
   Size size() const { return target_.size(); }
 
  private:
-  explicit Canvas(UiPass ui);
+  explicit Canvas(std::optional<Failure>& failure);
   void draw(const PixelRect& rect, std::span<const Placed> views, const ImDrawData& ui);
 
   UiPass ui_;

@@ -11,31 +11,15 @@ constexpr PixelFormat picture_formats[] = {PixelFormat::rgba8};
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::make() {
-  Result<SurfacePass> surface = SurfacePass::make();
-  if (!surface) return surface.failure();
-  Result<CutPass> cut = CutPass::make();
-  if (!cut) return cut.failure();
-  Result<XrayPass> xray = XrayPass::make();
-  if (!xray) return xray.failure();
-  Result<BackgroundPass> background = BackgroundPass::make();
-  if (!background) return background.failure();
-  Result<GridPass> grid = GridPass::make();
-  if (!grid) return grid.failure();
-  Result<OverlayPass> overlay = OverlayPass::make();
-  if (!overlay) return overlay.failure();
-  Result<ResolvePass> resolve = ResolvePass::make();
-  if (!resolve) return resolve.failure();
-  Result<IdsPass> ids = IdsPass::make();
-  if (!ids) return ids.failure();
-  Result<LabelsPass> labels = LabelsPass::make();
-  if (!labels) return labels.failure();
-  return std::unique_ptr<Renderer>(
-      new Renderer({std::move(*surface), std::move(*cut), std::move(*xray), std::move(*background), std::move(*grid),
-                    std::move(*overlay), std::move(*resolve), std::move(*ids), std::move(*labels)}));
+  std::optional<Failure> failure;
+  std::unique_ptr<Renderer> made(new Renderer(failure));
+  if (failure) return std::move(*failure);
+  return made;
 }
 
-Renderer::Renderer(Passes passes)
-    : passes_(std::move(passes)),
+Renderer::Renderer(std::optional<Failure>& failure)
+    : passes_{SurfacePass(failure), CutPass(failure),     XrayPass(failure), BackgroundPass(failure), GridPass(failure),
+              OverlayPass(failure), ResolvePass(failure), IdsPass(failure),  LabelsPass(failure)},
       overlays_{OverlayBuffer("normals"),  OverlayBuffer("account"),  OverlayBuffer("highlights"),
                 OverlayBuffer("verdicts"), OverlayBuffer("question"), OverlayBuffer("selection"),
                 OverlayBuffer("links"),    OverlayBuffer("measures"), OverlayBuffer("steps"),

@@ -154,7 +154,7 @@ class Renderer {
     LabelsPass labels;
   };
 
-  explicit Renderer(Passes passes);
+  explicit Renderer(std::optional<Failure>& failure);  // of the first shader that is refused
   void all_changed();
   void changed(std::span<const TouchedBox> touched);
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn

@@ -3,6 +3,7 @@
 #include <array>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "render/gl/shader_sources.h"
 
@@ -52,25 +53,24 @@ std::string attach(GLuint program, GLenum stage, const char* name, std::string_v
 
 }  // namespace
 
-Result<Program> Program::make(const char* vertex, const char* fragment, std::string_view defines) {
-  Program program(vertex);
-  const GLuint id = program.object_.id();
-  if (const std::string log = attach(id, GL_VERTEX_SHADER, vertex, defines); !log.empty())
-    return refused_by_driver(vertex, log);
-  if (const std::string log = attach(id, GL_FRAGMENT_SHADER, fragment, defines); !log.empty()) {
-    return refused_by_driver(fragment, log);
-  }
+Program::Program(std::optional<Failure>& failure, const char* vertex, const char* fragment, std::string_view defines)
+    : object_(vertex) {
+  if (failure) return;
+  const GLuint id = object_.id();
+  for (const auto& [stage, name] : {std::pair(GL_VERTEX_SHADER, vertex), std::pair(GL_FRAGMENT_SHADER, fragment)})
+    if (const std::string log = attach(id, stage, name, defines); !log.empty()) {
+      failure = refused_by_driver(name, log);
+      return;
+    }
   glLinkProgram(id);
   GLint linked = 0;
   glGetProgramiv(id, GL_LINK_STATUS, &linked);
-  if (!linked) {
-    std::string log(1000, '\0');
-    GLsizei written = 0;
-    glGetProgramInfoLog(id, static_cast<GLsizei>(log.size()), &written, log.data());
-    log.resize(static_cast<std::size_t>(written));
-    return refused_by_driver(std::string(vertex) + " + " + fragment, log);
-  }
-  return program;
+  if (linked) return;
+  std::string log(1000, '\0');
+  GLsizei written = 0;
+  glGetProgramInfoLog(id, static_cast<GLsizei>(log.size()), &written, log.data());
+  log.resize(static_cast<std::size_t>(written));
+  failure = refused_by_driver(std::string(vertex) + " + " + fragment, log);
 }
 
 }  // namespace ryosen

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include <string_view>
 
@@ -22,9 +23,10 @@ struct ProgramKind {
 // A linked program. Uniforms are set by name after use(); unused names are ignored.
 class Program {
  public:
-  // Compiles `vertex` and `fragment`, file names in shaders/, with `defines` behind the line of their version. Fails
-  // with ExitCode::no_backend and the driver's log.
-  static Result<Program> make(const char* vertex, const char* fragment, std::string_view defines = {});
+  // Compiles `vertex` and `fragment`, file names in shaders/, with `defines` behind the line of their version. Where
+  // the driver refuses that, `failure` is ExitCode::no_backend with its log, and the program of no use. It keeps a
+  // failure that it has already: of several programs the first one that is refused is told.
+  Program(std::optional<Failure>& failure, const char* vertex, const char* fragment, std::string_view defines = {});
 
   void use() const { glUseProgram(object_.id()); }
   void set(const char* name, int value) const { glUniform1i(location(name), value); }
@@ -38,7 +40,6 @@ class Program {
   }
 
  private:
-  explicit Program(const char* label) : object_(label) {}
   GLint location(const char* name) const { return glGetUniformLocation(object_.id(), name); }
 
   GlObject<ProgramKind> object_;

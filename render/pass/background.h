@@ -9,16 +9,14 @@ namespace ryosen {
 
 class BackgroundPass {
  public:
-  static Result<BackgroundPass> make();
+  explicit BackgroundPass(std::optional<Failure>& failure) : program_(failure, "background.vert", "background.frag") {}
 
   // Draws only where the depth buffer is at the far plane.
   void draw(const Frame& frame) const;
 
  private:
-  explicit BackgroundPass(Program program) : program_(std::move(program)), no_attributes_("background") {}
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"background"};
 };
 
 }  // namespace ryosen

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "render/palette.h"
-#include "render/pass/linear.h"
 #include "render/pass/surface.h"
 
 namespace ryosen {
@@ -22,13 +21,7 @@ bool meets(const glm::vec4& plane, const DrawBox& box) {
 
 }  // namespace
 
-Result<CutPass> CutPass::make() {
-  Result<Program> program = Program::make("cut.vert", "cut.frag");
-  if (!program) return program.failure();
-  return CutPass(std::move(*program));
-}
-
-CutPass::CutPass(Program program) : program_(std::move(program)), no_attributes_("cut") {
+CutPass::CutPass(std::optional<Failure>& failure) : program_(failure, "cut.vert", "cut.frag") {
   MeshBuffers::set_units(program_);
 }
 
@@ -40,17 +33,10 @@ void CutPass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<const 
       met.push_back(cluster);
   if (met.empty()) return;
   mesh.bind();
-  program_.use();
-  program_.set("clip_from_buffer", frame.clip_from_buffer);
-  program_.set("pixel_scale", frame.size_scale());
+  use_for(frame, program_);
   program_.set("line_colour", unit(palette(frame.settings.theme).cut));
   glBindVertexArray(no_attributes_.id());
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
+  set_drawing(Blend::over, GL_EQUAL);
   draw_clusters(program_, frame, mesh, met, frame.thinning);
 }
 

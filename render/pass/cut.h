@@ -13,16 +13,14 @@ namespace ryosen {
 
 class CutPass {
  public:
-  static Result<CutPass> make();
+  explicit CutPass(std::optional<Failure>& failure);
 
   // Over the surface of these clusters, which is there already; nothing where the frame is not cut.
   void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters) const;
 
  private:
-  explicit CutPass(Program program);
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"cut"};
 };
 
 }  // namespace ryosen

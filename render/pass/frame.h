@@ -1,10 +1,12 @@
-// The parameters shared by all passes of one frame.
+// The parameters shared by all passes of one frame, and how a pass begins.
 #pragma once
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "render/colour.h"
 #include "render/gl/program.h"
 #include "ryosen/scene/view/size.h"
 #include "ryosen/scene/view/view_settings.h"
@@ -35,10 +37,42 @@ struct Frame {
   float size_scale() const { return pixel_scale * display_scale; }
 };
 
-// Tells a shader, which is in use, the settings that it reads, and where it draws.
-inline void pass_settings(const Program& program, const Frame& frame) {
+// Takes a program into use, and tells it what it reads of the frame and of the settings.
+inline void use_for(const Frame& frame, const Program& program) {
+  program.use();
   program.set("lower_left", glm::vec2(frame.lower_left));
+  program.set("clip_from_buffer", frame.clip_from_buffer);
+  program.set("view_from_buffer", frame.view_from_buffer);
+  program.set("pixel_scale", frame.size_scale());
+  program.set("units_per_pixel", frame.units_per_pixel);
+  program.set("perspective", frame.ortho ? 0.0f : 1.0f);
   frame.settings.for_each([&](const char* name, int value) { program.set(name, value); });
+}
+
+// The ways in which what a pass draws, of premultiplied alpha, is laid over what is there.
+enum class Blend { none, over, add };
+
+// How a pass draws. Without a test of depths none are written.
+inline void set_drawing(Blend blend, GLenum depth_test = GL_NONE, bool writes_depth = false) {
+  const auto enable = [](GLenum what, bool is_on) { is_on ? glEnable(what) : glDisable(what); };
+  enable(GL_BLEND, blend != Blend::none);
+  if (blend != Blend::none) glBlendFunc(GL_ONE, blend == Blend::over ? GL_ONE_MINUS_SRC_ALPHA : GL_ONE);
+  enable(GL_DEPTH_TEST, depth_test != GL_NONE);
+  if (depth_test == GL_NONE) return;
+  glDepthFunc(depth_test);
+  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
+}
+
+inline glm::vec4 unit(Rgba c) {
+  return glm::vec4(static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]),
+                   static_cast<float>(c[3])) /
+         255.0f;
+}
+
+// Linear light with gamma 2 (the shader converts back by a square root): close to the sRGB curve and cheap.
+inline glm::vec4 linear(Rgba c) {
+  const glm::vec4 v = unit(c);
+  return {v.x * v.x, v.y * v.y, v.z * v.z, v.w};
 }
 
 }  // namespace ryosen

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "render/palette.h"
-#include "render/pass/linear.h"
 #include "ryosen/scene/view/round_step.h"
 
 namespace ryosen {
@@ -31,33 +30,20 @@ Ground ground_below(const DrawBox& given, const BufferSpace& space) {
   return ground;
 }
 
-Result<GridPass> GridPass::make() {
-  Result<Program> program = Program::make("grid.vert", "grid.frag");
-  if (!program) return program.failure();
-  return GridPass(std::move(*program));
-}
-
 void GridPass::draw(const Frame& frame, const Ground& ground) const {
   const Palette& colours = palette(frame.settings.theme);
-  program_.use();
-  program_.set("clip_from_buffer", frame.clip_from_buffer);
+  use_for(frame, program_);
   program_.set("middle", glm::vec3(ground.x, ground.height, ground.z));
   program_.set("reach", static_cast<float>(ground.reach));
   program_.set("step_size", static_cast<float>(ground.step_scaled));
   program_.set("line_at_middle", glm::vec2(ground.line_x, ground.line_z));
   // Far from there they are of no use, and too large for single precision.
   program_.set("zero_at_middle", glm::vec2(std::clamp(ground.zero_x, -1e4, 1e4), std::clamp(ground.zero_z, -1e4, 1e4)));
-  program_.set("pixel_scale", frame.size_scale());
   program_.set("line_colour", unit(colours.grid));
   program_.set("x_colour", glm::vec3(unit(colours.axes[0])));
   program_.set("z_colour", glm::vec3(unit(colours.axes[2])));
   glBindVertexArray(no_attributes_.id());
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_FALSE);
+  set_drawing(Blend::over, GL_LEQUAL);
   glEnable(GL_DEPTH_CLAMP);
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   glDisable(GL_DEPTH_CLAMP);

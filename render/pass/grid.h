@@ -24,16 +24,14 @@ Ground ground_below(const DrawBox& bounds, const BufferSpace& space);
 
 class GridPass {
  public:
-  static Result<GridPass> make();
+  explicit GridPass(std::optional<Failure>& failure) : program_(failure, "grid.vert", "grid.frag") {}
 
   // Behind what is nearer, and over the background; from below too. Beyond the far plane as far as it reaches.
   void draw(const Frame& frame, const Ground& ground) const;
 
  private:
-  explicit GridPass(Program program) : program_(std::move(program)), no_attributes_("grid") {}
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"grid"};
 };
 
 }  // namespace ryosen

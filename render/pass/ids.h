@@ -15,17 +15,15 @@ namespace ryosen {
 
 class IdsPass {
  public:
-  static Result<IdsPass> make();
+  explicit IdsPass(std::optional<Failure>& failure);
 
   // Draws into its own framebuffer of the frame's size: image 0 is slot + 1 of the triangle, 0 if none; image 1 is the
   // depth along the view direction in buffer space.
   const Framebuffer& draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters);
 
  private:
-  explicit IdsPass(Program program);
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"ids"};
   Framebuffer target_;
 };
 

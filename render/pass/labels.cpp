@@ -34,12 +34,6 @@ Size label_size(const ImFontAtlas& atlas, const std::string& text) {
   return {static_cast<int>(std::ceil(size.x)) + 2 * ground_px, static_cast<int>(std::ceil(size.y))};
 }
 
-Result<LabelsPass> LabelsPass::make() {
-  Result<UiPass> ui = UiPass::make();
-  if (!ui) return ui.failure();
-  return LabelsPass(std::move(*ui));
-}
-
 void LabelsPass::set_fonts(ImFontAtlas& atlas) {
   ui_.set_fonts(atlas);
   fonts_ = &atlas;

@@ -28,7 +28,7 @@ Size label_size(const ImFontAtlas& atlas, const std::string& text);
 
 class LabelsPass {
  public:
-  static Result<LabelsPass> make();
+  explicit LabelsPass(std::optional<Failure>& failure) : ui_(failure) {}
 
   // Its first font is drawn with, until another one is set; the atlas must live as long.
   void set_fonts(ImFontAtlas& atlas);
@@ -38,8 +38,6 @@ class LabelsPass {
   void draw(const Framebuffer& picture, const PixelRect& rect);
 
  private:
-  explicit LabelsPass(UiPass ui) : ui_(std::move(ui)) {}
-
   UiPass ui_;
   const ImFontAtlas* fonts_ = nullptr;
   std::vector<DrawnLabel> texts_;

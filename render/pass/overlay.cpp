@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "render/palette.h"
-#include "render/pass/linear.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/geometry/is_finite.h"
 
@@ -263,13 +262,7 @@ void OverlayBuffer::forget_places() {
   for_each_group([](const Group& group) { group.is_placed = group.has_placed_elements = false; });
 }
 
-Result<OverlayPass> OverlayPass::make() {
-  Result<Program> program = Program::make("overlay.vert", "overlay.frag");
-  if (!program) return program.failure();
-  return OverlayPass(std::move(*program));
-}
-
-OverlayPass::OverlayPass(Program program) : program_(std::move(program)), no_attributes_("overlay") {
+OverlayPass::OverlayPass(std::optional<Failure>& failure) : program_(failure, "overlay.vert", "overlay.frag") {
   program_.use();
   program_.set("elements", 0);
   program_.set("element_numbers", 1);
@@ -311,14 +304,9 @@ OverlayPass::Selection OverlayPass::select(const Frame& frame, const OverlayBuff
 void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) {
   const Selection selection = select(frame, overlay);
   if (selection.numbers.empty()) return;
-  program_.use();
-  pass_settings(program_, frame);
-  program_.set("view_from_buffer", frame.view_from_buffer);
+  use_for(frame, program_);
   program_.set("clip_from_view", frame.clip_from_view);
   program_.set("size_px", glm::vec2(frame.size.width, frame.size.height));
-  program_.set("pixel_scale", frame.size_scale());
-  program_.set("perspective", frame.ortho ? 0.0f : 1.0f);
-  program_.set("units_per_pixel", frame.units_per_pixel);
   program_.set("near_distance", frame.near_distance);
   program_.set("outline_colour", unit(palette(frame.settings.theme).outline));
   // To switch the clipping off is not enough: llvmpipe goes on with it in the next draw.
@@ -331,13 +319,8 @@ void OverlayPass::draw(const Frame& frame, const OverlayBuffer& overlay, Of of) 
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(6 * first), static_cast<GLsizei>(6 * (end - first)));
   };
   glBindVertexArray(no_attributes_.id());
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glEnable(GL_DEPTH_TEST);
-  glDepthMask(GL_FALSE);
+  set_drawing(Blend::over, GL_GREATER);
   if (selection.behind > 0) {
-    glDepthFunc(GL_GREATER);
     program_.set("hidden_pass", 1.0f);
     issue(0, selection.behind);
   }

@@ -110,7 +110,7 @@ class OverlayBuffer {
 
 class OverlayPass {
  public:
-  static Result<OverlayPass> make();
+  explicit OverlayPass(std::optional<Failure>& failure);
 
   // Draws what can touch the frame's rectangle: first the occluded parts, faintly, then the visible ones. What belongs
   // to the mesh is cut as that is. Where the surface is thinned, so are lines that thin out.
@@ -125,10 +125,8 @@ class OverlayPass {
   };
   static Selection select(const Frame& frame, const OverlayBuffer& overlay);
 
-  explicit OverlayPass(Program program);
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"overlay"};
   NumberLists drawn_;
 };
 

@@ -1,12 +1,8 @@
 #include "render/pass/resolve.h"
 
-namespace ryosen {
+#include "render/pass/frame.h"
 
-Result<ResolvePass> ResolvePass::make() {
-  Result<Program> program = Program::make("resolve.vert", "resolve.frag");
-  if (!program) return program.failure();
-  return ResolvePass(std::move(*program));
-}
+namespace ryosen {
 
 void ResolvePass::draw(const Framebuffer& rendered, int factor, const Framebuffer& target, const PixelRect& rect,
                        glm::ivec2 lower_left) const {
@@ -17,9 +13,7 @@ void ResolvePass::draw(const Framebuffer& rendered, int factor, const Framebuffe
   program_.set("lower_left", lower_left);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, rendered.texture());
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
+  set_drawing(Blend::none);
   glBindVertexArray(no_attributes_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -9,7 +9,7 @@ namespace ryosen {
 
 class ResolvePass {
  public:
-  static Result<ResolvePass> make();
+  explicit ResolvePass(std::optional<Failure>& failure) : program_(failure, "resolve.vert", "resolve.frag") {}
 
   // Fills a rectangle of `target` from `rendered`, which is `factor` times as large in each dimension and holds it from
   // this lower left pixel on.
@@ -17,10 +17,8 @@ class ResolvePass {
             glm::ivec2 lower_left = {0, 0}) const;
 
  private:
-  explicit ResolvePass(Program program) : program_(std::move(program)), no_attributes_("resolve") {}
-
   Program program_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"resolve"};
 };
 
 }  // namespace ryosen

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "render/face_tint.h"
 #include "render/gl/program.h"
@@ -19,7 +20,7 @@ namespace ryosen {
 
 class SurfacePass {
  public:
-  static Result<SurfacePass> make();
+  explicit SurfacePass(std::optional<Failure>& failure);
 
   // Draws these clusters in order into the bound framebuffer.
   void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
@@ -28,16 +29,17 @@ class SurfacePass {
  private:
   // A shader each: a software renderer pays for what is not looked at.
   struct Programs {
-    Program surface;
-    Program painted;
-    Program tint;
-  };
-  using ByShading = std::array<std::optional<Programs>, enum_count<Shading>>;
-  explicit SurfacePass(ByShading programs);
+    Programs(std::optional<Failure>& failure, const std::string& defines);
 
-  ByShading programs_;
-  VertexArray no_attributes_;
+    Program surface, painted, tint;
+  };
+
+  std::array<Programs, enum_count<Shading>> programs_;
+  VertexArray no_attributes_{"surface"};
 };
+
+// Tells a program the tints of faces, by the colours that `convert` makes of theirs.
+void set_tints(const Program& program, std::span<const DrawnTint> tints, glm::vec4 (*convert)(Rgba));
 
 // Issues the triangles of clusters, or every so many-th, in one draw, and tells the shader in use (mesh.glsl); a vertex
 // array must be bound. `thinning` divides the size of a cluster. Of what the frame's plane cuts, what is kept.

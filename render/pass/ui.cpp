@@ -6,15 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "render/pass/frame.h"
+
 namespace ryosen {
 
-Result<UiPass> UiPass::make() {
-  Result<Program> program = Program::make("ui.vert", "ui.frag");
-  if (!program) return program.failure();
-  return UiPass(std::move(*program));
-}
-
-UiPass::UiPass(Program program) : program_(std::move(program)), vertex_array_("ui") {
+UiPass::UiPass(std::optional<Failure>& failure) : program_(failure, "ui.vert", "ui.frag") {
   program_.use();
   program_.set("image", 0);
 }
@@ -35,10 +31,7 @@ void UiPass::set_fonts(ImFontAtlas& atlas) {
 
 void UiPass::draw(const ImDrawData& data, const Framebuffer& target, const PixelRect& rect) {
   target.bind(rect);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
+  set_drawing(Blend::over);
   glActiveTexture(GL_TEXTURE0);
   program_.use();
   program_.set("size_px", glm::vec2(data.DisplaySize.x, data.DisplaySize.y));

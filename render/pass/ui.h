@@ -15,7 +15,7 @@ namespace ryosen {
 // An ImTextureID is the name of an OpenGL texture with premultiplied alpha; the picture of a view can be used as one.
 class UiPass {
  public:
-  static Result<UiPass> make();
+  explicit UiPass(std::optional<Failure>& failure);
 
   // Uploads the glyphs of an atlas to a texture and sets the atlas's texture id. Call it again after adding fonts.
   void set_fonts(ImFontAtlas& atlas);
@@ -24,11 +24,10 @@ class UiPass {
   void draw(const ImDrawData& data, const Framebuffer& target, const PixelRect& rect);
 
  private:
-  explicit UiPass(Program program);
   void draw_list(const ImDrawList& list, const ImDrawData& data, Size size, const PixelRect& rect);
 
   Program program_;
-  VertexArray vertex_array_;
+  VertexArray vertex_array_{"ui"};
   Buffer vertices_{"ui vertices"};
   Buffer indices_{"ui indices"};
   GlObject<TextureKind> fonts_;

@@ -16,17 +16,15 @@ namespace ryosen {
 
 class XrayPass {
  public:
-  static Result<XrayPass> make();
+  explicit XrayPass(std::optional<Failure>& failure);
 
   // Over the background, which is there already.
   void draw(const Frame& frame, const MeshBuffers& mesh, std::span<const std::uint32_t> clusters,
             std::span<const DrawnTint> tints) const;
 
  private:
-  XrayPass(Program plain, Program painted);
-
   Program plain_, painted_;
-  VertexArray no_attributes_;
+  VertexArray no_attributes_{"xray"};
 };
 
 }  // namespace ryosen

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "render/gl/buffer.h"
-#include "render/gl/number_lists.h"
 #include "render/gl/program.h"
 #include "render/screen.h"
 #include "ryosen/analysis/surface_triangles.h"

@@ -1,16 +1,45 @@
-// Growable arrays in GPU memory, as vertex data or as buffer textures that shaders read by index.
+// Growable arrays in GPU memory, as vertex data or as buffer textures that shaders read by index, and lists of numbers.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "render/gl/object.h"
-#include "render/gl/own_memory.h"
 #include "ryosen/base/column_memory.h"
 
 namespace ryosen {
+
+// Memory of this process that a buffer of the driver lies in. A driver that draws with the processor takes a buffer's
+// memory page by page and clears it; here the pages are large ones, and nothing is cleared. It ends behind the buffer,
+// and in its context.
+class OwnMemory {
+ public:
+  OwnMemory() = default;
+  ~OwnMemory() { release(); }
+  OwnMemory(OwnMemory&& other) noexcept
+      : block_(std::exchange(other.block_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
+  OwnMemory& operator=(OwnMemory&& other) noexcept {
+    if (this == &other) return *this;
+    release();
+    block_ = std::exchange(other.block_, nullptr);
+    bytes_ = std::exchange(other.bytes_, 0);
+    return *this;
+  }
+
+  // Gives a new buffer this size; false where the driver does not take such memory, or a small buffer does not need it.
+  bool put_under(GLuint buffer, std::size_t bytes);
+
+ private:
+  void release();
+
+  void* block_ = nullptr;
+  std::size_t bytes_ = 0;
+};
 
 // A growable array of T in GPU memory. Writing costs what is written; growing beyond the capacity copies.
 template <class T>
@@ -112,6 +141,26 @@ class TexelArray {
   GpuArray<T> array_;
   GlObject<BufferTextureKind> texture_;
   GLenum format_;
+};
+
+// Lists of numbers that shaders read, a new one for each draw: which of many things are drawn, all of them at once. So
+// many draws of a few each would cost more than what they draw.
+class NumberLists {
+ public:
+  // Writes a list and binds it, as texels of one number each, to a texture unit.
+  void bind(std::span<const std::uint32_t> numbers, GLuint unit) {
+    TexelArray<std::uint32_t>& list = lists_[next_++ % lists_.size()];
+    glActiveTexture(GL_TEXTURE0 + unit);  // where it grows it is bound to the one that is active
+    list.write(0, numbers);
+    list.bind(unit);
+  }
+
+ private:
+  // One that is still being read would be waited for, so they take turns.
+  std::array<TexelArray<std::uint32_t>, 4> lists_{
+      TexelArray<std::uint32_t>{"numbers", GL_R32UI}, TexelArray<std::uint32_t>{"numbers", GL_R32UI},
+      TexelArray<std::uint32_t>{"numbers", GL_R32UI}, TexelArray<std::uint32_t>{"numbers", GL_R32UI}};
+  std::size_t next_ = 0;
 };
 
 }  // namespace ryosen

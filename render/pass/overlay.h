@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "render/gl/buffer.h"
-#include "render/gl/number_lists.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/overlay.h"

@@ -8,7 +8,9 @@
 namespace ryosen {
 
 // Sets the debug label of an object, if the driver supports it.
-void label_object(GLenum kind, GLuint id, const char* label);
+inline void label_object(GLenum kind, GLuint id, const char* label) {
+  if (GLAD_GL_KHR_debug && glObjectLabel) glObjectLabel(kind, id, -1, label);
+}
 
 // An OpenGL object, or none. Kind provides creation and deletion.
 template <class Kind>
@@ -27,7 +29,6 @@ class GlObject {
   }
 
   GLuint id() const { return id_; }
-  explicit operator bool() const { return id_ != 0; }
 
  private:
   void release() {

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "render/face_tint.h"
 #include "render/hilbert_order.h"
 #include "render/number_runs.h"
 #include "ryosen/base/parallel.h"

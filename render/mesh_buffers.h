@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -11,12 +12,24 @@
 #include <span>
 #include <vector>
 
+#include "render/colour.h"
 #include "render/gl/buffer.h"
 #include "render/gl/program.h"
 #include "render/screen.h"
 #include "ryosen/analysis/surface_triangles.h"
+#include "ryosen/scene/highlights/looks.h"
 
 namespace ryosen {
+
+// A face carries one byte: 0, or the number of its tint from 1 on, or that it is not drawn at all.
+inline constexpr std::uint8_t hidden_face = 255;
+inline constexpr std::size_t most_tints = 32;
+
+struct DrawnTint {
+  Rgba colour{};
+  FaceTint tint{};
+  friend bool operator==(const DrawnTint&, const DrawnTint&) = default;
+};
 
 // One with three equal corners is not drawn, and its face is not read; that of others is below 2^29.
 using DrawnTriangle = SurfaceTriangle;
@@ -31,7 +44,7 @@ struct TriangleSource {
   std::uint32_t triangles = 0;
   // Writes the triangles of these numbers, in their order; asked from several threads.
   std::function<void(std::span<const std::uint32_t> numbers, DrawnTriangle* to)> read;
-  std::span<const std::uint8_t> face_tints;  // see face_tint.h; faces past the end have none
+  std::span<const std::uint8_t> face_tints;  // see hidden_face; faces past the end have none
   // Of the corners of each triangle, see ryosen/scene/view/packed_normal.h. Empty: the surface is not drawn smooth.
   std::span<const std::array<std::uint32_t, 3>> corner_normals = {};
   // What the surface is painted with in place of its own colour: 0xAABBGGRR, 0 for none, of the corners of a triangle,

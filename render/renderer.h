@@ -10,7 +10,6 @@
 
 #include "render/cluster_places.h"
 #include "render/dirty_rects.h"
-#include "render/face_tint.h"
 #include "render/gl/framebuffer.h"
 #include "render/image.h"
 #include "render/mesh_buffers.h"

@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 
-#include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"

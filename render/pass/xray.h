@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 
-#include "render/face_tint.h"
 #include "render/gl/program.h"
 #include "render/mesh_buffers.h"
 #include "render/pass/frame.h"

@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "render/hilbert_order.h"
-#include "render/number_runs.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/prefetch.h"
 
 namespace ryosen {
+
 namespace {
 
 constexpr glm::uvec4 not_drawn(0);
@@ -260,59 +260,6 @@ std::vector<std::uint32_t> MeshBuffers::faces_of_slots() const {
   std::vector<std::uint32_t> faces;
   for (const glm::uvec4& triangle : triangles) faces.push_back(triangle.w >> 3);
   return faces;
-}
-
-void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
-  const std::size_t now = source.positions.size();
-  const std::size_t before = std::min(source_positions_, now);
-  const auto write = [&](std::size_t first, std::size_t count) {
-    gpu_positions_.fill(first, count, [&](glm::vec4* to) {
-      for_each_part(static_cast<std::uint32_t>(count), threads_for(count),
-                    [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-                      for (std::uint32_t i = begin; i < end; ++i)
-                        to[i] = glm::vec4(space_.from_mesh(source.positions[first + i]), 0.0f);
-                    });
-    });
-  };
-  std::vector<std::uint32_t> moved;
-  for (const std::uint32_t vertex : vertices) {
-    if (vertex < before) moved.push_back(vertex);
-  }
-  for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) { write(first, count); });
-  write(before, now - before);
-  source_positions_ = now;
-}
-
-void MeshBuffers::make_room_for_tints(std::size_t faces) {
-  if (faces <= tints_.size()) return;
-  const std::size_t before = tints_.size();
-  tints_.resize(faces, 0);
-  gpu_tints_.write(before, {tints_.data() + before, tints_.size() - before});
-}
-
-std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source,
-                                                    std::span<const std::uint32_t> faces) {
-  const std::size_t now = source.face_tints.size();
-  const std::size_t before = std::min(source_tints_, now), end = std::max(source_tints_, now);
-  if (tints_.size() < end) tints_.resize(end, 0);
-  std::vector<std::uint32_t> written;
-  const auto write = [&](std::uint32_t face, std::uint8_t tint) {
-    if (tints_[face] == tint) return;
-    tints_[face] = tint;
-    written.push_back(face);
-  };
-  for (const std::uint32_t face : faces) {
-    if (face < before) write(face, source.face_tints[face]);
-  }
-  for_runs(written, [&](std::uint32_t first, std::uint32_t count) {
-    gpu_tints_.write(first, {tints_.data() + first, count});
-  });
-  for (std::size_t face = before; face < end; ++face) {
-    write(static_cast<std::uint32_t>(face), face < now ? source.face_tints[face] : std::uint8_t{0});
-  }
-  gpu_tints_.write(before, {tints_.data() + before, end - before});
-  source_tints_ = now;
-  return written;
 }
 
 }  // namespace ryosen

@@ -1,13 +1,30 @@
-// Following changes of the mesh, at the cost of what has changed: the old state is read back from the GPU.
+// Following changes of the mesh, at the cost of what has changed: the old state is read back from the GPU. Positions
+// and tints are written as runs, at first too.
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "render/mesh_buffers.h"
-#include "render/number_runs.h"
+#include "ryosen/base/parallel.h"
 #include "ryosen/base/sort_unique.h"
 
 namespace ryosen {
+
 namespace {
+
+// Calls write(first, count) for runs that cover the numbers; small gaps are included.
+template <class Write>
+void for_runs(std::vector<std::uint32_t> numbers, const Write& write) {
+  constexpr std::uint32_t small_gap = 64;
+  if (!std::is_sorted(numbers.begin(), numbers.end())) std::sort(numbers.begin(), numbers.end());
+  for (std::size_t i = 0; i < numbers.size();) {
+    const std::uint32_t first = numbers[i];
+    std::uint32_t last = first;
+    while (i < numbers.size() && numbers[i] - last <= small_gap) last = numbers[i++];
+    write(first, last - first + 1);
+  }
+}
 
 // Calls visit(number, value) for each of the numbers, as often as it is there, reading few parts of the array.
 template <class T, class Visit>
@@ -116,6 +133,59 @@ void MeshBuffers::add_triangles_of(const TriangleSource& source, std::vector<std
     const std::uint32_t face = source.triangle(i).face;
     if (face < wanted.size() && wanted[face]) triangles.push_back(i);
   }
+}
+
+void MeshBuffers::write_positions(const TriangleSource& source, std::span<const std::uint32_t> vertices) {
+  const std::size_t now = source.positions.size();
+  const std::size_t before = std::min(source_positions_, now);
+  const auto write = [&](std::size_t first, std::size_t count) {
+    gpu_positions_.fill(first, count, [&](glm::vec4* to) {
+      for_each_part(static_cast<std::uint32_t>(count), threads_for(count),
+                    [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+                      for (std::uint32_t i = begin; i < end; ++i)
+                        to[i] = glm::vec4(space_.from_mesh(source.positions[first + i]), 0.0f);
+                    });
+    });
+  };
+  std::vector<std::uint32_t> moved;
+  for (const std::uint32_t vertex : vertices) {
+    if (vertex < before) moved.push_back(vertex);
+  }
+  for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) { write(first, count); });
+  write(before, now - before);
+  source_positions_ = now;
+}
+
+void MeshBuffers::make_room_for_tints(std::size_t faces) {
+  if (faces <= tints_.size()) return;
+  const std::size_t before = tints_.size();
+  tints_.resize(faces, 0);
+  gpu_tints_.write(before, {tints_.data() + before, tints_.size() - before});
+}
+
+std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source,
+                                                    std::span<const std::uint32_t> faces) {
+  const std::size_t now = source.face_tints.size();
+  const std::size_t before = std::min(source_tints_, now), end = std::max(source_tints_, now);
+  if (tints_.size() < end) tints_.resize(end, 0);
+  std::vector<std::uint32_t> written;
+  const auto write = [&](std::uint32_t face, std::uint8_t tint) {
+    if (tints_[face] == tint) return;
+    tints_[face] = tint;
+    written.push_back(face);
+  };
+  for (const std::uint32_t face : faces) {
+    if (face < before) write(face, source.face_tints[face]);
+  }
+  for_runs(written, [&](std::uint32_t first, std::uint32_t count) {
+    gpu_tints_.write(first, {tints_.data() + first, count});
+  });
+  for (std::size_t face = before; face < end; ++face) {
+    write(static_cast<std::uint32_t>(face), face < now ? source.face_tints[face] : std::uint8_t{0});
+  }
+  gpu_tints_.write(before, {tints_.data() + before, end - before});
+  source_tints_ = now;
+  return written;
 }
 
 }  // namespace ryosen

@@ -119,10 +119,8 @@ void Occlusion::read(const DrawTarget& drawn, const PixelRect& rect) {
 
 bool Occlusion::hides(const DrawBox& box, const PixelRect& place, const glm::mat4& clip_from_buffer) const {
   float nearest = 1, farthest = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const glm::vec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                           (i & 4) ? box.max.z : box.min.z, 1.0f);
-    const glm::vec4 clip = clip_from_buffer * corner;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const glm::vec4 clip = clip_from_buffer * glm::vec4(box.corner(i), 1.0f);
     if (!(clip.w > 0 && clip.z >= -clip.w)) return false;
     const float depth = 0.5f * clip.z / clip.w + 0.5f;
     nearest = std::min(nearest, depth);

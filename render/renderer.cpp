@@ -32,10 +32,8 @@ struct DepthRange {
   void add(const DrawBox& box, const glm::dmat4& view) {
     if (box.empty()) return;
     const glm::dvec4 depth_row(view[0][2], view[1][2], view[2][2], view[3][2]);
-    for (unsigned i = 0; i < 8; ++i) {
-      const glm::dvec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                              (i & 4) ? box.max.z : box.min.z, 1.0);
-      const double depth = -glm::dot(depth_row, corner);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const double depth = -glm::dot(depth_row, glm::dvec4(glm::dvec3(box.corner(i)), 1.0));
       nearest = std::min(nearest, depth);
       farthest = std::max(farthest, depth);
     }
@@ -102,43 +100,23 @@ void Renderer::resize(Size size, int supersample) {
   all_changed();
 }
 
-void Renderer::set_settings(const ViewSettings& settings) {
-  if (settings == settings_) return;
-  settings_ = settings;
-  all_changed();
-}
+void Renderer::set_settings(const ViewSettings& settings) { follow(settings, settings_); }
 
 void Renderer::set_display_scale(float scale) {
-  if (scale == display_scale_) return;
-  display_scale_ = scale;
-  for (OverlayBuffer& overlay : overlays_) overlay.set_display_scale(scale);
-  all_changed();
+  if (follow(scale, display_scale_))
+    for (OverlayBuffer& overlay : overlays_) overlay.set_display_scale(scale);
 }
 
-void Renderer::set_clip(const std::optional<ClipPlane>& plane) {
-  if (plane == clip_) return;
-  clip_ = plane;
-  all_changed();
-}
+void Renderer::set_clip(const std::optional<ClipPlane>& plane) { follow(plane, clip_); }
 
-void Renderer::set_transparent(bool transparent) {
-  if (transparent == transparent_) return;
-  transparent_ = transparent;
-  all_changed();
-}
+void Renderer::set_transparent(bool transparent) { follow(transparent, transparent_); }
 
 void Renderer::set_camera(const Camera& camera) {
-  if (camera == camera_) return;
-  camera_ = camera;
-  planes_stale_ = true;
-  all_changed();
+  if (follow(camera, camera_)) planes_stale_ = true;
 }
 
 void Renderer::set_thinning(std::uint32_t thinning) {
-  if (thinning == thinning_) return;
-  thinning_ = thinning;
-  planes_stale_ = true;  // the clusters are placed by it
-  all_changed();
+  if (follow(thinning, thinning_)) planes_stale_ = true;  // the clusters are placed by it
 }
 
 void Renderer::set_tints(std::span<const DrawnTint> tints) {
@@ -200,11 +178,7 @@ void Renderer::follow_camera() {
 }
 
 void Renderer::follow_ground() {
-  if (settings_.ground == GroundGrid::off) return;
-  const Ground ground = ground_below(mesh_.bounds(), mesh_.space());
-  if (ground == ground_) return;
-  ground_ = ground;
-  all_changed();
+  if (settings_.ground == GroundGrid::on) follow(ground_below(mesh_.bounds(), mesh_.space()), ground_);
 }
 
 std::size_t Renderer::triangles_in_view() {

@@ -155,6 +155,14 @@ class Renderer {
 
   explicit Renderer(std::optional<Failure>& failure);  // of the first shader that is refused
   void all_changed();
+  // Takes a value over; where it is another, all is to be redrawn. Whether it is.
+  template <class T>
+  bool follow(const T& value, T& member) {
+    if (value == member) return false;
+    member = value;
+    all_changed();
+    return true;
+  }
   void changed(std::span<const TouchedBox> touched);
   void follow_camera();  // places the planes where they are stale; then all is to be redrawn
   void place_planes();

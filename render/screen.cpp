@@ -37,9 +37,7 @@ PixelRect screen_bounds(std::span<const glm::vec3> points, const glm::mat4& clip
 PixelRect screen_bounds(const DrawBox& box, const glm::mat4& clip_from_mesh, Size view, float reach) {
   if (box.empty()) return {};
   std::array<glm::vec3, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y, (i & 4) ? box.max.z : box.min.z};
-  }
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = box.corner(i);
   return screen_bounds(corners, clip_from_mesh, view, reach);
 }
 

@@ -25,6 +25,10 @@ struct DrawBox {
     max = glm::max(max, b.max);
   }
   bool empty() const { return !(min.x <= max.x); }
+  // One of the eight: a bit of its number for each axis, set where that is at its largest.
+  glm::vec3 corner(std::size_t i) const {
+    return {(i & 1) ? max.x : min.x, (i & 2) ? max.y : min.y, (i & 4) ? max.z : min.z};
+  }
 };
 
 // The bounding rectangle of the projected points, widened by `reach` pixels on each side and clipped to the view. The

@@ -11,11 +11,8 @@ namespace {
 // Whether the plane goes through a box.
 bool meets(const glm::vec4& plane, const DrawBox& box) {
   bool is_kept = false, is_cut_off = false;
-  for (unsigned i = 0; i < 8; ++i) {
-    const glm::vec4 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                           (i & 4) ? box.max.z : box.min.z, 1.0f);
-    (glm::dot(plane, corner) >= 0 ? is_kept : is_cut_off) = true;
-  }
+  for (std::size_t i = 0; i < 8; ++i)
+    (glm::dot(plane, glm::vec4(box.corner(i), 1.0f)) >= 0 ? is_kept : is_cut_off) = true;
   return is_kept && is_cut_off;
 }
 

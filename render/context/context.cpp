@@ -1,6 +1,5 @@
 #include "render/context/context.h"
 
-#include <dlfcn.h>
 #include <malloc.h>
 
 #include <cstdlib>
@@ -41,11 +40,6 @@ void keep_freed_memory() {
 #endif
 }
 
-// Whether the loader says that the file itself is not there, and not one that it needs.
-bool says_absent(std::string_view error, std::string_view name) {
-  return error.starts_with(name) && error.find("No such file") != std::string_view::npos;
-}
-
 bool says_out_of_memory(std::string_view error) {
   for (const char* const words : {"annot allocate memory", "failed to map segment", "cannot map zero-fill pages",
                                   "cannot create shared object descriptor", "out of memory"})
@@ -65,16 +59,6 @@ void spare_resources() {
 
 std::optional<Failure> lack_of_memory_for_context() { return lack_of_memory({"Drawing", "描画"}, context_need); }
 
-LoadedLibrary open_library(std::initializer_list<const char*> names) {
-  LoadedLibrary library;
-  for (const char* name : names) {
-    if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return {handle, name, {}};
-    const char* const error = dlerror();
-    if (library.error.empty() && error && !says_absent(error, name)) library.error = error;
-  }
-  return library;
-}
-
 void explain(Attempt& attempt, const LoadedLibrary& library, const std::string& what) {
   attempt.lacks_memory = says_out_of_memory(library.error);
   if (library.error.empty())
@@ -87,8 +71,6 @@ void explain(Attempt& attempt, const LoadedLibrary& library, const std::string& 
     attempt.problem = {"the library " + what + " cannot be loaded (" + library.error + ")",
                        "ライブラリ " + what + " を読み込めません（" + library.error + "）"};
 }
-
-void* find_symbol(const LoadedLibrary& library, const char* name) { return dlsym(library.handle, name); }
 
 Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
   spare_resources();

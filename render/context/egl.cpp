@@ -12,36 +12,30 @@ namespace {
 
 struct EglLibrary {
   LoadedLibrary file = open_library({"libEGL.so.1", "libEGL.so"});
-  decltype(&eglGetProcAddress) get_proc_address = nullptr;
+  decltype(&eglGetProcAddress) get_proc_address = file.find("eglGetProcAddress");
 
-  EglLibrary() {
-    if (file.handle) get_proc_address = find_function<decltype(&eglGetProcAddress)>(file, "eglGetProcAddress");
-  }
   // EGL's own functions come from the library; extensions and client functions from eglGetProcAddress.
-  template <class Function>
-  Function function(const char* name) const {
-    if (void* symbol = find_symbol(file, name)) return reinterpret_cast<Function>(symbol);
-    return reinterpret_cast<Function>(get_proc_address(name));
+  LoadedFunction find(const char* name) {
+    const LoadedFunction own = file.find(name);
+    return own.address ? own : LoadedFunction{reinterpret_cast<void*>(get_proc_address(name))};
   }
 };
 
-const EglLibrary& egl_library() {
-  static const EglLibrary loaded;
+EglLibrary& egl_library() {
+  static EglLibrary loaded;
   return loaded;
 }
 
 struct Functions {
-  decltype(&eglQueryString) query_string = egl_library().function<decltype(&eglQueryString)>("eglQueryString");
-  decltype(&eglInitialize) initialize = egl_library().function<decltype(&eglInitialize)>("eglInitialize");
-  decltype(&eglBindAPI) bind_api = egl_library().function<decltype(&eglBindAPI)>("eglBindAPI");
-  decltype(&eglChooseConfig) choose_config = egl_library().function<decltype(&eglChooseConfig)>("eglChooseConfig");
-  decltype(&eglCreateContext) create_context = egl_library().function<decltype(&eglCreateContext)>("eglCreateContext");
-  decltype(&eglDestroyContext) destroy_context =
-      egl_library().function<decltype(&eglDestroyContext)>("eglDestroyContext");
-  decltype(&eglMakeCurrent) make_current = egl_library().function<decltype(&eglMakeCurrent)>("eglMakeCurrent");
-  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display =
-      egl_library().function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-  PFNEGLQUERYDEVICESEXTPROC query_devices = egl_library().function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+  decltype(&eglQueryString) query_string = egl_library().find("eglQueryString");
+  decltype(&eglInitialize) initialize = egl_library().find("eglInitialize");
+  decltype(&eglBindAPI) bind_api = egl_library().find("eglBindAPI");
+  decltype(&eglChooseConfig) choose_config = egl_library().find("eglChooseConfig");
+  decltype(&eglCreateContext) create_context = egl_library().find("eglCreateContext");
+  decltype(&eglDestroyContext) destroy_context = egl_library().find("eglDestroyContext");
+  decltype(&eglMakeCurrent) make_current = egl_library().find("eglMakeCurrent");
+  PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display = egl_library().find("eglGetPlatformDisplayEXT");
+  PFNEGLQUERYDEVICESEXTPROC query_devices = egl_library().find("eglQueryDevicesEXT");
 };
 
 const Functions& functions() {

@@ -9,26 +9,12 @@
 namespace ryosen {
 namespace {
 
-using GetProcAddress = decltype(&OSMesaGetProcAddress);
-using CreateContextAttribs = decltype(&OSMesaCreateContextAttribs);
-using MakeCurrent = decltype(&OSMesaMakeCurrent);
-using DestroyContext = decltype(&OSMesaDestroyContext);
-
 struct OsmesaLibrary {
   LoadedLibrary file = open_library({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-  GetProcAddress get_proc_address = nullptr;
-  CreateContextAttribs create_context_attribs = nullptr;
-  MakeCurrent make_current = nullptr;
-  DestroyContext destroy_context = nullptr;
-
-  OsmesaLibrary() {
-    if (!file.handle) return;
-    get_proc_address = find_function<GetProcAddress>(file, "OSMesaGetProcAddress");
-    create_context_attribs = find_function<CreateContextAttribs>(file, "OSMesaCreateContextAttribs");
-    make_current = find_function<MakeCurrent>(file, "OSMesaMakeCurrent");
-    destroy_context = find_function<DestroyContext>(file, "OSMesaDestroyContext");
-  }
-  bool complete() const { return get_proc_address && create_context_attribs && make_current && destroy_context; }
+  decltype(&OSMesaGetProcAddress) get_proc_address = file.find("OSMesaGetProcAddress");
+  decltype(&OSMesaCreateContextAttribs) create_context_attribs = file.find("OSMesaCreateContextAttribs");
+  decltype(&OSMesaMakeCurrent) make_current = file.find("OSMesaMakeCurrent");
+  decltype(&OSMesaDestroyContext) destroy_context = file.find("OSMesaDestroyContext");
 };
 
 const OsmesaLibrary& osmesa_library() {
@@ -72,7 +58,7 @@ Attempt make_osmesa_context() {
                             3,
                             0};
   OSMesaContext handle =
-      osmesa_library().complete() ? osmesa_library().create_context_attribs(attributes, nullptr) : nullptr;
+      osmesa_library().file.lacks ? nullptr : osmesa_library().create_context_attribs(attributes, nullptr);
   std::unique_ptr<Context> context;
   if (handle) context = std::make_unique<OsmesaContext>(handle);
   if (context && context->make_current()) {

@@ -1,15 +1,148 @@
 #include "app/window/glfw_window.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
-#include "app/window/lost_window_manager.h"
-#include "app/window/window_keys.h"
 #include "render/gl/api.h"
 
 namespace ryosen {
 
 namespace {
+
+// The part of Xlib.h that is used. The library is loaded, as GLFW loads it: the program is built without its package,
+// and runs where it is missing.
+struct Display;
+using Window = unsigned long;
+using Atom = unsigned long;
+using OnError = int (*)(Display*, void* event);
+constexpr Atom type_window = 33;  // XA_WINDOW
+
+struct Xlib {
+  LoadedLibrary library = open_library({"libX11.so.6"});
+  Display* (*open_display)(const char* name) = library.find("XOpenDisplay");
+  int (*close_display)(Display*) = library.find("XCloseDisplay");
+  Window (*default_root_window)(Display*) = library.find("XDefaultRootWindow");
+  Atom (*intern_atom)(Display*, const char* name, int only_if_there) = library.find("XInternAtom");
+  int (*get_window_property)(Display*, Window, Atom, long offset, long length, int deletes, Atom type, Atom* its_type,
+                             int* format, unsigned long* items, unsigned long* bytes_left,
+                             unsigned char** value) = library.find("XGetWindowProperty");
+  int (*delete_property)(Display*, Window, Atom) = library.find("XDeleteProperty");
+  int (*grab_server)(Display*) = library.find("XGrabServer");
+  int (*ungrab_server)(Display*) = library.find("XUngrabServer");
+  int (*sync)(Display*, int drops_events) = library.find("XSync");
+  int (*free)(void*) = library.find("XFree");
+  OnError (*set_error_handler)(OnError) = library.find("XSetErrorHandler");
+};
+
+// The window that a property names; none where there is no such window, property or value.
+std::optional<Window> named_window(const Xlib& x, Display* display, Window at, Atom property) {
+  Atom type = 0;
+  int format = 0;
+  unsigned long items = 0, bytes_left = 0;
+  unsigned char* value = nullptr;
+  const int status =
+      x.get_window_property(display, at, property, 0, 1, 0, type_window, &type, &format, &items, &bytes_left, &value);
+  std::optional<Window> named;
+  if (status == 0 && items > 0 && value) named = *reinterpret_cast<const Window*>(value);
+  if (value) x.free(value);
+  return named;
+}
+
+// Work-around for GLFW up to 3.4, which aborts at the first window where a window manager has ended without taking its
+// property away (glfw issue 2601).
+//
+// Deletes the property _NET_SUPPORTING_WM_CHECK of the display's root where the window that it names is gone or does
+// not have that property itself: no window manager runs there that could be asked. That of a running one stays. Does
+// nothing without a display. Call it before glfwInit().
+void forget_lost_window_manager() {
+  const Xlib x;
+  Display* const display = x.library.lacks ? nullptr : x.open_display(nullptr);
+  if (!display) return;
+  const OnError before = x.set_error_handler([](Display*, void*) { return 0; });  // the window may be gone
+  x.grab_server(display);                                                         // no window manager begins meanwhile
+  const Window root = x.default_root_window(display);
+  const Atom property = x.intern_atom(display, "_NET_SUPPORTING_WM_CHECK", 1);
+  const std::optional<Window> check = property != 0 ? named_window(x, display, root, property) : std::nullopt;
+  if (check && !named_window(x, display, *check, property)) x.delete_property(display, root, property);
+  x.ungrab_server(display);
+  x.sync(display, 0);
+  x.set_error_handler(before);
+  x.close_display(display);
+}
+
+// By its place on a US keyboard.
+std::string name_of_key(int key) {
+  if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9))
+    return std::string(1, static_cast<char>(key));
+  if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return "Numpad" + std::to_string(key - GLFW_KEY_KP_0);
+  constexpr std::pair<int, const char*> others[] = {
+      {GLFW_KEY_ESCAPE, "Escape"},
+      {GLFW_KEY_LEFT, "Left"},
+      {GLFW_KEY_RIGHT, "Right"},
+      {GLFW_KEY_UP, "Up"},
+      {GLFW_KEY_DOWN, "Down"},
+      {GLFW_KEY_HOME, "Home"},
+      {GLFW_KEY_END, "End"},
+      {GLFW_KEY_PAGE_UP, "PageUp"},
+      {GLFW_KEY_PAGE_DOWN, "PageDown"},
+      {GLFW_KEY_TAB, "Tab"},
+      {GLFW_KEY_SPACE, "Space"},
+      {GLFW_KEY_DELETE, "Delete"},
+      {GLFW_KEY_BACKSPACE, "Backspace"},
+      {GLFW_KEY_ENTER, "Enter"},
+      {GLFW_KEY_KP_ENTER, "Enter"},
+      {GLFW_KEY_PERIOD, "."},
+      {GLFW_KEY_KP_DECIMAL, "."},
+      {GLFW_KEY_KP_ADD, "+"},
+      {GLFW_KEY_EQUAL, "+"},
+      {GLFW_KEY_KP_SUBTRACT, "-"},
+      {GLFW_KEY_MINUS, "-"},
+  };
+  const auto found =
+      std::find_if(std::begin(others), std::end(others), [&](const auto& row) { return row.first == key; });
+  return found == std::end(others) ? "" : found->second;
+}
+
+bool is_on_numpad(int key) { return key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL; }
+
+// What is printed there, where keys are called so.
+std::string name_printed(const char* printed) {
+  const char c = printed && printed[0] != '\0' && printed[1] == '\0' ? printed[0] : '\0';
+  if (c >= 'a' && c <= 'z') return std::string(1, static_cast<char>(c - 'a' + 'A'));
+  if (c == '=') return "+";
+  return c == '+' || c == '-' || c == '.' ? std::string(1, c) : std::string();
+}
+
+// The names in the key table of a GLFW key: "Ctrl+Shift+Z", "Numpad1", ".", "+"; empty for an unnamed key. `printed` is
+// what the user's layout writes there, or null: letters and signs follow it, a letter of another alphabet is that of
+// the same place on a US keyboard. A sign that takes Shift is the sign alone.
+std::string chord_of_glfw(int key, int modifiers, const char* printed) {
+  // The right one writes letters on some keyboards.
+  if (key == GLFW_KEY_LEFT_ALT) return (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT)) == 0 ? "Alt" : "";
+  std::string name = is_on_numpad(key) ? std::string() : name_printed(printed);
+  if (name.empty()) name = name_of_key(key);
+  if (name.empty()) return {};
+  std::string chord;
+  if ((modifiers & GLFW_MOD_CONTROL) != 0) chord += "Ctrl+";
+  if ((modifiers & GLFW_MOD_ALT) != 0) chord += "Alt+";
+  if ((modifiers & GLFW_MOD_SHIFT) != 0 && name != "+") chord += "Shift+";
+  return chord + name;
+}
+
+struct CursorRow {
+  PointerShape shape;
+  int glfw;
+};
+constexpr CursorRow cursors[] = {
+    {PointerShape::arrow, GLFW_ARROW_CURSOR},
+    {PointerShape::text, GLFW_IBEAM_CURSOR},
+    {PointerShape::hand, GLFW_HAND_CURSOR},
+    {PointerShape::sideways, GLFW_HRESIZE_CURSOR},
+};
+static_assert(rows_are_in_order(cursors, &CursorRow::shape));
 
 Failure no_window(std::string cause) {
   if (cause.empty()) cause = "no display";
@@ -167,6 +300,14 @@ void GlfwWindow::set_callbacks() {
   glfw().set_drop_callback(w, [](GLFWwindow* x, int count, const char** paths) {
     if (count > 0) of(x).note({.kind = Kind::dropped, .path = paths[0]});
   });
+}
+
+void GlfwWindow::show_pointer(PointerShape shape) {
+  if (shape == shown_pointer_) return;
+  shown_pointer_ = shape;
+  GLFWcursor*& cursor = cursors_[static_cast<std::size_t>(shape)];
+  if (!cursor) cursor = glfw().create_standard_cursor(cursors[static_cast<std::size_t>(shape)].glfw);
+  glfw().set_cursor(handle_, cursor);  // null, where it cannot be made: the usual one
 }
 
 }  // namespace ryosen

@@ -1,13 +1,18 @@
 // GLFW and one window with its OpenGL 3.3 context.
 #pragma once
 
+#include <array>
 #include <deque>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "app/editor/input/input.h"
+#include "app/ui/gui.h"
 #include "app/window/glfw.h"
-#include "app/window/window_event.h"
+#include "ryosen/base/enum_table.h"
 #include "ryosen/base/result.h"
 #include "ryosen/scene/view/size.h"
 
@@ -15,6 +20,21 @@ namespace ryosen {
 
 // Those of a library that is loaded.
 const Glfw& glfw();
+
+// What happened to a window, as it was when it happened.
+struct WindowEvent {
+  enum class Kind { resized, focused, unfocused, close_asked, moved, left, button, wheel, key, character, dropped };
+  enum class Way { down, again, up };
+
+  Kind kind;
+  Pointer at = {};  // where the pointer was by then, and what was held down
+  MouseButton button = MouseButton::left;
+  Way way = Way::down;  // of a button or a key
+  double steps = 0;     // of the wheel
+  std::string chord = {};
+  unsigned character = 0;
+  std::filesystem::path path = {};
+};
 
 // The context is current on the thread that made the window. What happens to the window waits until it is taken: GLFW's
 // callbacks only note it, since what an event asks for may be long and wants to show its progress, which no callback
@@ -30,6 +50,8 @@ class GlfwWindow {
   GLFWwindow* handle() const { return handle_; }
   Size size() const;
   float scale() const;
+  // The shape of the pointer over it.
+  void show_pointer(PointerShape shape);
   // Another window was before it: what it showed is to be shown again. Once.
   bool take_exposure();
   // The first event that has not been taken yet; in the order in which they came in.
@@ -55,6 +77,8 @@ class GlfwWindow {
   glm::dvec2 pointer_px_{0};
   std::deque<WindowEvent> events_;
   bool is_up_ = false, is_exposed_ = true;
+  PointerShape shown_pointer_ = PointerShape::arrow;
+  std::array<GLFWcursor*, enum_count<PointerShape>> cursors_{};  // those made so far, which go with GLFW
 };
 
 }  // namespace ryosen

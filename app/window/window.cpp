@@ -18,7 +18,6 @@
 #include "app/window/frame_log.h"
 #include "app/window/glfw_window.h"
 #include "app/window/opening.h"
-#include "app/window/window_cursor.h"
 #include "render/canvas.h"
 #include "render/context/context.h"
 #include "render/gl/api.h"
@@ -296,7 +295,7 @@ class Editor {
     viewport_->follow(session_);
     const std::int64_t pixels = draw(start);
     show_title();
-    cursor_.show(window_.handle(), gui_.pointer_shape());
+    window_.show_pointer(gui_.pointer_shape());
     const bool is_exposed = window_.take_exposure();
     if (pixels == 0 && !is_exposed) return;
     canvas_->present(0);
@@ -353,7 +352,6 @@ class Editor {
   Autosave autosave_{recovery_folder()};
   std::vector<std::unique_ptr<Opening>> given_up_;  // that were read
   std::string title_;
-  WindowCursor cursor_;
   FrameLog log_;
   bool is_working_ = false, is_cancelled_ = false;
   std::vector<std::string> let_go_at_work_;  // keys

@@ -49,7 +49,7 @@ void add_result(Record<shape>& json, const Call& call, const Mesh& mesh) {
   json["left"] = call.result.left;
   json["left_for"] = Json::array();
   for (const LeftForReason& left : call.result.left_for) json["left_for"].push_back(reason_json(left, mesh));
-  json["crossings"] = call.result.crossings ? Json(*call.result.crossings) : Json();
+  json["crossings"] = or_null(call.result.crossings);
   json["solves"] = Json::array();
   for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);
   json.put(call.result.text);

@@ -150,7 +150,7 @@ class AlgorithmRun {
                                                : row.rule == EdgeRule::free ? after_.figures.edges
                                                                             : 0;
     }
-    json["error_max"] = goal_report()->error_max ? Json(*goal_report()->error_max) : Json();
+    json["error_max"] = or_null(goal_report()->error_max);
     json["distance"] = Json();
     if (!distance_) return;
     Record<result_distance_shape> distance;

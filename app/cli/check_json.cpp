@@ -10,17 +10,12 @@ namespace ryosen::cli {
 
 namespace {
 
-template <class T>
-Json or_null(const T& value) {
-  return value;
-}
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
 template <auto member>
 Json figure(const CheckReport& report) {
-  return or_null(report.figures.*member);
+  if constexpr (requires { or_null(report.figures.*member); })
+    return or_null(report.figures.*member);
+  else
+    return report.figures.*member;
 }
 template <auto member>
 Json beside(const CheckReport& report) {
@@ -32,17 +27,9 @@ Json bounds(const CheckReport& report) {
   return box ? Json::array({to_json((*box)[0]), to_json((*box)[1])}) : Json();
 }
 
-Json sentence(const Text& text) {
-  Record<sentence_shape> json;
-  json.put(text);
-  return std::move(json).json();
-}
+Json kind_reason(const CheckReport& report) { return to_json(report.kind.reason); }
 
-Json kind_reason(const CheckReport& report) { return sentence(report.kind.reason); }
-
-Json open_boundary(const CheckReport& report) {
-  return report.figures.open_boundary ? sentence(no_loop_count) : Json();
-}
+Json open_boundary(const CheckReport& report) { return report.figures.open_boundary ? to_json(no_loop_count) : Json(); }
 
 // Without the names and the pairs; empty arrays are the placeholders.
 Json without_names(const Problem& problem) {

@@ -202,7 +202,7 @@ class EditRun {
     const Totals& now = last.totals;
     Record<edit_shape> json;
     json["file"] = files_.input.empty() ? Json() : Json(files_.input);
-    json["output"] = written_ ? Json(*written_) : Json();
+    json["output"] = or_null(written_);
     json["status"] = code_ == ExitCode::done && output_.losses.empty() ? "ok" : may_write() ? "warnings" : "error";
     json["vertices"] = now.vertices;
     json["edges"] = now.edges;

@@ -141,8 +141,8 @@ class Shot {
     json["status"] = code_ == ExitCode::done ? "ok" : "error";
     json["size"] = {options_.picture.size.width, options_.picture.size.height};
     json["backend"] = headless_.backend();
-    json["reference"] = options_.reference ? Json(*options_.reference) : Json();
-    json["different_percent"] = percent_ ? Json(*percent_) : Json();
+    json["reference"] = or_null(options_.reference);
+    json["different_percent"] = or_null(percent_);
     json["messages"] = cli::to_json(messages_);
     console_.conclude(line_of(json), code_);
     return code_;

@@ -77,6 +77,12 @@ std::string line_of(const Json& json) {
 
 Json to_json(const glm::dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
+Json to_json(const Text& text) {
+  Record<sentence_shape> json;
+  json.put(text);
+  return std::move(json).json();
+}
+
 Json to_json(const Message& message) {
   Record<message_shape> json;
   json["severity"] = message.severity == Severity::error ? "error" : "warning";

@@ -23,7 +23,14 @@ using Json = nlohmann::ordered_json;
 // unpaired surrogate, so that different names stay different; Python reads it and os.fsencode restores the byte.
 std::string line_of(const Json& json);
 
+// The value, or null where there is none.
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
 Json to_json(const glm::dvec3& p);
+// A sentence or name in both languages, by sentence_shape.
+Json to_json(const Text& text);
 Json to_json(const Message& message);
 // Without those of severity info.
 Json to_json(const std::vector<Message>& messages);

@@ -21,8 +21,6 @@ using forms::GrowthPoint;
 using forms::GrowthRow;
 using forms::RelationRow;
 
-Json slope_or_null(const std::optional<double>& slope) { return slope ? Json(*slope) : Json(); }
-
 Json to_json(const GrowthPoint& point) {
   Record<growth_point_shape> json;
   json["faces"] = point.faces;
@@ -38,13 +36,11 @@ std::string json_line_of(const GrowthCurve& curve) {
   json["id"] = curve.id;
   json["relation"] = curve.relation ? Json(forms::relations()[static_cast<std::size_t>(*curve.relation)].id) : Json();
   json.put(curve.en, curve.ja);
-  Record<sentence_shape> counted;
-  counted.put(row.counted_en, row.counted_ja);
-  json["counted"] = std::move(counted).json();
+  json["counted"] = cli::to_json(Text{std::string(row.counted_en), std::string(row.counted_ja)});
   json["points"] = Json::array();
   for (const GrowthPoint& point : curve.points) json["points"].push_back(to_json(point));
-  json["slope"] = slope_or_null(slope_of_count(curve));
-  json["time_slope"] = slope_or_null(slope_of_time(curve));
+  json["slope"] = or_null(slope_of_count(curve));
+  json["time_slope"] = or_null(slope_of_time(curve));
   return line_of(json);
 }
 

@@ -37,12 +37,7 @@ std::string json_line_of(const Records& records, Element element, const ElementR
   json["form"] = records.row().id;
   json["element"] = slot_name(element);
   json["fields"] = record.none ? Json() : Json::object();
-  json["none"] = Json();
-  if (record.none) {
-    Record<sentence_shape> sentence;
-    sentence.put(*record.none);
-    json["none"] = std::move(sentence).json();
-  }
+  json["none"] = record.none ? cli::to_json(*record.none) : Json();
   json["words"] = Json::object();
   json["stored"] = Json::object();
   for (const Field& field : record.fields) {

@@ -23,24 +23,16 @@ std::optional<double> bytes_per_face(const FormFigures& figures, std::uint32_t f
   return static_cast<double>(figures.bytes) / faces;
 }
 
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-Json sentence(std::string_view en, std::string_view ja) {
-  Record<sentence_shape> json;
-  json.put(en, ja);
-  return std::move(json).json();
-}
-
 Json to_json(const FormFigures& figures, std::uint32_t faces) {
   const bool suits = !figures.unsuitable;
   Record<form_shape> json;
   json["form"] = figures.row->id;
   json.put(figures.row->en, figures.row->ja);
-  json["source"] = sentence(figures.row->source_en, figures.row->source_ja);
+  json["source"] = cli::to_json(Text{std::string(figures.row->source_en), std::string(figures.row->source_ja)});
   json["suitable"] = suits;
-  json["reason"] = suits ? Json() : sentence(figures.unsuitable->en, figures.unsuitable->ja);
+  json["reason"] = suits ? Json() : cli::to_json(*figures.unsuitable);
   json["bytes"] = suits ? Json(figures.bytes) : Json();
-  json["bytes_per_face"] = number_or_null(bytes_per_face(figures, faces));
+  json["bytes_per_face"] = or_null(bytes_per_face(figures, faces));
   json["build_ms"] = suits ? Json(1e3 * figures.build_seconds) : Json();
   json["query_ns"] = Json::object();
   for (const forms::RelationRow& relation : forms::relations()) {

@@ -75,12 +75,9 @@ void show_text_places(const Console& console) {
     if (console.json) {
       Record<text_place_shape> json;
       json["text"] = place.text;
-      Record<sentence_shape> name, where;
-      name.put(place.place_en, place.place_ja);
-      where.put(place.where_en, place.where_ja);
-      json["place"] = std::move(name).json();
+      json["place"] = cli::to_json(Text{std::string(place.place_en), std::string(place.place_ja)});
       json["commands"] = place.lines.empty() ? Json() : Json(place.lines);
-      json["where"] = std::move(where).json();
+      json["where"] = cli::to_json(Text{std::string(place.where_en), std::string(place.where_ja)});
       console.print(line_of(json));
       continue;
     }

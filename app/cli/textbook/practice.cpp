@@ -52,11 +52,6 @@ Result<Mesh> mesh_at(const std::string& path, const Console& console) {
 std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question& question, const Solution& solution,
                          const std::string* given) {
   const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
-  const auto sentence = [](const Text& text) {
-    Record<sentence_shape> record;
-    record.put(text);
-    return std::move(record).json();
-  };
   Record<practice_shape> json;
   json["seed"] = seed;
   json["kind"] = question_kinds()[static_cast<std::size_t>(question.kind)].id;
@@ -65,9 +60,9 @@ std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question&
   json["form"] = or_null(question.form);
   json["field"] = or_null(question.field);
   json["command"] = or_null(question.line);
-  json["question"] = sentence(question.asks);
+  json["question"] = to_json(question.asks);
   json["answers"] = solution.answers;
-  json["why"] = sentence(solution.why);
+  json["why"] = to_json(solution.why);
   json["witnesses"] = Json::array();
   for (const Element& witness : solution.witnesses) json["witnesses"].push_back(slot_name(witness));
   json["given"] = given ? Json(*given) : Json();

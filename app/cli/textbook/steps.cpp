@@ -30,24 +30,20 @@ Json to_json(const steps::Mark& mark) {
   return std::move(json).json();
 }
 
-Json to_json(const std::optional<std::string>& value) { return value ? Json(*value) : Json(); }
-
 Json to_json(const steps::RowChange& row) {
   Record<row_shape> json;
   json["table"] = row.table;
   json["row"] = row.row;
   json["field"] = row.field;
-  json["old"] = to_json(row.old_value);
-  json["new"] = to_json(row.new_value);
+  json["old"] = or_null(row.old_value);
+  json["new"] = or_null(row.new_value);
   return std::move(json).json();
 }
 
 Json to_json(const steps::Source& source) {
   Record<step_source_shape> json;
   json["text"] = source.text;
-  Record<sentence_shape> listing;
-  listing.put(source.listing_en, source.listing_ja);
-  json["listing"] = std::move(listing).json();
+  json["listing"] = cli::to_json(Text{std::string(source.listing_en), std::string(source.listing_ja)});
   json["line"] = source.line > 0 ? Json(source.line) : Json();
   return std::move(json).json();
 }
@@ -57,12 +53,12 @@ Json to_json(const steps::Delta& delta) {
   json["V"] = delta.v;
   json["E"] = delta.e;
   json["F"] = delta.f;
-  json["B"] = delta.b ? Json(*delta.b) : Json();
+  json["B"] = or_null(delta.b);
   json["W"] = delta.w;
   json["I"] = delta.i;
   json["H"] = delta.h;
   json["S"] = delta.s;
-  json["G"] = delta.g ? Json(*delta.g) : Json();
+  json["G"] = or_null(delta.g);
   return std::move(json).json();
 }
 
@@ -77,9 +73,7 @@ std::string step_line(const steps::Step& step, std::size_t at, std::size_t of,
   Record<step_shape> json;
   json["at"] = at;
   json["of"] = of;
-  Record<sentence_shape> caption;
-  caption.put(step.caption);
-  json["caption"] = std::move(caption).json();
+  json["caption"] = cli::to_json(step.caption);
   json["marks"] = Json::array();
   for (const steps::Mark& mark : step.marks) json["marks"].push_back(to_json(mark));
   json["rows"] = Json::array();

@@ -1,7 +1,6 @@
 // `check`: figures and problems of files and folders.
 #include <sys/stat.h>
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <filesystem>
 #include <mutex>
@@ -148,11 +147,11 @@ Result<Options> read_options(const Arguments& arguments) {
   options.unordered = arguments.has("--unordered");
   options.jobs = std::max(1u, std::thread::hardware_concurrency());
   if (const std::string* const jobs = arguments.value("--jobs")) {
-    const char* const end = jobs->data() + jobs->size();
-    const auto [stop, error] = std::from_chars(jobs->data(), end, options.jobs);
-    if (error != std::errc() || stop != end || options.jobs < 1 || options.jobs > 1024)
+    const auto number = whole_number(*jobs, 1, 1024);
+    if (!number)
       return usage_failure("bad_value", {"--jobs is a number from 1 to 1024, not '" + *jobs + "'.",
                                          "--jobs は 1 から 1024 の数です（「" + *jobs + "」は使えません）。"});
+    options.jobs = static_cast<unsigned>(*number);
   }
   if (const std::string* const list = arguments.value("--fail-on"))
     if (auto failure = read_fail_on(*list, options.fail_on.emplace())) return std::move(*failure);

@@ -1,6 +1,5 @@
 // `measure`: numbers of the elements of a mesh, as the colour maps have them, or between elements that are named.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "app/cli/columns.h"
@@ -161,10 +160,7 @@ Result<std::vector<const ColourMap*>> wanted_maps(const Arguments& arguments) {
 Result<std::size_t> wanted_bars(const Arguments& arguments) {
   const std::string* const words = arguments.value("--bars");
   if (!words) return std::size_t{0};
-  std::size_t number = 0;
-  const char* const end = words->data() + words->size();
-  const auto [behind, error] = std::from_chars(words->data(), end, number);
-  if (error == std::errc() && behind == end && number >= 1 && number <= 10000) return number;
+  if (const auto number = whole_number(*words, 1, 10000)) return std::size_t{*number};
   return usage_failure("bad_value",
                        {"--bars takes a number from 1 to 10000.", "--bars は 1 から 10000 までの数です。"});
 }

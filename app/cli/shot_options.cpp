@@ -1,7 +1,6 @@
 #include "app/cli/shot_options.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "app/cli/outputs.h"
 #include "app/editor/camera/camera_text.h"
@@ -88,34 +87,27 @@ class OptionsReader {
     bad_value(flag, value, en, ja + (count > 2 ? " のいずれか" : " "));
   }
 
-  // Parses an integer, or none.
-  static std::optional<int> number(std::string_view word) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
-  }
-
   void read_size() {
     const auto value = text("--size");
     if (!value) return;
     const std::size_t cross = value->find('x');
-    const auto width = number(std::string_view(*value).substr(0, cross));
-    const auto height = cross == std::string::npos ? std::nullopt : number(std::string_view(*value).substr(cross + 1));
-    if (!width || !height || *width < 1 || *height < 1 || *width > largest_side || *height > largest_side)
+    const auto width = whole_number(std::string_view(*value).substr(0, cross), 1, largest_side);
+    const auto height =
+        cross == std::string::npos ? std::nullopt : whole_number(value->substr(cross + 1), 1, largest_side);
+    if (!width || !height)
       return bad_value("--size", *value, "WIDTHxHEIGHT, each from 1 to 16384", "幅x高さ（1 から 16384）");
-    options_.picture.size = {*width, *height};
+    options_.picture.size = {static_cast<int>(*width), static_cast<int>(*height)};
   }
 
   void read_supersample() {
     const auto value = text("--supersample");
     if (!value) return;
-    const auto n = number(*value);
-    const Size size = options_.picture.size;
-    if (!n || *n < 1 || *n > 8 || *n * std::max(size.width, size.height) > largest_side)
+    const auto [width, height] = options_.picture.size;
+    const auto n = whole_number(*value, 1, std::min(8, largest_side / std::max(width, height)));
+    if (!n)
       return bad_value("--supersample", *value, "from 1 to 8, with at most 16384 rendered pixels a side",
                        " 1 から 8（描画は縦横 16384 画素まで）");
-    options_.picture.supersample = *n;
+    options_.picture.supersample = static_cast<int>(*n);
   }
 
   void read_tolerance() {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <limits>
 
 #include "app/cli/algorithm_flags.h"
@@ -74,21 +76,23 @@ std::vector<Flag> shot_flags() {
 }
 
 std::vector<Subcommand> table() {
-  std::vector<Subcommand> rows{
+  return {
       Subcommand{"view",
                  "[FILE]",
                  "the editor; also what ryosen does without a command",
                  "エディタ（コマンドを省いたときもこれ）",
-                 {preferences},
-                 recovery_topic,
                  view_command,
                  view_contract,
+                 {preferences},
+                 recovery_topic,
                  false,
                  true},
       Subcommand{"check",
                  "FILE|FOLDER...",
                  "figures and problems of meshes",
                  "メッシュの諸量と問題点",
+                 check_command,
+                 check_contract,
                  {
                      {"--fail-on", "KIND,...|none", false, "only problems of these kinds lead to exit code 1",
                       "ここに挙げた種類の問題だけを終了コード 1 にする"},
@@ -99,14 +103,14 @@ std::vector<Subcommand> table() {
                      {"--unordered", "", false, "report each file as soon as it is done",
                       "入力順を待たず、終わったものから出力"},
                  },
-                 problem_kinds_topic,
-                 check_command,
-                 check_contract},
+                 problem_kinds_topic},
       Subcommand{
           "why",
           "FILE",
           "may an operator be done, and if not, why not and what would help",
           "操作が可能か、不可能なら理由と対処",
+          why_command,
+          why_contract,
           {
               {"--op", "OP", false, "an operator that works on an edge", "稜線に対する操作"},
               {"--edge", "A-B", false, "asks about one edge", "一本の稜線について答える"},
@@ -117,13 +121,13 @@ std::vector<Subcommand> table() {
                "many)",
                "--all で幾何的な警告も出す（稜線が 400 を超える所では、多いことだけを伝える）"},
           },
-          operators_topic,
-          why_command,
-          why_contract},
+          operators_topic},
       Subcommand{"edit",
                  "FILE",
                  "runs commands on a mesh; without -o and save a trial that writes nothing",
                  "コマンドを実行（-o も save もなければ何も書き出さない）",
+                 edit_command,
+                 edit_contract,
                  {
                      {"-o", "OUT", false,
                       "writes the result, unless something was refused or failed; /dev/stdout gets it alone, in the "
@@ -140,13 +144,13 @@ std::vector<Subcommand> table() {
                       "警告も拒否とする（ファイルで失われるものも含む）"},
                      overwrite,
                  },
-                 script_commands_topic,
-                 edit_command,
-                 edit_contract},
+                 script_commands_topic},
       Subcommand{"repair",
                  "FILE",
                  "takes whole kinds of problems away; without -o a trial that writes nothing",
                  "問題を種類ごとにまとめて直す（-o がなければ何も書き出さない）",
+                 repair_command,
+                 repair_contract,
                  {
                      {"-o", "OUT", false, "writes the result; /dev/stdout gets it alone, in the format of FILE",
                       "結果の出力先。/dev/stdout には結果だけを FILE の形式で出す"},
@@ -155,13 +159,13 @@ std::vector<Subcommand> table() {
                       "行う修復（下の一覧の順に実行。default は省略時の修復すべて）"},
                      overwrite,
                  },
-                 repairs_topic,
-                 repair_command,
-                 repair_contract},
+                 repairs_topic},
       Subcommand{"convert",
                  "FILE",
                  "writes a mesh in another format and says first what that format cannot hold",
                  "別の形式で書き出す（その形式で失われるものを先に示す）",
+                 convert_command,
+                 convert_contract,
                  {
                      {"-o", "OUT", false,
                       "the output; its extension tells the format (/dev/stdout gets it alone, with --format)",
@@ -173,16 +177,15 @@ std::vector<Subcommand> table() {
                      {"--triangulate", "", false, "cuts faces of more than three corners into triangles",
                       "4 頂点以上の面を三角形に分割する"},
                      overwrite,
-                 },
-                 nullptr,
-                 convert_command,
-                 convert_contract},
+                 }},
       Subcommand{
           "hull",
           "FILE",
           "the convex hull of the points of a file (- reads lines of three numbers from standard input); without -o "
           "nothing is written",
           "ファイルの点の凸包（- なら標準入力から一行三数の座標を読む）。-o がなければ何も書き出さない",
+          hull_command,
+          hull_contract,
           {
               {"-o", "OUT", false, "writes the hull", "凸包の出力先"},
               {"--facets", "", false, "facets as polygons; this is also done unasked", "面を多角形のまま出す（既定）"},
@@ -198,30 +201,29 @@ std::vector<Subcommand> table() {
               {"--skip-nonfinite", "", false, "leaves points out that are not finite; else they are refused",
                "有限でない点を除く（省くと拒否する）"},
               overwrite,
-          },
-          nullptr,
-          hull_command,
-          hull_contract},
+          }},
       Subcommand{"shot", "FILE", "a picture of a mesh or of the whole editor, without a display",
-                 "メッシュまたはエディタ全体の画像（ディスプレイ不要）", shot_flags(), shot_topic, shot_command,
-                 shot_contract},
+                 "メッシュまたはエディタ全体の画像（ディスプレイ不要）", shot_command, shot_contract, shot_flags(),
+                 shot_topic},
       Subcommand{"measure",
                  "FILE [NAME]...",
                  "numbers of all elements: lengths, angles, areas, valences; or between elements that are named",
                  "全要素の長さ・角・面積・価数などの統計、または名前を挙げた要素の計測",
+                 measure_command,
+                 measure_contract,
                  {
                      {"--map", "ID", false, "of this alone (see below); else of all", "この項目だけ（下の一覧を参照）"},
                      {"--bars", "N", false, "with a histogram of so many bars", "この数の区間のヒストグラムも出す"},
                      {"--against", "OTHER", false, "also how far the vertices are from this mesh",
                       "各頂点のこのメッシュからの距離も測る"},
                  },
-                 maps_topic,
-                 measure_command,
-                 measure_contract},
+                 maps_topic},
       Subcommand{"distance",
                  "FILE OTHER",
                  "how far two surfaces are from each other: largest, mean and root mean square distance, both ways",
                  "二つの曲面の距離（最大、平均、二乗平均平方根、両方向）",
+                 distance_command,
+                 distance_contract,
                  {
                      {"--gap", "G", false,
                       "how much the bound of the largest distance may be above it, as a share of it; else 1e-6",
@@ -229,15 +231,14 @@ std::vector<Subcommand> table() {
                      {"--samples", "N", false,
                       "about so many for the means; else 200000, or one per triangle where these are more",
                       "平均に用いる標本のおよその数（省くと 200000、三角形がそれより多ければその数）"},
-                 },
-                 nullptr,
-                 distance_command,
-                 distance_contract},
+                 }},
       Subcommand{
           "forms",
           "[FILE]",
           "the representations of the source texts for this mesh: bytes per face, build and query times",
           "テキストの形状表現の比較（面あたりのバイト数、構築時間、問い合わせ時間）",
+          forms_command,
+          forms_contract,
           {
               {"--element", "NAME|all", false, "what each form stores of an element, or of all",
                "各形状表現が要素（all は全要素）について持つデータ"},
@@ -251,13 +252,13 @@ std::vector<Subcommand> table() {
               {"--theme", "dark|light", false, "with --plot: the colours; else dark", "--plot の配色（省くと dark）"},
               overwrite,
           },
-          forms_topic,
-          forms_command,
-          forms_contract},
+          forms_topic},
       Subcommand{"steps",
                  "WHAT... FILE",
                  "plays something step by step: what is done, what changes, and where the source texts say so",
                  "一手ずつ再生（何をし、何が変わり、テキストのどこにあるか）",
+                 steps_command,
+                 steps_contract,
                  {
                      {"--at", "N", false, "this step alone, from 1", "この手順だけ（1 から）"},
                      {"-o", "PNG", false, "a picture of this step, else of the last one",
@@ -266,13 +267,13 @@ std::vector<Subcommand> table() {
                       "whose numbers are written into it; else none", "画像に書く番号の種類（省くと書かない）"},
                      overwrite,
                  },
-                 steps_topic,
-                 steps_command,
-                 steps_contract},
+                 steps_topic},
       Subcommand{"practice",
                  "[FILE]",
                  "questions about the structure of a mesh, or of a figure of the source texts, and their answers",
                  "メッシュやテキストの図の構造についての問題と答え",
+                 practice_command,
+                 practice_contract,
                  {
                      {"--seed", "N", false, "draws the question; else 1", "問題を選ぶ数（省くと 1）"},
                      {"--kind", "next|twin|record|legal|valence", false, "of this kind alone", "この種類の問題だけ"},
@@ -281,40 +282,23 @@ std::vector<Subcommand> table() {
                      {"--count", "N", false, "so many questions, of this seed and the following ones",
                       "出題数（続く数の問題も出す）"},
                  },
-                 practice_topic,
-                 practice_command,
-                 practice_contract},
-      Subcommand{
-          "formats", "", "the file formats", "ファイル形式の一覧", {}, nullptr, formats_command, formats_contract},
-      Subcommand{"keys", "", "the keys of the editor", "エディタのキー一覧", {}, nullptr, keys_command, keys_contract},
-      Subcommand{"doctor",
-                 "",
-                 "what this machine offers: versions, backends, fonts, packages",
-                 "この環境の状況（版、描画、フォント、パッケージ）",
-                 {},
-                 nullptr,
-                 doctor_command,
-                 doctor_contract},
+                 practice_topic},
+      Subcommand{"formats", "", "the file formats", "ファイル形式の一覧", formats_command, formats_contract},
+      Subcommand{"keys", "", "the keys of the editor", "エディタのキー一覧", keys_command, keys_contract},
+      Subcommand{"doctor", "", "what this machine offers: versions, backends, fonts, packages",
+                 "この環境の状況（版、描画、フォント、パッケージ）", doctor_command, doctor_contract},
       Subcommand{"help",
                  "[COMMAND|json|texts]",
                  "what the program and its commands do; json: every key and code that they print; texts: where each "
                  "figure of the source texts is found",
                  "プログラムとコマンドの使い方（json：出力するキーとコードのすべて、texts：テキストの図表がある場所）",
-                 {},
-                 nullptr,
                  help_command,
                  help_contract,
-                 true},
-      Subcommand{"--version",
-                 "",
-                 "the version of the program",
-                 "プログラムの版",
                  {},
                  nullptr,
-                 version_command,
-                 version_contract},
+                 true},
+      Subcommand{"--version", "", "the version of the program", "プログラムの版", version_command, version_contract},
   };
-  return rows;
 }
 
 Subcommand subcommand_of(const AlgorithmRow& row) {
@@ -333,17 +317,27 @@ Subcommand subcommand_of(const AlgorithmRow& row) {
   const auto run = [&row](const Arguments& arguments, const Console& console) {
     return algorithm_command(row, arguments, console);
   };
-  return {row.id,
-          row.is_primitive ? "[FILE]" : "FILE",
-          row.help_en,
-          row.help_ja,
-          std::move(flags),
-          more,
-          run,
-          row.has_goal ? goal_contract : algorithm_contract,
-          false,
-          false,
-          true};
+  Subcommand made{row.id,
+                  row.is_primitive ? "[FILE]" : "FILE",
+                  row.help_en,
+                  row.help_ja,
+                  run,
+                  row.has_goal ? goal_contract : algorithm_contract,
+                  std::move(flags),
+                  more};
+  made.is_algorithm = true;
+  return made;
+}
+
+template <class Counts>
+std::size_t count_words(std::string_view words, const Counts& counts) {
+  std::size_t count = 0;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    if (counts(word)) ++count;
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+  }
+  return count;
 }
 
 }  // namespace
@@ -362,6 +356,39 @@ std::optional<Subcommand> find_subcommand(std::string_view id) {
     if (command.id == id) return command;
   const AlgorithmRow* const algorithm = find_algorithm(id);
   return algorithm ? std::optional(subcommand_of(*algorithm)) : std::nullopt;
+}
+
+std::size_t Subcommand::least_operands() const {
+  const bool may_lack = std::any_of(flags.begin(), flags.end(), [](const Flag& flag) { return flag.replaces_operand; });
+  return may_lack ? 0 : count_words(operands, [](std::string_view word) { return !word.starts_with('['); });
+}
+
+std::size_t Subcommand::most_operands() const {
+  if (operands.find("...") != std::string_view::npos) return std::numeric_limits<std::size_t>::max();
+  return count_words(operands, [](std::string_view) { return true; });
+}
+
+bool Arguments::has(std::string_view flag) const { return value(flag) != nullptr; }
+
+const std::string* Arguments::value(std::string_view flag) const {
+  const std::string* last = nullptr;
+  for (const Given& given : given_)
+    if (given.flag == flag) last = &given.value;
+  return last;
+}
+
+std::vector<std::string> Arguments::values(std::string_view flag) const {
+  std::vector<std::string> all;
+  for (const Given& given : given_)
+    if (given.flag == flag) all.push_back(given.value);
+  return all;
+}
+
+std::optional<std::uint64_t> whole_number(std::string_view word, std::uint64_t least, std::uint64_t most) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_whole = error == std::errc() && end == word.data() + word.size();
+  return is_whole && number >= least && number <= most ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace ryosen::cli

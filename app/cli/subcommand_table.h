@@ -2,6 +2,7 @@
 // flag that is not in it does not exist.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -49,15 +50,18 @@ class Arguments {
   std::vector<Given> given_;
 };
 
+// A whole number within these bounds, written as digits alone; none for anything else.
+std::optional<std::uint64_t> whole_number(std::string_view word, std::uint64_t least, std::uint64_t most);
+
 struct Subcommand {
   std::string_view id;
   std::string_view operands;  // as in the help: words with a blank between them, one that may be left out in [], the
                               // last with ... where there may be several
   std::string_view en, ja;    // one line
-  std::vector<Flag> flags;    // besides the common ones
-  std::function<std::string(Language)> more;  // further lines of the help; may be empty
   std::function<ExitCode(const Arguments& arguments, const Console& console)> run;
-  Contract contract = {};  // what it prints as JSON and ends with
+  Contract contract;                                    // what it prints as JSON and ends with
+  std::vector<Flag> flags = {};                         // besides the common ones
+  std::function<std::string(Language)> more = nullptr;  // further lines of the help; may be empty
   bool operand_is_command = false;
   bool is_window = false;     // runs until it is closed
   bool is_algorithm = false;  // made of its row in the table of algorithms

@@ -1,8 +1,6 @@
 // `practice`: asks about the structure of a mesh, and judges an answer.
 #include "app/editor/textbook/practice.h"
 
-#include <charconv>
-
 #include "app/cli/contract/json.h"
 #include "app/cli/contract/textbook.h"
 #include "app/cli/subcommand_table.h"
@@ -26,10 +24,7 @@ Result<std::uint64_t> number_of(const Arguments& arguments, std::string_view fla
                                 std::uint64_t most) {
   const std::string* const words = arguments.value(flag);
   if (!words) return std::uint64_t{1};
-  std::uint64_t number = 0;
-  const char* const end = words->data() + words->size();
-  const auto [behind, error] = std::from_chars(words->data(), end, number);
-  if (error == std::errc() && behind == end && number >= least && number <= most) return number;
+  if (const auto number = whole_number(*words, least, most)) return *number;
   const std::string name(flag), from = std::to_string(least), to = std::to_string(most);
   return usage_failure("bad_value", {name + " takes a whole number from " + from + " to " + to + ".",
                                      name + " は " + from + " から " + to + " までの整数です。"});

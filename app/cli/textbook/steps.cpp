@@ -1,6 +1,5 @@
 // `steps`: what can be played step by step, one line each.
 #include <algorithm>
-#include <charconv>
 
 #include "app/cli/columns.h"
 #include "app/cli/contract/json.h"
@@ -133,9 +132,7 @@ Result<PlayCall> wanted_play(const Arguments& arguments) {
 }
 
 Result<std::size_t> wanted_step(const std::string& word, std::size_t size) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error == std::errc() && end == word.data() + word.size() && number >= 1 && number <= size) return number;
+  if (const auto number = whole_number(word, 1, size)) return std::size_t{*number};
   if (size == 0)
     return usage_failure("bad_value",
                          {"There is no step that --at could name.", "--at で指定できる手順がありません。"});

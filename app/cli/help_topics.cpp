@@ -4,11 +4,10 @@
 
 #include "app/cli/algorithm_flags.h"
 #include "app/cli/columns.h"
+#include "app/cli/id_lists.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/recovery/recovery.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/analysis/problem_kinds.h"
-#include "ryosen/scene/highlights/colour_maps.h"
 #include "ryosen/scene/highlights/highlight_table.h"
 
 namespace ryosen::cli {
@@ -38,11 +37,14 @@ std::string solved_by(const AlgorithmRow& row) {
 
 }  // namespace
 
-std::string problem_kinds_topic(Language language) {
+std::string ids_below(const Text& title, Ids ids, Language language) {
   Columns columns;
-  for (const ProblemRow& row : problem_table())
-    columns.add(std::string(row.id), choose(language, row.name_en, row.name_ja));
-  return std::string(choose(language, "Kinds:\n", "種類：\n")) + columns.text();
+  for (const IdEntry& row : list_of(ids).entries()) columns.add(row.id, row.text.in(language));
+  return title.in(language) + columns.text();
+}
+
+std::string problem_kinds_topic(Language language) {
+  return ids_below({"Kinds:\n", "種類：\n"}, Ids::problems, language);
 }
 
 std::string shot_topic(Language language) {
@@ -88,12 +90,7 @@ std::string operators_topic(Language language) {
   return std::string(choose(language, "Operators:\n", "操作：\n")) + columns.text();
 }
 
-std::string maps_topic(Language language) {
-  Columns rows;
-  for (const ColourMap& map : colour_maps())
-    rows.add(std::string(map.id), choose(language, map.legend_en, map.legend_ja));
-  return std::string(choose(language, "Maps:\n", "項目：\n")) + rows.text();
-}
+std::string maps_topic(Language language) { return ids_below({"Maps:\n", "項目：\n"}, Ids::maps, language); }
 
 std::string recovery_topic(Language language) {
   const std::string folder = recovery_folder().string();

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/cli/console.h"
+#include "app/cli/contract/shape.h"
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/base/message.h"
 
@@ -14,6 +15,8 @@ inline std::string_view choose(Language language, std::string_view en, std::stri
   return language == Language::japanese ? ja : en;
 }
 
+// The ids of a list with what they mean, below a title that ends its line.
+std::string ids_below(const Text& title, Ids ids, Language language);
 // The kinds of problems that `check` knows.
 std::string problem_kinds_topic(Language language);
 // The highlights that `shot` can show, then the commands of scripts.

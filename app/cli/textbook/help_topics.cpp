@@ -29,15 +29,12 @@ std::vector<IdEntry> entries(const Rows& rows, Member en, Member ja) {
 }  // namespace
 
 std::string forms_topic(Language language) {
-  Columns rows, methods;
+  Columns rows;
   for (const forms::FormRow& row : forms::all_forms())
     rows.add(std::string(row.id), std::string(choose(language, row.en, row.ja)) + " (" +
                                       std::string(choose(language, row.source_en, row.source_ja)) + ")");
-  for (const PairingMethod& method : pairing_methods())
-    methods.add(std::string(method.id), choose(language, method.en, method.ja));
   return std::string(choose(language, "Forms:\n", "形状表現：\n")) + rows.text() +
-         std::string(choose(language, "Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n")) +
-         methods.text();
+         ids_below({"Ways to pair the halfedges:\n", "半稜線の対を見つける方法：\n"}, Ids::pairings, language);
 }
 
 std::string steps_topic(Language language) {

@@ -55,9 +55,9 @@ std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question&
   json["form"] = or_null(question.form);
   json["field"] = or_null(question.field);
   json["command"] = or_null(question.line);
-  json["question"] = to_json(question.asks);
+  json["question"] = cli::to_json(question.asks);
   json["answers"] = solution.answers;
-  json["why"] = to_json(solution.why);
+  json["why"] = cli::to_json(solution.why);
   json["witnesses"] = Json::array();
   for (const Element& witness : solution.witnesses) json["witnesses"].push_back(slot_name(witness));
   json["given"] = given ? Json(*given) : Json();

@@ -22,43 +22,30 @@ constexpr RoleRow role_rows[] = {
 };
 static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 
-constexpr Palette dark_palette = {
-    .background_top = rgb(0x323A46),
-    .background_bottom = rgb(0x15191F),
-    .front = rgb(0xC4C6CA),
-    .back = rgb(0x9C6148),
-    .key = rgb(0xFFF0DC),
-    .fill = rgb(0x5D7399),
-    .rim = rgb(0x3C4E66),
-    .wire = rgb(0x0C1018, 170),
-    .film = rgb(0x141A24),
-    .film_wire = rgb(0x4A6078),
-    .label = rgb(0xF2F4F7),
-    .label_ground = rgb(0x12161C, 190),
-    .outline = rgb(0x0C1018, 220),
-    .cut = rgb(0x0C1018),
-    .grid = rgb(0xA9B8CC, 150),
-    .axes = {rgb(0xF0524A), rgb(0x8CD04A), rgb(0x4A90FF)},
-};
-
-constexpr Palette light_palette = {
-    .background_top = rgb(0xFAFBFC),
-    .background_bottom = rgb(0xD3DAE3),
-    .front = rgb(0xD2D4D8),
-    .back = rgb(0xBE8467),
-    .key = rgb(0xFFF4E6),
-    .fill = rgb(0x6F86AC),
-    .rim = rgb(0x2C3A4C),
-    .wire = rgb(0x141A26, 150),
-    .film = rgb(0x1E1812),
-    .film_wire = rgb(0x705C48),
-    .label = rgb(0x12161C),
-    .label_ground = rgb(0xFFFFFF, 205),
-    .outline = rgb(0x202630, 220),
-    .cut = rgb(0x0C1018),
-    .grid = rgb(0x4A5A70, 150),
-    .axes = {rgb(0xE23A3A), rgb(0x7CC63C), rgb(0x2E6FE0)},
-};
+// The first of two in the dark theme, the other in the light one.
+constexpr Palette palette_of(bool is_dark) {
+  const auto either = [&](Rgba dark, Rgba light) { return is_dark ? dark : light; };
+  return {
+      .background_top = either(rgb(0x323A46), rgb(0xFAFBFC)),
+      .background_bottom = either(rgb(0x15191F), rgb(0xD3DAE3)),
+      .front = either(rgb(0xC4C6CA), rgb(0xD2D4D8)),
+      .back = either(rgb(0x9C6148), rgb(0xBE8467)),
+      .key = either(rgb(0xFFF0DC), rgb(0xFFF4E6)),
+      .fill = either(rgb(0x5D7399), rgb(0x6F86AC)),
+      .rim = either(rgb(0x3C4E66), rgb(0x2C3A4C)),
+      .wire = either(rgb(0x0C1018, 170), rgb(0x141A26, 150)),
+      .film = either(rgb(0x141A24), rgb(0x1E1812)),
+      .film_wire = either(rgb(0x4A6078), rgb(0x705C48)),
+      .label = either(rgb(0xF2F4F7), rgb(0x12161C)),
+      .label_ground = either(rgb(0x12161C, 190), rgb(0xFFFFFF, 205)),
+      .outline = either(rgb(0x0C1018, 220), rgb(0x202630, 220)),
+      .cut = either(rgb(0x0C1018), rgb(0x0C1018)),
+      .grid = either(rgb(0xA9B8CC, 150), rgb(0x4A5A70, 150)),
+      .axes = {either(rgb(0xF0524A), rgb(0xE23A3A)), either(rgb(0x8CD04A), rgb(0x7CC63C)),
+               either(rgb(0x4A90FF), rgb(0x2E6FE0))},
+  };
+}
+constexpr Palette dark_palette = palette_of(true), light_palette = palette_of(false);
 
 }  // namespace
 

@@ -1,28 +1,26 @@
 #include "render/gl/framebuffer.h"
 
-#include <cstring>
+#include <algorithm>
+
+#include "ryosen/base/enum_table.h"
 
 namespace ryosen {
 namespace {
 
+// Four bytes each.
 struct FormatRow {
+  PixelFormat pixels;
   GLint internal;
-  GLenum format;
-  GLenum type;
-  std::size_t bytes;
+  GLenum format, type;
 };
+constexpr FormatRow format_rows[] = {
+    {PixelFormat::rgba8, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+    {PixelFormat::r32ui, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
+    {PixelFormat::r32f, GL_R32F, GL_RED, GL_FLOAT},
+};
+static_assert(rows_are_in_order(format_rows, &FormatRow::pixels));
 
-FormatRow row(PixelFormat format) {
-  switch (format) {
-    case PixelFormat::r32ui:
-      return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
-    case PixelFormat::r32f:
-      return {GL_R32F, GL_RED, GL_FLOAT, 4};
-    case PixelFormat::rgba8:
-      break;
-  }
-  return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
-}
+const FormatRow& row(PixelFormat format) { return format_rows[static_cast<std::size_t>(format)]; }
 
 }  // namespace
 
@@ -36,7 +34,7 @@ void Framebuffer::resize(Size size) {
   glBindFramebuffer(GL_FRAMEBUFFER, object_.id());
   std::vector<GLenum> attachments;
   for (const PixelFormat format : formats_) {
-    const FormatRow r = row(format);
+    const FormatRow& r = row(format);
     GlObject<TextureKind>& texture = textures_.emplace_back(label_);
     glTexImage2D(GL_TEXTURE_2D, 0, r.internal, size.width, size.height, 0, r.format, r.type, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -69,30 +67,26 @@ void DrawTarget::read_depth(const PixelRect& rect, float* depths) const {
 }
 
 void Framebuffer::read(std::size_t index, const PixelRect& rect, void* pixels) const {
-  const FormatRow r = row(formats_[index]);
+  const FormatRow& r = row(formats_[index]);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.id());
   glReadBuffer(static_cast<GLenum>(GL_COLOR_ATTACHMENT0 + index));
-  read_top_down(rect, r.format, r.type, r.bytes, pixels);
+  read_top_down(rect, r.format, r.type, pixels);
 }
 
 void Framebuffer::read_depth(const PixelRect& rect, float* depths) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, object_.id());
-  read_top_down(rect, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof(float), depths);
+  read_top_down(rect, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
 }
 
-void Framebuffer::read_top_down(const PixelRect& rect, GLenum format, GLenum type, std::size_t bytes_each,
-                                void* pixels) const {
+void Framebuffer::read_top_down(const PixelRect& rect, GLenum format, GLenum type, void* pixels) const {
+  constexpr std::size_t bytes_each = 4;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(rect.x0, size_.height - rect.y1, rect.width(), rect.height(), format, type, pixels);
   const std::size_t row_bytes = bytes_each * static_cast<std::size_t>(rect.width());
-  auto* bytes = static_cast<unsigned char*>(pixels);
-  std::vector<unsigned char> swap(row_bytes);
+  auto* const bytes = static_cast<unsigned char*>(pixels);
   for (int y = 0; y < rect.height() / 2; ++y) {
-    unsigned char* upper = bytes + row_bytes * static_cast<std::size_t>(y);
-    unsigned char* lower = bytes + row_bytes * static_cast<std::size_t>(rect.height() - 1 - y);
-    std::memcpy(swap.data(), upper, row_bytes);
-    std::memcpy(upper, lower, row_bytes);
-    std::memcpy(lower, swap.data(), row_bytes);
+    unsigned char* const upper = bytes + row_bytes * static_cast<std::size_t>(y);
+    std::swap_ranges(upper, upper + row_bytes, bytes + row_bytes * static_cast<std::size_t>(rect.height() - 1 - y));
   }
 }
 

@@ -32,7 +32,8 @@ class Framebuffer {
   void read_depth(const PixelRect& rect, float* depths) const;
 
  private:
-  void read_top_down(const PixelRect& rect, GLenum format, GLenum type, std::size_t bytes_each, void* pixels) const;
+  // Of four bytes each.
+  void read_top_down(const PixelRect& rect, GLenum format, GLenum type, void* pixels) const;
 
   const char* label_;
   std::vector<PixelFormat> formats_;

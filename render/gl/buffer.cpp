@@ -34,24 +34,20 @@ bool takes_memory() {
 bool OwnMemory::put_under(GLuint buffer, std::size_t bytes) {
   if (bytes < large_block || !takes_memory()) return false;
   constexpr std::size_t margin = 256;  // what is read behind the end of a buffer, several values at once
-  OwnMemory memory;
-  memory.block_ = allocate_column(bytes + margin);
-  memory.bytes_ = bytes + margin;
+  std::unique_ptr<void, Release> block(allocate_column(bytes + margin), {bytes + margin});
   while (glGetError() != GL_NO_ERROR) {
   }
   glBindBuffer(external_memory, buffer);
-  glBufferData(external_memory, static_cast<GLsizeiptr>(bytes), memory.block_, GL_DYNAMIC_DRAW);
+  glBufferData(external_memory, static_cast<GLsizeiptr>(bytes), block.get(), GL_DYNAMIC_DRAW);
   const bool is_taken = glGetError() == GL_NO_ERROR;
   glBindBuffer(external_memory, 0);
-  if (is_taken) *this = std::move(memory);
+  if (is_taken) block_ = std::move(block);
   return is_taken;
 }
 
-void OwnMemory::release() {
-  if (!block_) return;
+void OwnMemory::Release::operator()(void* block) const {
   glFinish();  // what is being drawn may read it
-  release_column(block_, bytes_);
-  block_ = nullptr;
+  release_column(block, bytes);
 }
 
 bool Buffer::reserve(std::size_t bytes) {

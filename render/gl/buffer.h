@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -19,26 +20,15 @@ namespace ryosen {
 // and in its context.
 class OwnMemory {
  public:
-  OwnMemory() = default;
-  ~OwnMemory() { release(); }
-  OwnMemory(OwnMemory&& other) noexcept
-      : block_(std::exchange(other.block_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
-  OwnMemory& operator=(OwnMemory&& other) noexcept {
-    if (this == &other) return *this;
-    release();
-    block_ = std::exchange(other.block_, nullptr);
-    bytes_ = std::exchange(other.bytes_, 0);
-    return *this;
-  }
-
   // Gives a new buffer this size; false where the driver does not take such memory, or a small buffer does not need it.
   bool put_under(GLuint buffer, std::size_t bytes);
 
  private:
-  void release();
-
-  void* block_ = nullptr;
-  std::size_t bytes_ = 0;
+  struct Release {
+    std::size_t bytes = 0;
+    void operator()(void* block) const;
+  };
+  std::unique_ptr<void, Release> block_;
 };
 
 // A growable array of T in GPU memory. Writing costs what is written; growing beyond the capacity copies.

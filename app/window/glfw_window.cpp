@@ -175,8 +175,6 @@ Size first_size() {
 
 }  // namespace
 
-const Glfw& glfw() { return *load_glfw(); }
-
 Result<std::unique_ptr<GlfwWindow>> GlfwWindow::make() {
   if (!load_glfw()) return no_window("libglfw.so.3 is missing");
   std::unique_ptr<GlfwWindow> made(new GlfwWindow);

@@ -205,23 +205,15 @@ class Checker {
   Done check(const Input& input) const {
     CheckReport report;
     try {
-      if (input.failure) {
-        report.file = input.path;
-        report.failure = input.failure;
-      } else {
-        report = check_file(input.path, {.self_intersections = options_.self_intersections});
-      }
+      report = input.failure ? CheckReport{.file = input.path, .failure = input.failure}
+                             : check_file(input.path, {.self_intersections = options_.self_intersections});
     } catch (const std::bad_alloc&) {
-      report = {};
-      report.file = input.path;
-      report.failure = out_of_memory();
+      report = {.file = input.path, .failure = out_of_memory()};
     } catch (const std::exception& error) {
-      report = {};
-      report.file = input.path;
-      report.failure = Failure();
-      report.failure->message.code = "internal_error";
-      report.failure->message.text = {std::string("Internal error: ") + error.what(),
-                                      std::string("内部エラー：") + error.what()};
+      const std::string what = error.what();
+      report = {.file = input.path,
+                .failure = make_failure(ExitCode::internal_error, "internal_error",
+                                        {"Internal error: " + what, "内部エラー：" + what})};
     }
     Done done;
     done.output = console_.json ? json_line_of(report) : to_text(report, console_);

@@ -140,19 +140,13 @@ class EditRun {
     message.severity = step.result == "refused" && skip_refused_ ? Severity::warning : Severity::error;
     message.code = code_of(step.outcome);
     message.text = step.outcome.sentence;
-    if (!step.rules.empty()) {
-      message.text.en += " [" + step.rules + "]";
-      message.text.ja += " [" + step.rules + "]";
-    }
-    if (!step.remedy.empty()) {
-      message.text.en += " Remedy: " + step.remedy;
-      message.text.ja += " 対処：" + step.remedy;
-    }
+    const std::string rules = step.rules.empty() ? "" : " [" + step.rules + "]";
+    message.text = message.text + Text{rules, rules};
+    if (!step.remedy.empty()) message.text = message.text + Text{" Remedy: " + step.remedy, " 対処：" + step.remedy};
     if (stopped_ && !saved_.empty()) {
       std::string names;
       for (const std::string& name : saved_) names += (names.empty() ? "" : ", ") + name;
-      message.text.en += " (saved before: " + names + ")";
-      message.text.ja += "（ここまでに保存：" + names + "）";
+      message.text = message.text + Text{" (saved before: " + names + ")", "（ここまでに保存：" + names + "）"};
     }
     message.line = static_cast<std::uint64_t>(step.line.line);
     return message;

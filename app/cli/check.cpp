@@ -204,16 +204,21 @@ class Checker {
  private:
   Done check(const Input& input) const {
     CheckReport report;
+    const auto fail = [&](Failure failure) {
+      report.file = input.path;
+      report.failure = std::move(failure);
+    };
     try {
-      report = input.failure ? CheckReport{.file = input.path, .failure = input.failure}
-                             : check_file(input.path, {.self_intersections = options_.self_intersections});
+      if (input.failure)
+        fail(*input.failure);
+      else
+        report = check_file(input.path, {.self_intersections = options_.self_intersections});
     } catch (const std::bad_alloc&) {
-      report = {.file = input.path, .failure = out_of_memory()};
+      fail(out_of_memory());
     } catch (const std::exception& error) {
       const std::string what = error.what();
-      report = {.file = input.path,
-                .failure = make_failure(ExitCode::internal_error, "internal_error",
-                                        {"Internal error: " + what, "内部エラー：" + what})};
+      fail(
+          make_failure(ExitCode::internal_error, "internal_error", {"Internal error: " + what, "内部エラー：" + what}));
     }
     Done done;
     done.output = console_.json ? json_line_of(report) : to_text(report, console_);

@@ -25,7 +25,7 @@ class OwnMemory {
 
  private:
   struct Release {
-    std::size_t bytes = 0;
+    std::size_t bytes;
     void operator()(void* block) const;
   };
   std::unique_ptr<void, Release> block_;

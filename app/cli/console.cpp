@@ -109,8 +109,7 @@ std::string Console::shown_line(const Message& message, std::string_view file) c
 
 ExitCode Console::fail(const Failure& failure, std::optional<std::string_view> file, std::string_view format) const {
   show(failure.message, file.value_or(std::string_view()));
-  conclude(json ? line_of(error_object(failure.message, file, format)) : std::string(), failure.exit_code);
-  return failure.exit_code;
+  return end(json ? line_of(error_object(failure.message, file, format)) : std::string(), failure.exit_code);
 }
 
 Failure usage_failure(Code code, Text text) { return make_failure(ExitCode::usage, code, std::move(text)); }

@@ -43,6 +43,11 @@ struct Console {
   // Prints the last of a run and flushes it, in one section: a signal comes before it and cancels, or behind it and
   // ends the program with this code, without a further word. False where any of what was printed could not be written.
   bool conclude(std::string_view text, ExitCode code) const;
+  // The same as the end of a command, whose exit code it returns.
+  ExitCode end(std::string_view text, ExitCode code = ExitCode::done) const {
+    conclude(text, code);
+    return code;
+  }
   // A line on stderr, unless quiet.
   void note(const Text& text) const;
   // A message about a file, or about the command line if `file` is empty. Errors are shown even if quiet, infos only if

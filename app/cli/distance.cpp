@@ -127,9 +127,7 @@ ExitCode distance_command(const Arguments& arguments, const Console& console) {
   if (!found) return console.fail(make_failure(ExitCode::cancelled, "cancelled", {"Cancelled.", "中止しました。"}));
   for (const ReadSurface& file : files)
     for (const Message& message : file.messages) console.show(message, file.path);
-  console.conclude(console.json ? line_of(*found, files[0], files[1]) : text_of(*found, files[0], files[1], console),
-                   ExitCode::done);
-  return ExitCode::done;
+  return console.end(console.json ? line_of(*found, files[0], files[1]) : text_of(*found, files[0], files[1], console));
 }
 
 }  // namespace ryosen::cli

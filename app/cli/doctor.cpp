@@ -152,8 +152,7 @@ std::string to_text(const Diagnosis& d, const Console& console) {
 ExitCode doctor_command(const Arguments&, const Console& console) {
   const Diagnosis diagnosis;
   const ExitCode code = diagnosis.can_draw() ? ExitCode::done : ExitCode::found_problems;
-  console.conclude(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console), code);
-  return code;
+  return console.end(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console), code);
 }
 
 }  // namespace ryosen::cli

@@ -271,8 +271,7 @@ ExitCode edit_command(const Arguments& arguments, const Console& given) {
   RunFiles planned = files.of_run;
   if (const auto fault = find_fault(*script, input, outputs, planned)) {
     given.show(fault->message, fault->message.line ? script->place() : input);
-    given.conclude(given.json ? line_of(error_object(fault->message, input)) : std::string(), fault->exit_code);
-    return fault->exit_code;
+    return given.end(given.json ? line_of(error_object(fault->message, input)) : std::string(), fault->exit_code);
   }
   Console console = given;
   console.leaves_stdout = planned.uses_stdout();

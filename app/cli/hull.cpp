@@ -247,9 +247,8 @@ class HullRun {
     ExitCode code = ExitCode::done;
     if (output_) code = write(*file);
     const std::string* const written = is_written_ ? output_ : nullptr;
-    console_.conclude(console_.json ? report_.json_line(code, written, console_) : report_.text(written, console_),
-                      code);
-    return code;
+    return console_.end(console_.json ? report_.json_line(code, written, console_) : report_.text(written, console_),
+                        code);
   }
 
  private:

@@ -182,8 +182,7 @@ ExitCode measure_elements(const Mesh& mesh, const std::vector<std::string>& oper
                                       "してください。"}),
                         path);
   if (!console.json) {
-    console.conclude(console.text(text_of(found)) + "\n", ExitCode::done);
-    return ExitCode::done;
+    return console.end(console.text(text_of(found)) + "\n");
   }
   Record<measurement_shape> json;
   json["file"] = path;
@@ -196,8 +195,7 @@ ExitCode measure_elements(const Mesh& mesh, const std::vector<std::string>& oper
     one["value"] = value.value;
     json["values"].push_back(std::move(one).json());
   }
-  console.conclude(line_of(json), ExitCode::done);
-  return ExitCode::done;
+  return console.end(line_of(json));
 }
 
 }  // namespace
@@ -231,8 +229,7 @@ ExitCode measure_command(const Arguments& arguments, const Console& console) {
     all.push_back(measured(mesh, *map, *bars, other));
     if (console.json) lines += json_line_of(all.back(), mesh, path);
   }
-  console.conclude(console.json ? lines : maps_text(all, mesh, console), ExitCode::done);
-  return ExitCode::done;
+  return console.end(console.json ? lines : maps_text(all, mesh, console));
 }
 
 }  // namespace ryosen::cli

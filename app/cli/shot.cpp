@@ -144,8 +144,7 @@ class Shot {
     json["reference"] = or_null(options_.reference);
     json["different_percent"] = or_null(percent_);
     json["messages"] = cli::to_json(messages_);
-    console_.conclude(line_of(json), code_);
-    return code_;
+    return console_.end(line_of(json), code_);
   }
 
   const ShotOptions& options_;
@@ -191,8 +190,7 @@ ExitCode shot_command(const Arguments& arguments, const Console& given) {
     given.show(message, message.line ? *arguments.value("--script") : std::string());
     const std::string object =
         given.json ? line_of(error_object(message, is_of_flags ? "" : arguments.operands()[0])) : std::string();
-    given.conclude(object, options.failure().exit_code);
-    return options.failure().exit_code;
+    return given.end(object, options.failure().exit_code);
   }
   Console console = given;
   console.leaves_stdout = options->leaves_stdout;

@@ -165,8 +165,7 @@ class Why {
     }
     const std::string legal = std::to_string(legal_), all = std::to_string(questions);
     const Text summary{legal + " of " + all + " legal\n", all + " のうち " + legal + " が可能\n"};
-    console_.conclude(console_.json ? std::string() : console_.text(summary), ExitCode::done);
-    return ExitCode::done;
+    return console_.end(console_.json ? std::string() : console_.text(summary));
   }
 
  private:
@@ -185,14 +184,12 @@ class Why {
       for (const std::string_view argument : arguments) line.append(" ").append(argument);
       Preview seen = preview(mesh_, journal_, *parsed.op);
       Answer alone{std::move(seen.verdict), std::move(seen.warnings)};
-      console_.conclude(text_of(report(info, {edge, words, std::move(line)}, std::move(alone))), ExitCode::done);
-      return ExitCode::done;
+      return console_.end(text_of(report(info, {edge, words, std::move(line)}, std::move(alone))));
     }
     if (parsed.error != NameError::deleted) return console_.fail(failure_of_name(parsed.error, parsed.sentence), file_);
     VerdictReport report{info.id, edge, std::move(words), {}, {}, {}, quarantine_text(quarantine_, arguments)};
     report.verdict.refuse(Rule::deleted, {});
-    console_.conclude(text_of(report), ExitCode::done);
-    return ExitCode::done;
+    return console_.end(text_of(report));
   }
 
   void ask_edge(const OpInfo& info, const std::string& edge, Halfedge h, bool geometry) {

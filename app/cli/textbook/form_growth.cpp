@@ -153,8 +153,7 @@ ExitCode print_form_growth(const Mesh* mesh, const Arguments& arguments, const C
     for (const GrowthCurve& curve : curves) all += json_line_of(curve);
   else
     all = text_of(curves, meshes, console);
-  console.conclude(all, ExitCode::done);
-  return ExitCode::done;
+  return console.end(all);
 }
 
 }  // namespace ryosen::cli

@@ -108,8 +108,7 @@ ExitCode print_form_records(const Mesh& mesh, const Arguments& arguments, const 
       console.print(console.json ? json_line_of(records, element, record) : text_of(records, element, record, console));
     }
   }
-  console.conclude("", ExitCode::done);
-  return ExitCode::done;
+  return console.end("");
 }
 
 }  // namespace ryosen::cli

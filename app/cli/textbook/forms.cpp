@@ -184,8 +184,7 @@ ExitCode forms_command(const Arguments& arguments, const Console& console) {
   if (arguments.has("--growth")) return print_form_growth(&mesh, arguments, console);
   if (arguments.has("--element")) return print_form_records(mesh, arguments, console);
   const Comparison comparison = forms::compare_forms(mesh);
-  console.conclude(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console), ExitCode::done);
-  return ExitCode::done;
+  return console.end(console.json ? json_line_of(comparison, path) : to_text(comparison, path, console));
 }
 
 }  // namespace ryosen::cli

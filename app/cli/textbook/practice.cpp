@@ -127,8 +127,7 @@ ExitCode practice_command(const Arguments& arguments, const Console& console) {
                                : text_of(asked, question, solution, given, console));
   }
   const ExitCode code = all_right ? ExitCode::done : ExitCode::found_problems;
-  console.conclude("", code);
-  return code;
+  return console.end("", code);
 }
 
 }  // namespace ryosen::cli

@@ -217,8 +217,7 @@ ExitCode print_steps(const Arguments& arguments, const PlayCall& call, std::uniq
     if (const auto failure = draw_step(std::move(document), call.words, last, *numbers, *path, console))
       return console.fail(*failure);
   if (sequence.stop() && last == sequence.size()) return console.fail(failure_of(sequence), call.words.back());
-  console.conclude("", ExitCode::done);
-  return ExitCode::done;
+  return console.end("");
 }
 
 }  // namespace

@@ -47,11 +47,9 @@ void add_result(Record<shape>& json, const Call& call, const Mesh& mesh) {
   }
   json["changed"] = call.result.changed;
   json["left"] = call.result.left;
-  json["left_for"] = Json::array();
-  for (const LeftForReason& left : call.result.left_for) json["left_for"].push_back(reason_json(left, mesh));
+  json["left_for"] = array_of(call.result.left_for, [&](const LeftForReason& left) { return reason_json(left, mesh); });
   json["crossings"] = or_null(call.result.crossings);
-  json["solves"] = Json::array();
-  for (ProblemKind kind : call.row->solves) json["solves"].push_back(row_of(kind).id);
+  json["solves"] = array_of(call.row->solves, [](ProblemKind kind) { return row_of(kind).id; });
   json.put(call.result.text);
 }
 

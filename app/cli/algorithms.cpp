@@ -171,8 +171,7 @@ class AlgorithmRun {
     json["edges"] = after_.figures.edges;
     json["faces"] = after_.figures.faces;
     json["hash"] = after_.hash;
-    json["problems"] = Json::array();
-    for (const NamedProblem& problem : after_.problems) json["problems"].push_back(cli::to_json(problem));
+    json["problems"] = array_of(after_.problems, [](const NamedProblem& problem) { return cli::to_json(problem); });
     std::vector<Message> messages =
         output_.failure ? std::vector{output_.failure->message} : job_.document->file().messages;
     messages.insert(messages.end(), output_.losses.begin(), output_.losses.end());

@@ -49,9 +49,7 @@ Json without_names(const Problem& problem) {
 }
 
 Json problems_without_names(const CheckReport& report) {
-  Json all = Json::array();
-  for (const NamedProblem& problem : report.problems) all.push_back(without_names(problem.problem));
-  return all;
+  return array_of(report.problems, [](const NamedProblem& named) { return without_names(named.problem); });
 }
 
 constexpr CheckRow rows_before_counts[] = {

@@ -70,8 +70,7 @@ std::string json_line_of(const Subcommand& command) {
   Record<usage_shape> json;
   json["command"] = command.id;
   json["operands"] = command.operands;
-  json["flags"] = Json::array();
-  for (const Flag& flag : command.flags) json["flags"].push_back(to_json(flag));
+  json["flags"] = array_of(command.flags, [](const Flag& flag) { return to_json(flag); });
   json.put(command.en, command.ja);
   return line_of(json);
 }
@@ -122,16 +121,14 @@ Json described(const PrintedObject& object) {
   json["object"] = object.shape->id;
   json["is_line"] = object.is_line;
   json.put(object.shape->en, object.shape->ja);
-  json["keys"] = Json::array();
-  for (const JsonKey& row : object.shape->all_keys()) json["keys"].push_back(described(row));
+  json["keys"] = array_of(object.shape->all_keys(), [](const JsonKey& row) { return described(row); });
   return std::move(json).json();
 }
 
 std::string contract_line(const Json& command, const std::vector<PrintedObject>& printed, const Contract& contract) {
   Record<contract_shape> json;
   json["command"] = command;
-  json["objects"] = Json::array();
-  for (const PrintedObject& object : printed) json["objects"].push_back(described(object));
+  json["objects"] = array_of(printed, [](const PrintedObject& object) { return described(object); });
   json["exit_codes"] = exits_of(contract);
   return line_of(json);
 }

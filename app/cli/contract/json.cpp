@@ -114,9 +114,7 @@ Json to_json(const Mesh& mesh, const Reason& reason) {
 }
 
 Json to_json(const Mesh& mesh, const std::vector<Reason>& reasons) {
-  Json json = Json::array();
-  for (const Reason& reason : reasons) json.push_back(to_json(mesh, reason));
-  return json;
+  return array_of(reasons, [&](const Reason& reason) { return to_json(mesh, reason); });
 }
 
 Json error_object(const Message& message, std::optional<std::string_view> file, std::string_view format) {

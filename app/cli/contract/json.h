@@ -19,6 +19,13 @@ namespace ryosen::cli {
 // Keys keep their insertion order. NaN and infinity are written as null.
 using Json = nlohmann::ordered_json;
 
+// What is made of each of them.
+template <class Range, class Convert>
+Json array_of(const Range& range, const Convert& convert) {
+  Json all = Json::array();
+  for (const auto& each : range) all.push_back(convert(each));
+  return all;
+}
 // One line with its line end, in UTF-8. An invalid byte XX (possible in file names) is written as the escape \udcXX, an
 // unpaired surrogate, so that different names stay different; Python reads it and os.fsencode restores the byte.
 std::string line_of(const Json& json);

@@ -37,8 +37,7 @@ std::string json_line_of(const GrowthCurve& curve) {
   json["relation"] = curve.relation ? Json(forms::relations()[static_cast<std::size_t>(*curve.relation)].id) : Json();
   json.put(curve.en, curve.ja);
   json["counted"] = cli::to_json(Text{std::string(row.counted_en), std::string(row.counted_ja)});
-  json["points"] = Json::array();
-  for (const GrowthPoint& point : curve.points) json["points"].push_back(to_json(point));
+  json["points"] = array_of(curve.points, [](const GrowthPoint& point) { return to_json(point); });
   json["slope"] = or_null(slope_of_count(curve));
   json["time_slope"] = or_null(slope_of_time(curve));
   return line_of(json);

@@ -67,12 +67,9 @@ std::string json_line_of(const Comparison& comparison, const std::string& file) 
   json["vertices"] = comparison.vertices;
   json["edges"] = comparison.edges;
   json["faces"] = comparison.faces;
-  json["forms"] = Json::array();
-  for (const FormFigures& figures : comparison.forms) json["forms"].push_back(to_json(figures, comparison.faces));
-  json["pairing"] = Json::array();
-  for (const PairingFigures& figures : comparison.pairing) json["pairing"].push_back(to_json(figures));
-  json["texts"] = Json::array();
-  for (const forms::SourceReport& report : comparison.texts) json["texts"].push_back(to_json(report));
+  json["forms"] = array_of(comparison.forms, [&](const FormFigures& f) { return to_json(f, comparison.faces); });
+  json["pairing"] = array_of(comparison.pairing, [](const PairingFigures& figures) { return to_json(figures); });
+  json["texts"] = array_of(comparison.texts, [](const forms::SourceReport& report) { return to_json(report); });
   return line_of(json);
 }
 

@@ -58,8 +58,7 @@ std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question&
   json["question"] = cli::to_json(question.asks);
   json["answers"] = solution.answers;
   json["why"] = cli::to_json(solution.why);
-  json["witnesses"] = Json::array();
-  for (const Element& witness : solution.witnesses) json["witnesses"].push_back(slot_name(witness));
+  json["witnesses"] = array_of(solution.witnesses, [](const Element& witness) { return slot_name(witness); });
   json["given"] = given ? Json(*given) : Json();
   json["right"] = given ? Json(is_right(asked.mesh, solution, *given)) : Json();
   return line_of(json);

@@ -73,10 +73,8 @@ std::string step_line(const steps::Step& step, std::size_t at, std::size_t of,
   json["at"] = at;
   json["of"] = of;
   json["caption"] = cli::to_json(step.caption);
-  json["marks"] = Json::array();
-  for (const steps::Mark& mark : step.marks) json["marks"].push_back(to_json(mark));
-  json["rows"] = Json::array();
-  for (const steps::RowChange& row : step.rows) json["rows"].push_back(to_json(row));
+  json["marks"] = array_of(step.marks, [](const steps::Mark& mark) { return to_json(mark); });
+  json["rows"] = array_of(step.rows, [](const steps::RowChange& row) { return to_json(row); });
   if (count) json["count"] = *count;
   json["source"] = step.source ? to_json(*step.source) : Json();
   if (step.delta) json["delta"] = to_json(*step.delta);

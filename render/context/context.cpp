@@ -82,12 +82,9 @@ Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
     Attempt attempt = row.make();
     if (attempt.context) return std::move(attempt.context);
     lacks_memory = lacks_memory || attempt.lacks_memory;
-    if (!causes.en.empty()) {
-      causes.en += "; ";
-      causes.ja += "、";
-    }
-    causes.en += std::string(row.name) + ": " + attempt.problem.en;
-    causes.ja += std::string(row.name) + ": " + attempt.problem.ja;
+    if (!causes.en.empty()) causes = causes + Text{"; ", "、"};
+    const std::string name = std::string(row.name) + ": ";
+    causes = causes + Text{name, name} + attempt.problem;
   }
   if (lacks_memory)
     return make_failure(ExitCode::out_of_memory, "out_of_memory",
@@ -102,11 +99,10 @@ std::vector<BackendReport> report_backends() {
   spare_resources();
   std::vector<BackendReport> reports;
   for (const BackendRow& row : backend_rows) {
-    BackendReport report;
+    BackendReport& report = reports.emplace_back();
     report.name = row.name;
     if (auto lack = lack_of_memory_for_context()) {
       report.problem = std::move(lack->message.text);
-      reports.push_back(std::move(report));
       continue;
     }
     Attempt attempt = row.make();
@@ -116,7 +112,6 @@ std::vector<BackendReport> report_backends() {
       report.version = gl_string(GL_VERSION);
       report.renderer = gl_string(GL_RENDERER);
     }
-    reports.push_back(std::move(report));
   }
   return reports;
 }

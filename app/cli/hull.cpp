@@ -124,10 +124,49 @@ struct HullReport {
   HullReport(std::string file, HullWishes what) : input(std::move(file)), wishes(what) {}
 
   // The largest; -1 where there is no hull.
-  int dimension() const;
+  int dimension() const {
+    int largest = -1;
+    for (const MadeHull& made : hulls) largest = std::max(largest, made.hull.dimension);
+    return largest;
+  }
+
   // `output`: where it was written, null where it was not.
-  std::string json_line(ExitCode code, const std::string* output, const Console& console) const;
-  std::string text(const std::string* output, const Console& console) const;
+  std::string json_line(ExitCode code, const std::string* output, const Console& console) const {
+    const bool warns =
+        std::any_of(messages.begin(), messages.end(), [](const Message& m) { return m.severity == Severity::warning; });
+    const Sums sums(hulls);
+    Record<hull_shape> json;
+    json["file"] = input;
+    json["output"] = output ? Json(*output) : Json();
+    json["status"] = code != ExitCode::done ? "error" : warns ? "warnings" : "ok";
+    json["dimension"] = dimension();
+    json["vertices"] = sums.vertices;
+    json["facets"] = sums.facets;
+    json["volume"] = sums.size.volume;
+    json["area"] = sums.size.area;
+    json["used"] = sums.used;
+    json["points"] = points.size();
+    if (console.verbose) put_lists(json, hulls);
+    if (wishes.per_component) {
+      Json& components = json["components"] = Json::array();
+      for (const MadeHull& made : hulls) components.push_back(component_json(made, wishes, console.verbose));
+    } else if (wishes.measure) {
+      put_extent(json, hulls[0].extent);
+    }
+    json["messages"] = cli::to_json(messages);
+    json.put(whole_sentence(hulls));
+    return line_of(json);
+  }
+  std::string text(const std::string* output, const Console& console) const {
+    std::string text;
+    const bool are_several = hulls.size() != 1;
+    if (are_several) text = console.text(whole_sentence(hulls)) + "\n";
+    for (const MadeHull& made : hulls) {
+      if (are_several) text += "\nv" + std::to_string(made.first) + ": ";
+      text += lines_of_hull(made, wishes, console);
+    }
+    return text + written_text(output, console);
+  }
 
   std::string input;
   HullWishes wishes;
@@ -135,50 +174,6 @@ struct HullReport {
   std::vector<MadeHull> hulls = {};
   std::vector<Message> messages = {};
 };
-
-int HullReport::dimension() const {
-  int largest = -1;
-  for (const MadeHull& made : hulls) largest = std::max(largest, made.hull.dimension);
-  return largest;
-}
-
-std::string HullReport::json_line(ExitCode code, const std::string* output, const Console& console) const {
-  const bool warns =
-      std::any_of(messages.begin(), messages.end(), [](const Message& m) { return m.severity == Severity::warning; });
-  const Sums sums(hulls);
-  Record<hull_shape> json;
-  json["file"] = input;
-  json["output"] = output ? Json(*output) : Json();
-  json["status"] = code != ExitCode::done ? "error" : warns ? "warnings" : "ok";
-  json["dimension"] = dimension();
-  json["vertices"] = sums.vertices;
-  json["facets"] = sums.facets;
-  json["volume"] = sums.size.volume;
-  json["area"] = sums.size.area;
-  json["used"] = sums.used;
-  json["points"] = points.size();
-  if (console.verbose) put_lists(json, hulls);
-  if (wishes.per_component) {
-    Json& components = json["components"] = Json::array();
-    for (const MadeHull& made : hulls) components.push_back(component_json(made, wishes, console.verbose));
-  } else if (wishes.measure) {
-    put_extent(json, hulls[0].extent);
-  }
-  json["messages"] = cli::to_json(messages);
-  json.put(whole_sentence(hulls));
-  return line_of(json);
-}
-
-std::string HullReport::text(const std::string* output, const Console& console) const {
-  std::string text;
-  const bool are_several = hulls.size() != 1;
-  if (are_several) text = console.text(whole_sentence(hulls)) + "\n";
-  for (const MadeHull& made : hulls) {
-    if (are_several) text += "\nv" + std::to_string(made.first) + ": ";
-    text += lines_of_hull(made, wishes, console);
-  }
-  return text + written_text(output, console);
-}
 
 // A name of one dash stands for points on standard input.
 Result<MeshFile> read_points(const std::string& input) {

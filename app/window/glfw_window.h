@@ -67,7 +67,6 @@ struct Glfw {
   decltype(&glfwSwapInterval) swap_interval = library.find("glfwSwapInterval");
   decltype(&glfwTerminate) terminate = library.find("glfwTerminate");
   decltype(&glfwPollEvents) poll_events = library.find("glfwPollEvents");
-  decltype(&glfwWaitEvents) wait_events = library.find("glfwWaitEvents");
   decltype(&glfwWaitEventsTimeout) wait_events_timeout = library.find("glfwWaitEventsTimeout");
   decltype(&glfwWindowHint) window_hint = library.find("glfwWindowHint");
 };

@@ -15,8 +15,6 @@ UiDamage::List UiDamage::copied(const ImDrawList& list) {
   for (const ImDrawCmd& c : list.CmdBuffer) {
     copy.commands.push_back({{c.ClipRect.x, c.ClipRect.y, c.ClipRect.z, c.ClipRect.w},
                              reinterpret_cast<std::uintptr_t>(c.GetTexID()),
-                             c.IdxOffset,
-                             c.VtxOffset,
                              c.ElemCount});
     for (std::uint32_t i = c.IdxOffset; i < c.IdxOffset + c.ElemCount; ++i) copy.indices[i] += c.VtxOffset;
   }

@@ -31,7 +31,7 @@ class UiDamage {
   struct Command {
     std::array<float, 4> clip;
     std::uintptr_t texture;
-    std::uint32_t first_index, first_vertex, indices;
+    std::uint32_t indices;
   };
   struct List {
     std::vector<Vertex> vertices;

@@ -82,12 +82,10 @@ std::vector<std::uint32_t> MeshBuffers::changed_triangles(const TriangleSource& 
                                                           std::span<const std::uint32_t> named) const {
   const std::size_t now = source.triangles;
   std::vector<std::uint32_t> changed;
-  for (const std::uint32_t triangle : named) {
+  for (const std::uint32_t triangle : named)
     if (triangle < std::min(now, source_triangles_)) changed.push_back(triangle);
-  }
-  for (std::size_t i = std::min(now, source_triangles_); i < std::max(now, source_triangles_); ++i) {
+  for (std::size_t i = std::min(now, source_triangles_); i < std::max(now, source_triangles_); ++i)
     changed.push_back(static_cast<std::uint32_t>(i));
-  }
   return changed;
 }
 
@@ -148,9 +146,8 @@ void MeshBuffers::write_positions(const TriangleSource& source, std::span<const 
     });
   };
   std::vector<std::uint32_t> moved;
-  for (const std::uint32_t vertex : vertices) {
+  for (const std::uint32_t vertex : vertices)
     if (vertex < before) moved.push_back(vertex);
-  }
   for_runs(std::move(moved), [&](std::uint32_t first, std::uint32_t count) { write(first, count); });
   write(before, now - before);
   source_positions_ = now;
@@ -174,15 +171,13 @@ std::vector<std::uint32_t> MeshBuffers::write_tints(const TriangleSource& source
     tints_[face] = tint;
     written.push_back(face);
   };
-  for (const std::uint32_t face : faces) {
+  for (const std::uint32_t face : faces)
     if (face < before) write(face, source.face_tints[face]);
-  }
   for_runs(written, [&](std::uint32_t first, std::uint32_t count) {
     gpu_tints_.write(first, {tints_.data() + first, count});
   });
-  for (std::size_t face = before; face < end; ++face) {
+  for (std::size_t face = before; face < end; ++face)
     write(static_cast<std::uint32_t>(face), face < now ? source.face_tints[face] : std::uint8_t{0});
-  }
   gpu_tints_.write(before, {tints_.data() + before, end - before});
   source_tints_ = now;
   return written;

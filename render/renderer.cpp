@@ -192,9 +192,8 @@ Image Renderer::read_pixels() const {
   if (!transparent_) return image;
   for (Rgba& p : image.pixels) {
     if (p[3] == 0 || p[3] == 255) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t c = 0; c < 3; ++c)
       p[c] = static_cast<std::uint8_t>(std::min(255, (int(p[c]) * 255 + p[3] / 2) / p[3]));
-    }
   }
   return image;
 }

@@ -181,9 +181,7 @@ ExitCode measure_elements(const Mesh& mesh, const std::vector<std::string>& oper
                                       "計測できません。稜線、面、二つの要素、または三つの頂点（座標が有限のもの）を指定"
                                       "してください。"}),
                         path);
-  if (!console.json) {
-    return console.end(console.text(text_of(found)) + "\n");
-  }
+  if (!console.json) return console.end(console.text(text_of(found)) + "\n");
   Record<measurement_shape> json;
   json["file"] = path;
   json["elements"] = Json(std::vector<std::string>(operands.begin() + 1, operands.end()));

@@ -42,9 +42,7 @@ class Shot {
     begin_another_step();
     if (options_.hover) session_.pointing.point_at(*options_.hover);
     const Image picture = headless_.picture(session_);
-    if (options_.output) {
-      is_written_ = write(picture, *options_.output, FileRole::picture);
-    }
+    if (options_.output) is_written_ = write(picture, *options_.output, FileRole::picture);
     if (options_.reference) compare_with_reference(picture);
     return finish();
   }

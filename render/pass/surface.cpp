@@ -56,9 +56,8 @@ void SurfacePass::draw(const Frame& frame, const MeshBuffers& mesh, std::span<co
   draw_clusters(surface, frame, mesh, clusters, frame.thinning);
 
   std::vector<std::uint32_t> tinted;
-  for (const std::uint32_t cluster : clusters) {
+  for (const std::uint32_t cluster : clusters)
     if (mesh.clusters()[cluster].tinted) tinted.push_back(cluster);
-  }
   if (tinted.empty()) return;
   set_drawing(Blend::over, GL_EQUAL);
   set_light(tint, frame);

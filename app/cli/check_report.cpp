@@ -1,7 +1,6 @@
 #include "app/cli/check_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -36,12 +35,6 @@ constexpr std::size_t names_shown = 8;
 std::string spaces(std::size_t wanted, std::size_t used) { return std::string(wanted > used ? wanted - used : 1, ' '); }
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
-
-std::string short_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
 
 std::string place(const glm::dvec3& p) {
   return "(" + short_number(p.x) + ", " + short_number(p.y) + ", " + short_number(p.z) + ")";

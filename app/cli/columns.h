@@ -1,7 +1,8 @@
-// Two-column text layout for help and lists.
+// Layout of texts in columns for help and lists.
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +19,13 @@ inline std::size_t display_width(std::string_view text) {
     width += byte >= 0xe3 ? 2 : 1;
   }
   return width;
+}
+
+// A number with six digits.
+inline std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
 }
 
 // The first column is aligned to the left; the others too where they are texts, to the right where they are figures.

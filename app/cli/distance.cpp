@@ -1,6 +1,7 @@
 // `distance`: how far two surfaces are from each other.
 #include <array>
 
+#include "app/cli/columns.h"
 #include "app/cli/console.h"
 #include "app/cli/distance_report.h"
 #include "app/cli/subcommand_table.h"
@@ -97,7 +98,7 @@ std::string left_out_text(const OneWayDistance& way, const ReadSurface& from, co
 
 std::string place_text(const OneWayDistance& way, const ReadSurface& from, const Console& console) {
   const auto place = [](const glm::dvec3& p) {
-    return short_distance(p.x) + " " + short_distance(p.y) + " " + short_distance(p.z);
+    return short_number(p.x) + " " + short_number(p.y) + " " + short_number(p.z);
   };
   return std::string(console.text("  farthest: ", "  最大の箇所：")) + visible_line(from.path) + " " +
          name_of(from.mesh, way.face) + ", " + place(way.from) + " -> " + place(way.to) + "\n";

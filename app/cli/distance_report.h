@@ -1,9 +1,7 @@
 // Distances of surfaces as text and as JSON, for every command that measures them.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -34,13 +32,6 @@ void add_figures(Record<shape>& json, const Figures& f, double diagonal) {
   json["hausdorff_gap_rel"] = share(f.hausdorff_gap);
 }
 
-// With six digits.
-inline std::string short_distance(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
 // Two rows for each: in the unit of the files, and in percent of the diagonal.
 class DistanceTable {
  public:
@@ -53,8 +44,8 @@ class DistanceTable {
   void add(const std::string& name, const Figures& f, double diagonal) {
     std::vector<std::string> row{name}, shares{std::string(console_.text("  % of the diagonal", "  対角線に対する %"))};
     for (const double length : {f.rms, f.mean, f.hausdorff, f.hausdorff_gap}) {
-      row.push_back(short_distance(length));
-      shares.push_back(diagonal > 0 ? short_distance(100 * length / diagonal) : "-");
+      row.push_back(short_number(length));
+      shares.push_back(diagonal > 0 ? short_number(100 * length / diagonal) : "-");
     }
     table_.add(row);
     table_.add(shares);

@@ -90,11 +90,7 @@ std::string json_line_of(const Measured& found, const Mesh& mesh, const std::str
   return line_of(json);
 }
 
-std::string short_value(double value, MapUnit unit) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", value);
-  return digits + std::string(sign_of(unit));
-}
+std::string short_value(double value, MapUnit unit) { return short_number(value) + std::string(sign_of(unit)); }
 
 std::string bars_text(const Measured& found) {
   constexpr double most_signs = 40;

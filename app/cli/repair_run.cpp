@@ -138,9 +138,13 @@ RecipeEvents RepairRun::events_of(std::span<const RecipeStep> steps, const std::
     return report_on(console_, name_in(step, round))(share);
   };
   events.step_done = [this, name_in](const RecipeStep& step, std::size_t round, const AlgorithmResult& result) {
-    if (rounds_ + round == 1 || result.changed > 0) print_step(name_in(step, round), result);
+    if (rounds_ + round == 1 || result.changed > 0) print(line_of_result(name_in(step, round), result, console_));
   };
-  events.round_undone = [this](std::size_t round) { print_undone(rounds_ + round); };
+  events.round_undone = [this](std::size_t round) {
+    const std::string n = std::to_string(rounds_ + round);
+    print(std::string(console_.text("round " + n + ": undone, since it takes away nothing that the repairs are for\n",
+                                    n + " 巡目：対象の問題が減らないため、元に戻しました\n")));
+  };
   return events;
 }
 
@@ -161,7 +165,10 @@ void RepairRun::run_as_written(std::span<const RecipeStep> steps, const std::str
   waits_ = true;
   while (!run_once(steps, command, events)) read_again();
   waits_ = false;
-  if (was_no_better_ && rounds_ == 0) print_no_better();
+  if (was_no_better_ && rounds_ == 0)
+    print(std::string(
+        console_.text("nothing to do: points at one place are one in the file, which would have as many problems\n",
+                      "変更なし：ファイルでは同じ位置の点が一つになり、問題が減らないため\n")));
 }
 
 // Runs the steps on the document, and undoes them where the file would be no better. What is found is counted as the
@@ -180,7 +187,9 @@ bool RepairRun::run_once(std::span<const RecipeStep> steps, const std::string& c
     for (AlgorithmResult& step : result.steps) step = undone_in_file(std::move(step));
   }
   for (AlgorithmResult& step : result.steps) std::erase_if(step.left_for, tells_of_loose_pieces);  // one with the rest
-  print_waiting(is_kept || !is_changed);
+  if (is_kept || !is_changed)
+    for (const std::string& line : waiting_) console_.print_now(line);
+  waiting_.clear();
   add_run(std::move(result));
   count_as_written(is_kept ? *after : before);
   return !is_kept && (reread_ || before.is_like(document()));
@@ -205,10 +214,6 @@ void RepairRun::read_again() {
   job_.document = reread_.get();
 }
 
-void RepairRun::print_step(const std::string& name, const AlgorithmResult& result) {
-  print(line_of_result(name, result, console_));
-}
-
 // At once, unless what is done may be undone in the end.
 void RepairRun::print(std::string line) {
   if (console_.json) return;
@@ -216,24 +221,6 @@ void RepairRun::print(std::string line) {
     waiting_.push_back(std::move(line));
   else
     console_.print_now(line);
-}
-
-void RepairRun::print_waiting(bool prints) {
-  for (const std::string& line : waiting_)
-    if (prints) console_.print_now(line);
-  waiting_.clear();
-}
-
-void RepairRun::print_no_better() {
-  print(std::string(
-      console_.text("nothing to do: points at one place are one in the file, which would have as many problems\n",
-                    "変更なし：ファイルでは同じ位置の点が一つになり、問題が減らないため\n")));
-}
-
-void RepairRun::print_undone(std::size_t round) {
-  const std::string n = std::to_string(round);
-  print(std::string(console_.text("round " + n + ": undone, since it takes away nothing that the repairs are for\n",
-                                  n + " 巡目：対象の問題が減らないため、元に戻しました\n")));
 }
 
 void print_repair(const RepairRun& run, const Console& console) {

@@ -31,11 +31,7 @@ class RepairRun {
   const std::vector<Element>& loose() const { return loose_; }  // the first faces of loose pieces
 
  private:
-  void print_step(const std::string& name, const AlgorithmResult& result);
   void print(std::string line);
-  void print_waiting(bool prints);
-  void print_undone(std::size_t round);
-  void print_no_better();
   RecipeEvents events_of(std::span<const RecipeStep> steps, const std::vector<std::string>& names);
   void run_as_written(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events);
   bool run_once(std::span<const RecipeStep> steps, const std::string& command, const RecipeEvents& events);

@@ -102,18 +102,15 @@ class AlgorithmRun {
     return std::nullopt;
   }
 
-  void print_distance() const {
-    DistanceTable table(console_);
-    table.add(std::string(console_.text("distance", "距離")), *distance_, distance_->diagonal);
-    console_.print_now(table.text());
-  }
-
   // None where there is nothing to measure.
   void measure_distance_from(const Mesh& before) {
     if (!has_surface(before) || !has_surface(job_.document->mesh())) return;
     Progress progress(report_on(console_, "distance"));
     distance_ = surface_distance(before, job_.document->mesh(), {}, progress);
-    if (distance_ && !console_.json) print_distance();
+    if (!distance_ || console_.json) return;
+    DistanceTable table(console_);
+    table.add(std::string(console_.text("distance", "距離")), *distance_, distance_->diagonal);
+    console_.print_now(table.text());
   }
 
   void write() {

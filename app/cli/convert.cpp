@@ -47,25 +47,20 @@ class Conversion {
     losses_ = losses_of(*file, *target_.format, target_.encoding);
     for (const Loss& loss : losses_) console_.show(loss.message(target_.format->name), output_);
     ExitCode code = ExitCode::done;
-    if (is_strict && !losses_.empty()) {
+    if (is_strict && !losses_.empty())
       code = fail(refusal_of_losses());
-    } else if (const auto fault = fault_of_name(*file)) {
+    else if (const auto fault = fault_of_name(*file))
       code = fail(*fault);
-    } else {
+    else
       code = write(*file);
-    }
     report(*file, code);
     return code;
   }
 
  private:
-  void add(const Message& message) {
-    messages_.push_back(message);
-    console_.show(message, output_);
-  }
-
   ExitCode fail(const Failure& failure) {
-    add(failure.message);
+    messages_.push_back(failure.message);
+    console_.show(failure.message, output_);
     return failure.exit_code;
   }
 
@@ -85,9 +80,7 @@ class Conversion {
   ExitCode write(const MeshFile& file) {
     const Status status = write_mesh_file(output_, file, target_);
     is_written_ = is_in_place(status);
-    if (status) return ExitCode::done;
-    add(status.failure().message);
-    return status.failure().exit_code;
+    return status ? ExitCode::done : fail(status.failure());
   }
 
   void report(const MeshFile& file, ExitCode code) const {

@@ -1,6 +1,7 @@
 // `doctor`: what the program was built with and what this machine offers it.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <glm/glm.hpp>
@@ -86,9 +87,7 @@ struct Diagnosis {
   std::string display = cli::display();
 
   bool can_draw() const {
-    for (const BackendReport& backend : backends)
-      if (backend.works()) return true;
-    return false;
+    return std::any_of(backends.begin(), backends.end(), [](const BackendReport& backend) { return backend.works(); });
   }
 };
 

@@ -24,17 +24,8 @@ namespace {
 using Severities = std::vector<std::string_view>;
 
 Severities severities_of(const CodeRow& row) {
-  switch (row.severity) {
-    case CodeSeverity::error:
-      return {"error"};
-    case CodeSeverity::warning:
-      return {"warning"};
-    case CodeSeverity::error_or_warning:
-      return {"error", "warning"};
-    case CodeSeverity::info:
-      break;
-  }
-  return {"info"};
+  if (row.severity == CodeSeverity::error_or_warning) return {"error", "warning"};
+  return {row.severity == CodeSeverity::error ? "error" : row.severity == CodeSeverity::warning ? "warning" : "info"};
 }
 
 Severities severities_of(const RuleText& row) { return {row.severity == RuleSeverity::refuse ? "refuse" : "warn"}; }

@@ -123,12 +123,10 @@ class Shot {
     percent_ = 100 * difference->share;
     if (options_.difference) write(difference->picture, *options_.difference, FileRole::difference);
     if (*percent_ <= options_.tolerance_percent) return;
-    Message message;
-    message.code = "pictures_differ";
     const std::string share = format_double(*percent_), allowed = format_double(options_.tolerance_percent);
-    message.text = {share + " % of the pixels differ, " + allowed + " % are allowed.",
-                    "画素の " + share + " % が異なります（許容 " + allowed + " %）。"};
-    fail(Failure{ExitCode::found_problems, message});
+    fail(make_failure(ExitCode::found_problems, "pictures_differ",
+                      {share + " % of the pixels differ, " + allowed + " % are allowed.",
+                       "画素の " + share + " % が異なります（許容 " + allowed + " %）。"}));
   }
 
   ExitCode finish() const {

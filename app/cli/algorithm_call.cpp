@@ -23,20 +23,12 @@ std::string line_of_result(const std::string& name, const AlgorithmResult& resul
 
 Json value_json(const ParameterRow& row, const ParameterValue* value) {
   if (!value) return nullptr;
-  switch (row.kind) {
-    case ParameterKind::count:
-      return static_cast<std::uint64_t>(value->number);
-    case ParameterKind::choice:
-      return row.choices[static_cast<std::size_t>(value->number)].id;
-    case ParameterKind::flag:
-      return value->number != 0;
-    case ParameterKind::place:
-      return Json::array({value->place.x, value->place.y, value->place.z});
-    case ParameterKind::elements:
-      return value->names;
-    default:
-      return value->number;
-  }
+  if (row.kind == ParameterKind::count) return static_cast<std::uint64_t>(value->number);
+  if (row.kind == ParameterKind::choice) return row.choices[static_cast<std::size_t>(value->number)].id;
+  if (row.kind == ParameterKind::flag) return value->number != 0;
+  if (row.kind == ParameterKind::place) return to_json(value->place);
+  if (row.kind == ParameterKind::elements) return value->names;
+  return value->number;
 }
 
 Json reason_json(const LeftForReason& left, const Mesh& mesh) {

@@ -25,7 +25,8 @@ using Severities = std::vector<std::string_view>;
 
 Severities severities_of(const CodeRow& row) {
   if (row.severity == CodeSeverity::error_or_warning) return {"error", "warning"};
-  return {row.severity == CodeSeverity::error ? "error" : row.severity == CodeSeverity::warning ? "warning" : "info"};
+  if (row.severity == CodeSeverity::error) return {"error"};
+  return {row.severity == CodeSeverity::warning ? "warning" : "info"};
 }
 
 Severities severities_of(const RuleText& row) { return {row.severity == RuleSeverity::refuse ? "refuse" : "warn"}; }

@@ -61,17 +61,10 @@ float OverlayElement::length() const {
 
 float OverlayElement::reach_px() const {
   const float size = texels[0].w + (has_flag(*this, rim_flag) ? 2.f : 0.f);
-  switch (kind_of(*this)) {
-    case ghost_kind:
-      return 1;
-    case point_kind:
-      return (size + 2) * 1.5f + 2;
-    case arrow_kind:
-      return (2 * size + 3) * 1.5f + 2;
-    case line_kind:
-      break;
-  }
-  return 0.5f * size * 1.5f + 2;
+  const Kind kind = kind_of(*this);
+  if (kind == ghost_kind) return 1;
+  if (kind == point_kind) return (size + 2) * 1.5f + 2;
+  return kind == arrow_kind ? (2 * size + 3) * 1.5f + 2 : 0.5f * size * 1.5f + 2;
 }
 
 OverlayBuffer::Elements OverlayBuffer::converted(const Overlay& overlay, const BufferSpace& space) {

@@ -1,5 +1,5 @@
-// `forms`: the representations of the source texts side by side for a mesh; with
-// --element what each of them stores of an element.
+// `forms`: the representations of the source texts side by side for a mesh; with --element what each of them stores of
+// an element.
 #include "app/cli/columns.h"
 #include "app/cli/console.h"
 #include "app/cli/contract/json.h"

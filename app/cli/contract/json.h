@@ -19,7 +19,7 @@ namespace ryosen::cli {
 // Keys keep their insertion order. NaN and infinity are written as null.
 using Json = nlohmann::ordered_json;
 
-// What is made of each of them.
+// An array of the JSON that `convert` makes of each.
 template <class Range, class Convert>
 Json array_of(const Range& range, const Convert& convert) {
   Json all = Json::array();

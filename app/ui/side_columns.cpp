@@ -1,13 +1,38 @@
 #include "app/ui/side_columns.h"
-#include "app/editor/preferences/layout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/editor/document/findings.h"
+#include "app/editor/preferences/layout.h"
+#include "app/ui/style.h"
+#include "app/ui/widgets.h"
+
 namespace ryosen {
 
 namespace {
+
+// At scale 1.
+constexpr int least_window_px = 900;  // that has columns
+constexpr int least_view_px = 200;
+constexpr float tabs_px = 30;  // the width of a strip
+
+int scaled(float px, float scale) { return static_cast<int>(std::lround(px * scale)); }
+
+// The height of ImGui's menu bar, and of the status line: font size plus vertical padding.
+int bar_px(const UiSize& size) {
+  return static_cast<int>(std::round(static_cast<float>(size.font_px) * size.scale) +
+                          2 * std::floor(frame_padding_px * size.scale));
+}
+
+// The widest that a column of a window may be made by hand, at scale 1.
+int widest_column_px(const Layout& layout, PanelPlace side, Size window, float column_scale) {
+  const PanelPlace other = side == PanelPlace::left ? PanelPlace::right : PanelPlace::left;
+  const int taken = layout.is_empty(other) ? 0 : layout.width_px(other);
+  const auto room = static_cast<int>(static_cast<float>(window.width) / column_scale) - taken - least_view_px;
+  return std::clamp(room, least_column_px, most_column_px);
+}
 
 constexpr float border_px = 5;  // that can be taken hold of, at scale 1
 
@@ -56,6 +81,90 @@ struct ColumnNames {
 };
 constexpr ColumnNames names[2] = {{"##left", "##left/held"}, {"##right", "##right/held"}};
 
+// What a click on the header of a panel does.
+enum class HeaderClick { folds, closes };
+
+// Three dots, which not every font has.
+void draw_dots(PanelContext& context, ImVec2 from, ImVec2 size) {
+  const float radius = 1.4f * context.scale, apart = 4.5f * context.scale;
+  const ImVec2 middle{from.x + size.x / 2, from.y + size.y / 2};
+  const ImU32 colour = ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  for (const float at : {-apart, 0.f, apart})
+    ImGui::GetWindowDrawList()->AddCircleFilled({middle.x + at, middle.y}, radius, colour);
+}
+
+void draw_menu_of(PanelContext& context, const PanelRow& row, HeaderClick header) {
+  if (!ImGui::BeginPopup("menu")) return;
+  const Layout& layout = context.layout;
+  const std::string panel = "panel " + std::string(row.id);
+  const bool is_folded = layout.is_folded(row), is_left = layout.side_of(row) == PanelPlace::left;
+  const auto entry = [&](UiText name, const char* word) {
+    if (ImGui::MenuItem(context.text(name))) context.run(panel + word);
+  };
+  if (header == HeaderClick::folds)
+    entry(is_folded ? UiText::panel_unfold : UiText::panel_fold, is_folded ? " unfold" : " fold");
+  entry(is_left ? UiText::panel_to_right : UiText::panel_to_left, is_left ? " right" : " left");
+  entry(UiText::panel_hide, " off");
+  tip(context.text(UiText::panel_hide_help));
+  ImGui::EndPopup();
+}
+
+// The header of a panel: a click folds it, and its menu hides it or puts it on the other side. True while the panel is
+// unfolded.
+bool draw_header(PanelContext& context, const PanelRow& row, HeaderClick header) {
+  const std::string panel = "panel " + std::string(row.id);
+  const bool was_open = header == HeaderClick::closes || !context.layout.is_folded(row);
+  const ImVec2 button{ImGui::GetFrameHeight() + 4 * context.scale, ImGui::GetFrameHeight()};
+  const float room = ImGui::GetContentRegionAvail().x - 2 * button.x;
+  ImGui::SetNextItemOpen(was_open);
+  ImGui::PushFont(context.fonts.bold);
+  const std::string title = fitted(context.title(row), room);
+  const bool is_open = ImGui::CollapsingHeader((title + "###header").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
+  ImGui::PopFont();
+  if (!row.help_en.empty()) tip(context.text(row.help_en, row.help_ja));
+  if (is_open != was_open)
+    context.run(header == HeaderClick::closes ? "panel none" : panel + (is_open ? " unfold" : " fold"));
+  bool wants_menu = ImGui::IsItemClicked(ImGuiMouseButton_Right);
+  const ImVec2 corner{ImGui::GetItemRectMax().x - button.x, ImGui::GetItemRectMin().y};
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(corner);
+  wants_menu |= ImGui::InvisibleButton("dots", button);
+  draw_dots(context, corner, button);
+  tip(context.text(UiText::panel_menu));
+  ImGui::SetCursorScreenPos(below);
+  if (wants_menu) ImGui::OpenPopup("menu");
+  draw_menu_of(context, row, header);
+  return is_open;
+}
+
+void draw_body(PanelContext& context, OwnPanel& own) {
+  const float lines = own.panel->lines();
+  if (lines > 0) begin_rows("fixed", lines);
+  const auto share = context.findings().preparing();
+  if (share && own.row.reads == PanelReads::findings)
+    draw_preparing(context, *share);
+  else
+    own.panel->draw(context);
+  if (lines > 0) end_rows();
+}
+
+// The header alone, once more, where the panel's own is out of sight.
+void draw_panel_header(PanelContext& context, const PanelRow& row) {
+  ImGui::PushID(row.id.data(), row.id.data() + row.id.size());
+  draw_header(context, row, HeaderClick::folds);
+  ImGui::PopID();
+}
+
+void draw_framed(PanelContext& context, OwnPanel& own, HeaderClick header) {
+  ImGui::PushID(own.row.id.data(), own.row.id.data() + own.row.id.size());
+  if (draw_header(context, own.row, header)) {
+    draw_body(context, own);
+    if (std::exchange(context.state.asks_to_be_seen, false)) context.layout.wanted = own.row.id;
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * context.scale);
+  }
+  ImGui::PopID();
+}
+
 // Of the window that is drawn.
 SeenPart seen_part(const ColumnNames& of, float covered_px) {
   const float top = ImGui::GetWindowPos().y, border = ImGui::GetStyle().WindowBorderSize;
@@ -67,6 +176,34 @@ bool lies_in(const PanelContext& context, const PanelRow& row, PanelPlace side) 
 }
 
 }  // namespace
+
+float UiSize::of_columns() const {
+  return scale * std::max(1.f, static_cast<float>(font_px) / static_cast<float>(UiSize().font_px));
+}
+
+Areas areas_of(const Layout& layout, Size window, const UiSize& size) {
+  const float scale = size.of_columns();
+  Areas areas;
+  areas.has_tabs = static_cast<float>(window.width) < least_window_px * scale;
+  const int bar = bar_px(size);
+  const auto width = [&](PanelPlace side) {
+    if (layout.is_empty(side)) return 0;
+    if (!areas.has_tabs) return scaled(static_cast<float>(layout.width_px(side)), scale);
+    return scaled(tabs_px, scale);
+  };
+  int left = width(PanelPlace::left), right = width(PanelPlace::right);
+  const int room = std::max(window.width - scaled(least_view_px, scale), 0);
+  if (!areas.has_tabs && left + right > room) {
+    left = static_cast<int>(std::int64_t{left} * room / (left + right));
+    right = std::min(right, room - left);
+  }
+  areas.view = {left, bar, window.width - right, window.height - bar};
+  areas.view.x1 = std::max(areas.view.x1, areas.view.x0 + 1);
+  areas.view.y1 = std::max(areas.view.y1, areas.view.y0 + 1);
+  areas.left = {0, bar, areas.view.x0, areas.view.y1};
+  areas.right = {areas.view.x1, bar, window.width, areas.view.y1};
+  return areas;
+}
 
 const char* column_window(PanelPlace side) { return names[side == PanelPlace::left ? 0 : 1].column; }
 

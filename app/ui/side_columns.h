@@ -1,16 +1,48 @@
-// The columns beside the view: panels, and a border to drag. In a narrow window tabs, of which one opens its panel over
-// the view.
+// The columns beside the view: where they lie in the window, their panels with headers, and a border to drag. In a
+// narrow window tabs, of which one opens its panel over the view. Session::place_view divides the rest, which is the
+// views'.
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "app/ui/areas.h"
-#include "app/ui/panel_frame.h"
+#include "app/editor/preferences/layout.h"
+#include "app/ui/panels.h"
 #include "app/ui/whole_lines.h"
+#include "ryosen/scene/view/size.h"
 
 namespace ryosen {
+
+struct Areas {
+  PixelRect view, left, right;  // a column without panels is empty
+  bool has_tabs = false;        // the window is too narrow for columns: each is a strip of tabs
+
+  const PixelRect& column(PanelPlace side) const { return side == PanelPlace::left ? left : right; }
+};
+
+// How large things are: at a scale, 1 for about 96 pixels per inch, and letters at scale 1.
+struct UiSize {
+  UiSize(float of_all = 1, int of_letters_px = 15) : scale(of_all), font_px(of_letters_px) {}
+  // Of what text stands in: columns, tabs and what lies over the view. Larger letters need more room.
+  float of_columns() const;
+  float scale;
+  int font_px;
+  bool operator==(const UiSize&) const = default;
+};
+
+// The view keeps some room, and at least a pixel.
+Areas areas_of(const Layout& layout, Size window, const UiSize& size);
+
+// A panel of the window, with its row.
+struct OwnPanel {
+  PanelRow row;
+  std::unique_ptr<Panel> panel;
+  std::unique_ptr<ScopedPanel> added;  // null for those of the list
+  bool was_over = false;               // drawn over the view in the last frame
+  float begins_px = 0;                 // from there on it covers the view, where it leaves that to be seen
+};
 
 class SideColumns {
  public:

@@ -3,7 +3,7 @@
 
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
-#include "app/ui/menu_entries.h"
+#include "app/ui/menu.h"
 #include "app/ui/start_page.h"
 #include "app/ui/widgets.h"
 

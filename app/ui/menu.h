@@ -1,19 +1,13 @@
-// What stands in the menus of the bar.
+// Menus of the window: what others put into those of the bar, and a menu within a menu.
 #pragma once
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/editor/preferences/menu_bar.h"
 #include "ryosen/base/message.h"
 
 namespace ryosen {
-
-struct PanelContext;
-
-// The entries of a row of menu_bar, in the menu that is open.
-void draw_entries(PanelContext& context, const MenuRow& menu);
 
 // Calls under one title in a menu: the name and the line of each.
 struct OfferedCalls {
@@ -22,5 +16,9 @@ struct OfferedCalls {
 };
 // Scripts of the source texts: textbook/offered.cpp
 std::vector<OfferedCalls> textbook_calls();
+
+// As ImGui::BeginMenu(); EndMenu() must follow where it is open. Where there is no room beside the menu around, it lies
+// over the ends of the entries, with their keys and arrows, and not over their names.
+bool begin_submenu(const char* name, bool is_enabled = true);
 
 }  // namespace ryosen

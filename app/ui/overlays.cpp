@@ -1,21 +1,60 @@
 #include "app/ui/overlays.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/findings.h"
+#include "app/editor/labels/drawn_links.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/levels.h"
-#include "app/ui/end_dots.h"
 #include "app/ui/overlay_painter.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/enum_table.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
+
+namespace {
+
+// The vertices at the ends of edges whose lines would hide the dots that the surface has there.
+class EndDots {
+ public:
+  EndDots(const Mesh& mesh, std::span<const glm::dvec3> places) : m_(mesh), places_(places) {}
+
+  void add(Edge e);
+  void draw(Theme theme, Overlay& overlay) const;
+
+ private:
+  const Mesh& m_;
+  std::span<const glm::dvec3> places_;
+  std::map<Vertex, double> room_;  // the length of the shortest of its edges
+};
+
+void EndDots::add(Edge e) {
+  const auto [a, b] = ends(m_, e);
+  const double length = glm::length(places_[a.index] - places_[b.index]);
+  for (const Vertex v : {a, b}) {
+    const auto [at, is_new] = room_.try_emplace(point(m_, v), length);
+    if (!is_new) at->second = std::min(at->second, length);
+  }
+}
+
+void EndDots::draw(Theme theme, Overlay& overlay) const {
+  constexpr float radius_px = 2.2f;  // with the outline of points as wide as the dots of the surface
+  const Rgba colour = with_alpha(palette(theme).wire, 255);
+  for (const auto& [v, room] : room_)
+    overlay.points.push_back({places_[v.index], colour, PointShape::disc, radius_px, 0, room, true});
+}
+
+}  // namespace
 
 Overlay highlight_overlay(Findings& findings, std::span<const glm::dvec3> places, const HighlightRow& row, Mark mark,
                           std::uint32_t first, std::uint32_t end, const ViewSettings& settings, double room) {
@@ -164,6 +203,66 @@ Overlay left_edges_overlay(const Findings& findings, const Layout& layout, Theme
                              looks.line, looks.width_px, 0, false});
   }
   return overlay;
+}
+
+namespace {
+
+// The looks of an arrow by its role; line style and label tell apart what colours may not.
+struct LinkLooks {
+  LinkRole role;
+  std::uint32_t dark, light;  // 0xRRGGBB
+  LineStyle line;
+  float width_px;
+};
+constexpr LinkLooks link_looks[] = {
+    {LinkRole::all, 0x8FC7FF, 0x1F5FA8, LineStyle::solid, 1.6f},
+    {LinkRole::trail, 0xF0E442, 0x8A7A00, LineStyle::dotted, 2.2f},
+    {LinkRole::itself, 0xE69F00, 0xB36B00, LineStyle::solid, 3.4f},
+    {LinkRole::next, 0x2BD9A0, 0x007A58, LineStyle::solid, 2.6f},
+    {LinkRole::prev, 0x56B4E9, 0x0062A3, LineStyle::dashed, 2.6f},
+    {LinkRole::twin, 0xE58CC0, 0x9E3D78, LineStyle::dash_dot, 2.6f},
+    {LinkRole::vertex, 0xFFFFFF, 0x202020, LineStyle::solid, 2.2f},
+    {LinkRole::face, 0xFFFFFF, 0x202020, LineStyle::dotted, 2.0f},
+    {LinkRole::around, 0x56B4E9, 0x0062A3, LineStyle::solid, 2.2f},
+    {LinkRole::wing, 0x56B4E9, 0x0062A3, LineStyle::solid, 2.4f},
+    {LinkRole::ring, 0xE58CC0, 0x9E3D78, LineStyle::dashed, 2.4f},
+    {LinkRole::normal, 0xFFFFFF, 0x202020, LineStyle::solid, 2.2f},
+};
+static_assert(rows_are_in_order(link_looks, &LinkLooks::role));
+
+// Text 003 draws what has no opposite in another colour.
+constexpr std::uint32_t boundary_dark = 0x2BD9A0, boundary_light = 0x00785A;
+
+}  // namespace
+
+Overlay links_overlay(std::span<const LinkArrow> arrows, Theme theme) {
+  Overlay overlay;
+  const bool is_dark = theme == Theme::dark;
+  for (const LinkArrow& arrow : arrows) {
+    const LinkLooks& looks = link_looks[static_cast<std::size_t>(arrow.role)];
+    std::uint32_t colour = is_dark ? looks.dark : looks.light;
+    if (arrow.role == LinkRole::all && arrow.is_boundary) colour = is_dark ? boundary_dark : boundary_light;
+    const float hidden = arrow.role == LinkRole::all ? 0 : faintly;
+    // The shaft of a thin one has an edge that sets it off from a surface of any brightness.
+    if (arrow.role == LinkRole::all)
+      overlay.lines.push_back(
+          {arrow.from, arrow.to, palette(theme).outline, looks.line, looks.width_px + 1.8f, hidden, false});
+    if (arrow.from == arrow.to)
+      overlay.points.push_back({arrow.from, rgb(colour), PointShape::ring, 8, hidden});
+    else
+      overlay.lines.push_back({arrow.from, arrow.to, rgb(colour), looks.line, looks.width_px, hidden, true});
+  }
+  return overlay;
+}
+
+double room_of_points(const Box& bounds, std::size_t count) {
+  constexpr std::size_t few = 100;
+  if (count < few || bounds.is_empty()) return 0;
+  const glm::dvec3 size = bounds.highest - bounds.lowest;
+  const double smallest = std::min({size.x, size.y, size.z}), largest = std::max({size.x, size.y, size.z});
+  const double middle = size.x + size.y + size.z - smallest - largest, each = 1 / static_cast<double>(count);
+  const double room = std::max(std::sqrt(largest * middle * each), largest * each);
+  return room > 0 && std::isfinite(room) ? std::exp2(std::round(std::log2(room))) : 0;
 }
 
 }  // namespace ryosen

@@ -1,28 +1,32 @@
-// The overlays of the view's layers: highlights, selection, hovered element and preview. `places`: where the vertices
-// are drawn.
+// The overlays of the view's layers: highlights, selection, hovered element and preview, handles and axes. `places`:
+// where the vertices are drawn.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 
 #include "render/overlay.h"
 #include "render/palette.h"
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/geometry/box.h"
 #include "ryosen/ops/preview/tool_verdicts.h"
 #include "ryosen/scene/highlights/highlight_table.h"
 
 namespace ryosen {
 
 class Findings;
-class Mesh;
-class Selecting;
 class Gesturing;
+class Mesh;
+class Pointing;
+class Selecting;
 class Session;
 class Shown;
+struct Layout;
 struct LinkArrow;
+struct Preferences;
 struct SeenMesh;
 struct ViewState;
-struct Layout;
 
 // The members of a mark of a highlight with slot numbers from first to before end.
 // Points have so much room, see Point. With dots the ends of edges are drawn over them, where vertices are drawn.
@@ -54,5 +58,15 @@ Overlay hover_overlay(const Mesh& mesh, const ViewState& view, const Selecting& 
                       Theme theme);
 // An element of a mesh that is compared with, under the pointer.
 Overlay pointed_overlay(const SeenMesh& compared, const Element& element);
+// The handles, with the one under the pointer marked; or while a gesture lasts the axis or plane that it is bound to,
+// the reach of its falloff, and what it snaps to.
+Overlay gizmo_overlay(const ViewState& view, const Pointing& pointing, const Gesturing& gesturing, Theme theme);
+// The axes in the corner of the view; nothing where they are not shown.
+Overlay axes_overlay(const ViewState& view, const Pointing& pointing, const Preferences& preferences, Theme theme);
+
+// How much room points have that are drawn at many places, as if so many were even over a surface as large as the two
+// longer sides of their bounds, in whole octaves, so that an edit seldom changes it; none where they are few (see
+// Point).
+double room_of_points(const Box& bounds, std::size_t count);
 
 }  // namespace ryosen

@@ -5,7 +5,6 @@
 
 #include "app/editor/session/session.h"
 #include "app/ui/overlays.h"
-#include "app/ui/point_room.h"
 
 namespace ryosen {
 

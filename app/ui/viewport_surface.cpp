@@ -1,22 +1,116 @@
-// The view is drawn anew where the mesh and what is marked on it have changed.
+// The surface of the view is drawn anew where the mesh, its colours and its tints have changed.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
-#include "app/editor/document/left_edges.h"
+#include "app/editor/camera/view_state.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
-#include "app/editor/shown/player.h"
 #include "app/editor/views/seen_mesh.h"
-#include "app/ui/overlays.h"
-#include "app/ui/surface_paint.h"
 #include "app/ui/viewport.h"
-#include "ryosen/base/sort_unique.h"
-#include "ryosen/geometry/is_finite.h"
+#include "render/colour.h"
+#include "ryosen/document/document.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
 namespace {
+
+// The colours of the values that the surface is coloured by.
+void paint_values(Findings& findings, const ViewState& view, TriangleSource& source) {
+  const Colouring& colouring = *view.colouring;
+  const MapValues& values = findings.map_values(colouring);
+  const Mesh& mesh = findings.mesh();
+  constexpr std::size_t steps = 1024;
+  std::vector<std::uint32_t> scale(steps);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const auto [r, g, b, a] = rgb(colour_at(colouring.map->scale, double(i) / (steps - 1)));
+    scale[i] = std::uint32_t{r} | std::uint32_t{g} << 8 | std::uint32_t{b} << 16 | std::uint32_t{a} << 24;
+  }
+  const auto of = [&values, colouring, scale = std::move(scale)](std::uint32_t slot) -> std::uint32_t {
+    const double value = values.of(slot);
+    if (std::isnan(value)) return 0;
+    return scale[static_cast<std::size_t>(place_on_scale(*colouring.map, colouring.range, value) * (steps - 1) + 0.5)];
+  };
+  const Element::Kind sort = colouring.map->sort();
+  source.paint = sort == Element::Kind::edge ? Paint::sides : Paint::corners;
+  source.colours = [&mesh, sort, of](const DrawnTriangle& triangle) {
+    std::array<std::uint32_t, 3> colours{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex v(triangle.corners[k]);
+      if (sort == Element::Kind::face) colours[k] = of(triangle.face);
+      if (sort == Element::Kind::vertex) colours[k] = of(point(mesh, v).index);
+      if (sort != Element::Kind::edge || !(triangle.edge_bits >> k & 1)) continue;
+      if (const Halfedge h = find_halfedge(mesh, v, Vertex(triangle.corners[(k + 1) % 3])))
+        colours[k] = of(edge(h).index);
+    }
+    return colours;
+  };
+}
+
+// As of TriangleSource::colours; none where one of the three is not finite.
+std::uint32_t packed_colour(const glm::dvec4& colour) {
+  std::uint32_t bytes = 0xff000000u;
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(colour[i])) return 0;
+    bytes |= static_cast<std::uint32_t>(std::lround(255 * std::clamp(colour[i], 0.0, 1.0))) << (8 * i);
+  }
+  return bytes;
+}
+
+// The colours of the file that are to be seen; null where there are none.
+struct ShownFileColours {
+  const AttributeColumn* of_vertices = nullptr;
+  const FaceColours* of_faces = nullptr;
+
+  explicit ShownFileColours(const Document& document, const ViewState& view) {
+    const FileColours which = view.settings.file_colours;
+    const Mesh& mesh = document.mesh();
+    const int column = mesh.find_attribute(attribute_names::colour);
+    const FaceColours& colours = document.tables().face_colours;
+    if (which == FileColours::off) return;
+    if (which != FileColours::faces && column >= 0) of_vertices = &mesh.attributes()[static_cast<std::size_t>(column)];
+    if (which != FileColours::vertices && !colours.values.empty()) of_faces = &colours;
+  }
+  bool are_none() const { return !of_vertices && !of_faces; }
+};
+
+// The colours of a file, of faces where they have one.
+void paint_file(const Document& document, const ViewState& view, TriangleSource& source) {
+  const ShownFileColours shown(document, view);
+  if (shown.are_none()) return;
+  source.paint = Paint::own;
+  source.colours = [of_vertices = shown.of_vertices,
+                    of_faces = shown.of_faces](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
+    const std::uint32_t f = triangle.face;
+    const bool has_colour = of_faces && f < of_faces->count.size() && of_faces->count[f] >= 3;
+    const std::uint32_t of_face = has_colour ? packed_colour(of_faces->values[f]) : 0;
+    if (of_face != 0 || !of_vertices) return {of_face, of_face, of_face};
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = packed_colour(attribute_value<glm::dvec4>(*of_vertices, triangle.corners[k]));
+    return corners;
+  };
+}
+
+// Whether the surface has colours beside its own.
+bool is_painted(const Document& document, const ViewState& view) {
+  return view.colouring || !ShownFileColours(document, view).are_none();
+}
+
+// Sets paint and colours of the source, where there are any. It reads the session for as long as it is used.
+void paint_surface(const Document& document, Findings& findings, const ViewState& view, TriangleSource& source) {
+  if (view.colouring)
+    paint_values(findings, view, source);
+  else
+    paint_file(document, view, source);
+}
 
 TriangleSource source_of(const SeenMesh& seen, std::span<const std::uint8_t> tints) {
   const auto& [document, findings, view, preferences, places] = seen;
@@ -84,26 +178,6 @@ class FaceTints {
  private:
   std::vector<std::pair<const IndexSet*, std::uint8_t>> shown_;
 };
-
-// The place of a mark of a highlight in the order of drawing.
-constexpr std::size_t drawing_places = most_highlights * (most_problem_kinds + enum_count<Element::Kind>);
-std::uint32_t drawing_place(const HighlightRow& row, Mark mark) {
-  const bool is_own = mark.number < own_marks;
-  const std::size_t within =
-      is_own ? static_cast<std::size_t>(mark.sort) + most_problem_kinds : mark.number - own_marks;
-  return static_cast<std::uint32_t>(drawing_rank(row) * (drawing_places / most_highlights) + within);
-}
-
-// The room that points at the members of a mark have; none for other members. O(members).
-double room_of(const SeenMesh& seen, Mark mark) {
-  if (mark.sort != Element::Kind::vertex) return 0;
-  const IndexSet& members = seen.findings.highlights().of(mark);
-  Box bounds;
-  members.for_each([&](std::uint32_t i) {
-    if (is_finite(seen.places[i])) bounds.add(seen.places[i]);
-  });
-  return room_of_points(bounds, members.size());
-}
 
 }  // namespace
 
@@ -195,98 +269,6 @@ void Viewport::follow_selected_faces(Findings& findings, const Selecting& select
           triangles.push_back(slot);
   faces.insert(faces.end(), others.begin(), others.end());
   selected_faces_ = std::move(selected);
-}
-
-void Viewport::draw_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark, std::uint32_t block) {
-  const std::uint32_t place = drawing_place(row, mark);
-  DrawnMark& drawn = drawn_marks_[place];
-  const std::uint32_t first = block * block_slots;
-  Overlay overlay;
-  if (drawn.is_shown)
-    overlay =
-        highlight_overlay(seen.findings, seen.places, row, mark, first, first + block_slots, settings_, drawn.room);
-  if (overlay.empty())
-    drawn.blocks.erase(block);
-  else
-    drawn.blocks.insert(block);
-  constexpr std::uint32_t most_blocks = (no_index / block_slots) + 1;
-  static_assert(drawing_places * std::uint64_t{most_blocks} <= no_index, "place and block make one part number");
-  renderer_->set_overlay_part(Layer::highlights, place * most_blocks + block, overlay);
-}
-
-void Viewport::follow_mark(const SeenMesh& seen, const HighlightRow& row, Mark mark) {
-  DrawnMark& drawn = drawn_marks_[drawing_place(row, mark)];
-  const bool is_shown = seen.view.highlights.contains(std::string(row.id));
-  std::vector<std::uint32_t> blocks;
-  const bool is_marked = std::any_of(marked_.begin(), marked_.end(), [&](const auto& m) { return m.mark == mark; });
-  const double room = !is_shown ? 0 : is_shown != drawn.is_shown || is_marked ? room_of(seen, mark) : drawn.room;
-  if (is_shown != drawn.is_shown || room != drawn.room) {
-    blocks = drawn.blocks.to_vector();
-    if (is_shown)
-      seen.findings.highlights().of(mark).for_each([&](std::uint32_t i) {
-        if (blocks.empty() || blocks.back() != i / block_slots) blocks.push_back(i / block_slots);
-      });
-  } else if (is_shown) {
-    for (const ChangeFeed::Marked& marked : marked_)
-      if (marked.mark == mark) blocks.push_back(marked.index / block_slots);
-    sort_unique(blocks);
-  }
-  drawn.is_shown = is_shown;
-  drawn.room = room;
-  for (std::uint32_t block : blocks) draw_mark(seen, row, mark, block);
-}
-
-void Viewport::follow_highlights(const SeenMesh& seen) {
-  if (highlights_stale_) {
-    renderer_->set_overlay(Layer::highlights, {});
-    drawn_marks_.clear();
-  }
-  for (const HighlightRow& row : highlight_table())
-    for_each_mark(row, [&](Mark mark) { follow_mark(seen, row, mark); });
-  highlights_stale_ = false;
-  marked_.clear();
-}
-
-void Viewport::follow_overlays(Session& session) {
-  selection_stale_ |=
-      highlights_stale_ || selection_ != session.selecting.selection.stamp() ||
-      draws_links_ != session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
-  draws_links_ = session.view.links.is_on(session.findings(), session.selecting, session.gesturing);
-  verdict_layer_.follow(session, *renderer_);
-  if (!session.findings().preparing()) follow_highlights(session.seen());
-  normal_lines_.follow(session.seen(), *renderer_);
-  if (selection_stale_)
-    renderer_->set_overlay(Layer::selection, selection_overlay(session.findings(), session.view, session.selecting,
-                                                               session.gesturing, settings_.theme));
-  if (selection_stale_ || measures_ != session.selecting.measures)
-    renderer_->set_overlay(Layer::measures, measures_overlay(session.mesh(), session.selecting, settings_.theme));
-  measures_ = session.selecting.measures;
-  const Player* const player = session.shown.player().get();
-  const std::pair<std::uint64_t, std::size_t> step(player ? player->serial() : 0, player ? player->position() : 0);
-  if (selection_stale_ || step_ != step)
-    renderer_->set_overlay(
-        Layer::steps, step_overlay(session.mesh(), session.view, session.gesturing, session.shown, settings_.theme));
-  step_ = step;
-  const std::optional<Element> asked = asked_element(session.document(), session.layout, session.asked_question);
-  if (selection_stale_ || asked_ != asked)
-    renderer_->set_overlay(Layer::question, question_overlay(session, settings_.theme));
-  asked_ = asked;
-  const LeftEdges* const left_edges =
-      session.layout.is_shown(panel_opened_by(PanelOpener::levelled)) ? session.findings().left_edges() : nullptr;
-  const std::pair<std::uint64_t, std::uint64_t> drawn(left_edges ? left_edges->serial : 0,
-                                                      left_edges ? left_edges->revision : 0);
-  if (selection_stale_ || left_edges_ != drawn)
-    renderer_->set_overlay(Layer::left_edges, left_edges_overlay(session.findings(), session.layout, settings_.theme));
-  left_edges_ = drawn;
-  selection_stale_ = false;
-  selection_ = session.selecting.selection.stamp();
-  renderer_->set_overlay(Layer::links, links_overlay(session.view.links.of(session), settings_.theme));
-  renderer_->set_overlay(
-      Layer::hover, hover_overlay(session.mesh(), session.view, session.selecting, session.gesturing, settings_.theme));
-  renderer_->set_overlay(Layer::handles,
-                         gizmo_overlay(session.view, session.pointing, session.gesturing, settings_.theme));
-  renderer_->set_overlay(Layer::axes,
-                         axes_overlay(session.view, session.pointing, session.preferences, settings_.theme));
 }
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 #include "app/cli/contract/json.h"
 #include "app/cli/contract/textbook.h"
 #include "app/cli/outputs.h"
-#include "app/ui/plot_picture.h"
+#include "app/ui/log_plot.h"
 #include "app/ui/textbook/growth_plots.h"
 #include "ryosen/textbook/forms/growth/meshes.h"
 

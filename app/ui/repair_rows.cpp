@@ -7,7 +7,6 @@
 #include "app/editor/document/repair_call.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/shown/shown.h"
-#include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/document/document.h"

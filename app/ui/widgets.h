@@ -11,9 +11,8 @@
 
 namespace ryosen {
 
-struct Preferences;
-
 class Mesh;
+struct Preferences;
 
 // Text wrapped at the panel's edge, its lines as far apart as others; coloured and dim text likewise.
 void wrapped_text(const char* text);
@@ -54,6 +53,8 @@ void end_rows(float pitch = 0);
 // A list of rows, as high as there are or as these: draws those that are seen by draw(i), and scrolls to a place.
 void list_of_rows(const char* id, std::size_t count, std::size_t most, const std::function<void(std::size_t)>& draw,
                   std::optional<float> scrolls_to = {}, float pitch = 0);
+// Whether a letter of UTF-8 begins here.
+inline bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 // A text, or as much of it as is no wider, with an ellipsis.
 std::string fitted(std::string_view text, float width_px);
 std::string fitted_at_word(std::string_view text, float width_px);
@@ -70,6 +71,14 @@ void end_over();
 void give_keyboard_to_next();
 // Nothing is written into and no other item is marked, as after a click beside this one.
 bool is_left_alone(const char* field);
+
+// What Enter does at a list or a check box; the space bar opens or ticks it in any case.
+enum class EnterAt { opens, runs };
+
+// Draws the field in which a value of an algorithm is typed or chosen as its row describes it, as wide as the next
+// item; `text` is what it holds. True when Enter was pressed in a field of text, or at another one where that `runs`.
+bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::string& text,
+                          EnterAt enter = EnterAt::opens);
 
 // The chord of the key that sends a command, or nothing.
 std::string chord_of(const Preferences& preferences, std::string_view command);

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/ui/letters.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

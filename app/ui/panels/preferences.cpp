@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/ui/panels.h"
-#include "app/ui/parameter_field.h"
 #include "app/ui/widgets.h"
 
 namespace ryosen {

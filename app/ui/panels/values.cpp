@@ -15,7 +15,6 @@
 #include "app/editor/shown/algorithm_preview.h"
 #include "app/editor/shown/shown.h"
 #include "app/ui/panels.h"
-#include "app/ui/parameter_field.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
 #include "ryosen/algo/algorithm_table.h"

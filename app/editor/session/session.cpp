@@ -1,12 +1,18 @@
 #include "app/editor/session/session.h"
 
+#include <algorithm>
 #include <cassert>
 #include <new>
 #include <utility>
 
 #include "app/editor/camera/first_camera.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/input.h"
+#include "app/editor/preferences/layout.h"
 #include "app/editor/recovery/autosave.h"
+#include "ryosen/base/out_of_memory.h"
+#include "ryosen/document/document.h"
 
 namespace ryosen {
 
@@ -123,6 +129,147 @@ std::string Session::document_name() const {
   const std::string name = open_.document->path().filename().string();
   if (!name.empty() || is_at_start()) return name;
   return preferences.language == Language::japanese ? "（無題）" : "(unnamed)";
+}
+
+static constexpr int gap_px = 2;  // between the halves
+
+void Session::place_view(Size whole, glm::dvec2 origin) {
+  view.size = whole;
+  view.origin = origin;
+  if (!compared_) return;
+  view.size.width = std::max(1, (whole.width - gap_px) / 2);
+  compared_->place({std::max(1, whole.width - gap_px - view.size.width), whole.height},
+                   origin + glm::dvec2(view.size.width + gap_px, 0));
+}
+
+void Session::end_comparing() {
+  if (!compared_) return;
+  pointing.remove(compared_->view());
+  open_.findings->against = nullptr;
+  compared_.reset();
+}
+
+void Session::compare_with(std::unique_ptr<Document> other) {
+  Size whole = view.size;
+  if (compared_) whole.width += gap_px + compared_->state().size.width;
+  if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
+  auto compared = other ? std::make_unique<Compared>(std::move(other), preferences) : nullptr;
+  if (compared) pointing.add(compared->view());  // may find no memory
+  end_comparing();
+  compared_ = std::move(compared);
+  // Distances are measured from another mesh.
+  if (view.colouring && view.colouring->map->against) open_.findings->changes().note_everything();
+  if (compared_) {
+    open_.findings->against = &compared_->findings();
+    compared_->findings().against = open_.findings.get();
+  }
+  place_view(whole, view.origin);
+  framing.frame_all();
+}
+
+Compared* Session::compared() {
+  if (!compared_) return nullptr;
+  compared_->look_as(view);
+  // Where this mesh has changed, so have the distances from it.
+  if (view.colouring && view.colouring->map->against) compared_->findings().map_values(*view.colouring);
+  return compared_.get();
+}
+
+SeenMesh Session::seen() { return {document(), findings(), view, preferences, gesturing.drawn_positions()}; }
+
+template <class Run>
+Outcome Session::run_safely(Run run) {
+  const std::uint64_t serial = open_.document->serial();
+  const std::size_t position = open_.document->position();
+  try {
+    return run();
+  } catch (const std::bad_alloc&) {
+    running_.clear();
+    shown.forget();
+    forget_derived();  // some of it may be half made
+    if (open_.document->serial() == serial) {
+      open_.document->take_back(position);
+      drop_lost(selecting.selection.changed(), mesh(), false);
+    }
+    return failed(ExitCode::out_of_memory, out_of_memory().message.text);
+  }
+}
+
+Outcome Session::run(const Command& command) {
+  return run_safely([&] { return run_command(command); });
+}
+
+Outcome Session::run_command(const Command& command) {
+  const std::string line = command.line(mesh());
+  const std::vector<std::string_view> words = command.written() ? split_words(line) : std::vector<std::string_view>();
+  if (command.written() && words.empty()) return {};
+  const CommandRow* const row = row_of(command);
+  if (!row) return unknown_command(words[0]);
+  const Words arguments = words.empty() ? Words() : Words(words).subspan(1);
+  const Effect effect = effect_of(*row, arguments);
+  const std::uint64_t made_on = open_.document->revision();
+  Shown::Passage passage(shown, effect, line);
+  if (passage.answered) return *std::move(passage.answered);
+  if (is_logged(effect)) gesturing.cancel();
+  [[maybe_unused]] const std::uint64_t serial = open_.document->serial();
+  [[maybe_unused]] const std::size_t position = open_.document->position();
+  [[maybe_unused]] const std::size_t entries = open_.document->history().size();
+  [[maybe_unused]] const std::size_t logged = lines_logged_;
+  [[maybe_unused]] const bool was_on_trial = open_.document->is_on_trial();
+  // What is needed once the command is done is made before.
+  if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
+  std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
+  entry.reserve(2 * line.size() + 256);
+  const std::string outer = std::exchange(running_, std::string(row->id));
+  Outcome outcome = command.algorithm() ? run_algorithm(*this, *command.algorithm(), line)
+                    : command.op()      ? apply(*command.op(), line, made_on)
+                                        : row->run(*this, arguments, behind_id(line));
+  running_ = outer;
+  passage.finish(outcome);
+  // A command that changes the mesh without saying so would be left out of the log; what is on trial is in none.
+  assert(is_logged(effect) || lines_logged_ > logged ||
+         (open_.document->position() == position && open_.document->history().size() == entries &&
+          (open_.document->serial() == serial || was_on_trial || open_.document->is_on_trial())));
+  if (!outcome.done() || !is_logged(effect)) return outcome;
+  if (effect == Effect::edits || effect == Effect::steps)
+    if (outcome.performed.empty()) outcome.performed = std::move(usual);
+  if (outcome.performed.empty()) return outcome;
+  if (!outcome.selecting.empty()) log_line(outcome, std::move(outcome.selecting));
+  entry = outcome.performed;
+  log_line(outcome, std::move(entry));
+  return outcome;
+}
+
+// The line is read where the mesh is no longer the one that the operator was made on.
+Outcome Session::apply(const AnyOp& op, const std::string& line, std::uint64_t made_on) {
+  if (open_.document->revision() == made_on) {
+    Outcome outcome = open_.document->apply(op, frontend.is_strict, line);
+    if (outcome.done()) outcome.performed = line;
+    return outcome;
+  }
+  const std::vector<std::string_view> words = split_words(line);
+  return find_command_row(words[0])->run(*this, Words(words).subspan(1), behind_id(line));
+}
+
+Text Session::at_work() const { return name_of_command(running_); }
+
+void Session::log_line(Outcome& outcome, std::string line) {
+  log_.push_back(std::move(line));
+  ++lines_logged_;
+  if (!frontend.autosave) return;
+  try {
+    if (const auto warning = frontend.autosave->note(*open_.document, log_)) outcome.say(*warning);
+  } catch (const std::bad_alloc&) {
+    frontend.autosave->stop();
+  }
+}
+
+std::optional<Element> asked_element(const Document& document, const Layout& layout,
+                                     const std::optional<AskedQuestion>& asked_question) {
+  if (!asked_question || !layout.is_shown(panel_opened_by(PanelOpener::practised))) return std::nullopt;
+  if (asked_question->serial != document.serial() || asked_question->revision != document.revision())
+    return std::nullopt;
+  return asked_question->about;
 }
 
 }  // namespace ryosen

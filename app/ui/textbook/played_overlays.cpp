@@ -1,7 +1,6 @@
 // What the step that is played and the question of practice are about.
 #include <algorithm>
 
-#include "app/editor/session/asked_question.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/overlay_painter.h"

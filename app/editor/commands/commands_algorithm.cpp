@@ -7,7 +7,7 @@
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/document/repair_call.h"
-#include "app/editor/session/first_slots.h"
+#include "app/editor/session/selection.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/levels.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -5,7 +5,7 @@
 #include "app/editor/document/file_findings.h"
 #include "app/editor/document/large_files.h"
 #include "app/editor/recovery/autosave.h"
-#include "app/editor/session/first_slots.h"
+#include "app/editor/session/selection.h"
 #include "app/editor/session/session.h"
 #include "app/editor/texts/message_place.h"
 #include "ryosen/io/file_target.h"

@@ -10,7 +10,6 @@
 
 #include "app/editor/input/input.h"
 #include "app/editor/session/selection.h"
-#include "app/editor/session/selection_memory.h"
 #include "app/editor/views/view.h"
 #include "ryosen/document/document.h"
 #include "ryosen/ops/preview/tool_verdicts.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "app/editor/commands/text/outcomes.h"
-#include "app/editor/session/first_slots.h"
+#include "app/editor/session/selection.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "ryosen/algo/algorithm_table.h"

@@ -1,4 +1,4 @@
-#include "app/editor/session/selection_memory.h"
+#include "app/editor/session/selection.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/gesturing.h"
-#include "app/editor/views/seen_mesh.h"
+#include "app/editor/views/mesh_view.h"
 #include "app/ui/overlay_painter.h"
 #include "app/ui/overlays.h"
 #include "ryosen/document/document.h"

@@ -9,7 +9,7 @@
 
 #include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
-#include "app/editor/views/seen_mesh.h"
+#include "app/editor/views/mesh_view.h"
 #include "app/ui/fonts.h"
 #include "app/ui/overlays.h"
 #include "app/ui/style.h"

@@ -8,7 +8,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
-#include "app/editor/views/seen_mesh.h"
+#include "app/editor/views/mesh_view.h"
 #include "app/ui/viewport.h"
 #include "render/colour.h"
 #include "ryosen/document/document.h"

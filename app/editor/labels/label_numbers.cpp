@@ -6,7 +6,7 @@
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/labels/labels.h"
-#include "app/editor/views/seen_mesh.h"
+#include "app/editor/views/mesh_view.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/mesh.h"

@@ -6,7 +6,7 @@
 
 #include "app/editor/session/session.h"
 #include "app/editor/shown/player.h"
-#include "app/editor/views/seen_mesh.h"
+#include "app/editor/views/mesh_view.h"
 #include "ryosen/scene/pick/screen_segment.h"
 
 namespace ryosen {

@@ -26,7 +26,7 @@
 #include "app/editor/session/session_camera.h"
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/shown.h"
-#include "app/editor/views/compared.h"
+#include "app/editor/views/mesh_view.h"
 #include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
 

@@ -1,8 +1,8 @@
 // What lies over the view and waits for an answer, without keeping anybody from working.
 #include <cmath>
 
+#include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
-#include "app/editor/texts/hidden_text.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
 

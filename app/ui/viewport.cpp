@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editor/document/left_edges.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/player.h"
 #include "app/editor/views/mesh_view.h"

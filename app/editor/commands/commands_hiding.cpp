@@ -2,7 +2,6 @@
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
-#include "app/editor/texts/hidden_text.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

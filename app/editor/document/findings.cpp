@@ -4,7 +4,6 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/document/left_edges.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

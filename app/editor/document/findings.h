@@ -2,6 +2,7 @@
 // normals and kind; and which of its elements are hidden.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -18,15 +19,21 @@
 #include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/element.h"
+#include "ryosen/base/message.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/scene/pick/hidden_elements.h"
 #include "ryosen/scene/view/corner_normals.h"
 
 namespace ryosen {
 
-class Mesh;
-
-struct LeftEdges;
+// The reasons why an algorithm with a goal left edges: under which rule each edge stands; means nothing after the next
+// change.
+struct LeftEdges {
+  std::uint64_t serial, revision;   // of the document
+  std::vector<std::uint8_t> rules;  // by edge slot, as EdgeRule, or no_rule
+  std::vector<std::size_t> counts;  // by rule, counted on points
+};
 
 class Findings {
  public:
@@ -170,6 +177,15 @@ class Findings {
   std::optional<LastRepair> last_repair_;
   std::shared_ptr<const LeftEdges> left_edges_;
   std::unique_ptr<Preparation> preparation_;  // reads what stands above, so that it ends first
+};
+
+// How much is hidden, as a sentence.
+Text hidden_text(const HiddenElements& hidden);
+
+// A document with what is found in it; the findings keep what is hidden, too, and the feed of its changes.
+struct OpenDocument {
+  std::unique_ptr<Document> document;
+  std::unique_ptr<Findings> findings;  // reads the document, so that it ends first
 };
 
 }  // namespace ryosen

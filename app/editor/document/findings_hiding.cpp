@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/editor/document/findings.h"
+#include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -84,6 +85,14 @@ std::vector<Element> Findings::about(const ProblemRow& row, Element element) {
     return ryosen::about(row, around, members, e);
   }
   return {element};
+}
+
+Text hidden_text(const HiddenElements& hidden) {
+  if (hidden.empty()) return {"nothing is hidden", "非表示の要素はありません"};
+  if (const auto faces = hidden.faces().size())
+    return count_text(faces, "one face is hidden", "# faces are hidden", "# 面を非表示にしています");
+  return count_text(hidden.wires().size() + hidden.isolated().size(), "one element is hidden", "# elements are hidden",
+                    "# 個の要素を非表示にしています");
 }
 
 }  // namespace ryosen

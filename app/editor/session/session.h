@@ -14,7 +14,7 @@
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/commands/text/command.h"
-#include "app/editor/document/open_document.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/document/run_files.h"
 #include "app/editor/preferences/layout.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/editor/document/left_edges.h"
+#include "app/editor/document/findings.h"
 #include "ryosen/algo/simplify/detail_levels.h"
 #include "ryosen/document/document.h"
 

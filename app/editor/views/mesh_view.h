@@ -6,7 +6,7 @@
 #include <span>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/document/open_document.h"
+#include "app/editor/document/findings.h"
 #include "app/editor/views/view.h"
 
 namespace ryosen {

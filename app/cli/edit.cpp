@@ -10,7 +10,7 @@
 #include "app/cli/sudden_end.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/expect.h"
-#include "app/editor/document/file_findings.h"
+#include "app/editor/document/written_mesh.h"
 #include "app/editor/session/session.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/mesh/copies.h"

@@ -2,8 +2,8 @@
 
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
-#include "app/editor/document/file_findings.h"
 #include "app/editor/document/large_files.h"
+#include "app/editor/document/written_mesh.h"
 #include "app/editor/recovery/autosave.h"
 #include "app/editor/session/selection.h"
 #include "app/editor/session/session.h"

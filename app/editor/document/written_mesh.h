@@ -1,6 +1,8 @@
-// A mesh as its file gives it back, and what is found in that.
+// A mesh as its file gives it back, and what is found in that and not in the document, or the other way round.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "ryosen/algo/repair/recipe.h"
@@ -27,5 +29,10 @@ class WrittenMesh {
   std::vector<Vertex> on_lines_;
   FindingCounts counts_{};
 };
+
+// A sentence with the kinds of problems of which the file at this path will have another number than the document: one
+// without a list of vertices makes one point of those at one place. None where the numbers are equal. Cost: that of
+// writing and reading such a file; nothing for other formats.
+std::optional<Text> file_findings_text(const Document& document, const std::filesystem::path& path);
 
 }  // namespace ryosen

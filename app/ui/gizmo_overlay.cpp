@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/editor/camera/view_state.h"
-#include "app/editor/input/axis_letters.h"
+#include "app/editor/input/gizmo.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/pointing.h"
 #include "app/editor/shown/gesturing.h"

@@ -1,12 +1,12 @@
 #include "app/editor/input/gizmo.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
-#include "app/editor/input/axis_letters.h"
 #include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
@@ -217,6 +217,15 @@ std::optional<std::array<int, 2>> plane_of(HandleWay way) {
     default:
       return std::nullopt;
   }
+}
+
+const std::vector<LetterStroke>& axis_letter(int axis) {
+  static const std::array<std::vector<LetterStroke>, 3> letters{{
+      {{{-0.8, -1}, {0.8, 1}}, {{-0.8, 1}, {0.8, -1}}},
+      {{{-0.8, 1}, {0, 0}}, {{0.8, 1}, {0, 0}}, {{0, 0}, {0, -1}}},
+      {{{-0.8, 1}, {0.8, 1}}, {{0.8, 1}, {-0.8, -1}}, {{-0.8, -1}, {0.8, -1}}},
+  }};
+  return letters[static_cast<std::size_t>(axis)];
 }
 
 }  // namespace ryosen

@@ -58,4 +58,11 @@ std::optional<int> axis_of(HandleWay way);
 // The two axes of a plane; none for other ways.
 std::optional<std::array<int, 2>> plane_of(HandleWay way);
 
+// The letters of the axes as strokes, so that they are drawn as lines are: from a to b, from -1 to 1 each way, y up.
+struct LetterStroke {
+  glm::dvec2 a, b;
+};
+// X, Y or Z of the axes 0, 1 and 2.
+const std::vector<LetterStroke>& axis_letter(int axis);
+
 }  // namespace ryosen

@@ -86,8 +86,6 @@ std::vector<PlacedLabel> placed_labels(const SeenMesh& compared, const TextSize&
 // Adds the numbers of elements that the switch `numbers` asks for, in view; the selected ones first. Where there are
 // very many in view, every so many-th. O(slots of that sort).
 void add_numbers(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels);
-// Adds what the arrows of the selected element's links are, beside them, away from their edges.
-void add_links(Session& session, std::vector<Label>& labels);
 // Adds what was measured of up to three elements, in the middle of the way along which that was, else of the first one.
 void add_measures(const Mesh& mesh, const Selecting& selecting, const Preferences& preferences,
                   std::vector<Label>& labels);
@@ -95,16 +93,11 @@ void add_measures(const Mesh& mesh, const Selecting& selecting, const Preference
 // roles.
 void add_step(const Mesh& mesh, const ViewState& view, const Shown& shown, const Preferences& preferences,
               std::vector<Label>& labels);
-// Adds sentences in the upper left corner, broken into lines that have room.
-void add_caption(const ViewState& view, const Preferences& preferences, std::span<const std::string> sentences,
-                 std::vector<Label>& labels);
 // Whether there is a file and its mesh has nothing that a picture could show as a surface or as edges.
 bool is_faceless(const Document& document);
 // Adds how much there is then, and the first warning of the file.
 void add_faceless(const Document& document, const ViewState& view, const Preferences& preferences,
                   std::vector<Label>& labels);
-// Adds the name of what is snapped to, beside the place where that is.
-void add_snap(const Gesturing& gesturing, std::vector<Label>& labels);
 // Adds the legend of what the surface is coloured by, in the lower left corner: its name, and values on their colours.
 void add_map_legend(Findings& findings, const ViewState& view, const Preferences& preferences,
                     std::vector<Label>& labels);

@@ -14,7 +14,7 @@
 #include "app/editor/document/findings.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/preferences/layout.h"
-#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/preferences/panel_list.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/preferences/view_switches.h"
 #include "app/editor/session/selecting.h"

@@ -4,7 +4,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "ryosen/algo/algorithm_table.h"

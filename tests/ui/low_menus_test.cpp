@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/editor/textbook/playing.h"
 #include "app/ui/window_input.h"

@@ -3,7 +3,7 @@
 
 #include "app/editor/commands/text/words.h"
 #include "app/editor/preferences/keys.h"
-#include "app/editor/preferences/menu_bar.h"
+#include "app/editor/preferences/panel_list.h"
 #include "app/editor/session/session.h"
 #include "app/ui/window_input.h"
 #include "tests/support/app/drawn_text.h"

@@ -3,7 +3,6 @@
 #include "app/editor/commands/expect.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/document/repair_call.h"
-#include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"

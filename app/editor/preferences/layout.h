@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/preferences/menu_bar.h"
 #include "app/editor/preferences/panel_list.h"
 
 namespace ryosen {

@@ -1,5 +1,5 @@
-// Chooses the camera that shows a mesh in the free part of a view: all vertices with edges, and isolated ones that are
-// not far from them.
+// Chooses the camera that shows a mesh: of one that was just opened its direction, and the place from which all of it
+// lies in the free part of a view: all vertices with edges, and isolated ones that are not far from them.
 #pragma once
 
 #include <functional>
@@ -12,6 +12,12 @@
 #include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
+
+// From the front, slightly above and right, so that three sides of most shapes are visible; to be fitted.
+Camera first_camera();
+// The same, but turned by as little as it takes where a small closed surface would show hardly more than one flat side,
+// as if it were a single face.
+Camera first_camera_of(const Mesh& mesh);
 
 using PlacesVisit = std::function<void(std::span<const glm::dvec3>)>;
 

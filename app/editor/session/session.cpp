@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "app/editor/camera/first_camera.h"
+#include "app/editor/camera/framing.h"
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/input/input.h"

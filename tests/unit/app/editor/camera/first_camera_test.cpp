@@ -1,5 +1,5 @@
 // A small solid is first seen as one, and all else from where it always is.
-#include "app/editor/camera/first_camera.h"
+#include "app/editor/camera/framing.h"
 
 #include <gtest/gtest.h>
 

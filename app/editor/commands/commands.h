@@ -20,7 +20,7 @@
 #include "app/editor/commands/text/outcomes.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/owners.h"
-#include "app/editor/shown/effect.h"
+#include "app/editor/shown/shown.h"
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/algo/repair/report.h"
 #include "ryosen/analysis/problem_kinds.h"

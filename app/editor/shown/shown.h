@@ -2,6 +2,7 @@
 // ends trials of an open document.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor/shown/effect.h"
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/analysis/self_intersections.h"
@@ -22,6 +22,21 @@ namespace ryosen {
 class Player;
 class Session;
 class ShownLevels;
+
+// The effect of a command, told by the call: with some words a command only tells something, with others it edits.
+enum class Effect {
+  view,      // nothing to the document; needs none of its elements
+  reads,     // needs elements of the document
+  begins,    // begins something that ends in an edit, or sends a line that has an effect of its own
+  edits,     // an entry of the history
+  steps,     // through the history
+  replaces,  // another document takes its place: unsaved changes would be lost
+  writes,    // the document to a file
+};
+inline constexpr std::size_t effect_count = 7;
+
+// These go into the log, and end a gesture.
+constexpr bool is_logged(Effect effect) { return effect >= Effect::edits; }
 
 // Whose mesh the view shows.
 enum class ShownBy {

@@ -7,11 +7,11 @@
 
 namespace ryosen {
 
-// Exercises and figures: commands_figures.cpp
+// Exercises and figures
 RunCommand run_exercise;
 RunOn<Document, Framing> run_figure;
 FaultOfCommand fault_of_exercise, fault_of_figure;
-// Playing step by step: commands_playing.cpp
+// Playing step by step
 RunCommand run_steps;
 FaultOfCommand fault_of_steps;
 std::string steps_syntax();

@@ -44,7 +44,7 @@ RunOn<Findings, ViewState, Framing, Selecting> run_walk;
 RunOn<Selecting, Pointing> run_tool, run_mode;
 RunOn<const Selecting, Pointing> run_click;
 FaultOfCommand fault_of_remedy;
-// Another mesh beside this one: commands_comparing.cpp
+// Another mesh beside this one: commands_document.cpp
 RunCommand run_compare;
 FaultOfCommand fault_of_compare;
 // Selecting: commands_selecting.cpp
@@ -61,7 +61,7 @@ RunOn<Gesturing> run_gesture;
 // mesh.
 Outcome find_named(Document& document, std::string_view command, Words names, Elements& found);
 std::optional<Text> fault_of_names(std::string_view command, Words names);
-// Hiding: commands_hiding.cpp
+// Hiding: commands_selecting.cpp
 RunOn<Document, Findings, Selecting> run_hide, run_isolate;
 RunOn<Selecting> run_unhide;
 FaultOfCommand fault_of_hide;
@@ -75,10 +75,10 @@ RunCommand run_levels, run_account;
 FaultOfCommand fault_of_levels, fault_of_account;
 std::string levels_syntax(), account_syntax();
 bool levels_take_long(Words arguments);
-// Searching on request: commands_searching.cpp
+// Searching on request: commands_measuring.cpp
 RunOn<Findings, const Frontend> run_self_intersections;
 FaultOfCommand fault_of_self_intersections;
-// In a region of the picture: commands_region.cpp
+// In a region of the picture: commands_pointing.cpp
 RunCommand run_box, run_lasso;
 RunOn<ViewState> run_band;
 // Events of mouse and keyboard: commands_input.cpp
@@ -92,10 +92,10 @@ RunCommand run_drag;
 RunOn<Findings, ViewState, Framing, const Selecting> run_frame;
 RunOn<ViewState, const Framing> run_view;
 RunOn<ViewState> run_camera, run_show;
-// Where the mesh is cut: commands_cutting.cpp
+// Where the mesh is cut: commands_view.cpp
 RunOn<const Mesh, ViewState> run_clip_at;
 FaultOfCommand fault_of_clip_at;
-// The user interface: commands_window.cpp, commands_preferences.cpp
+// The user interface: commands_window.cpp
 std::string panel_syntax();
 std::string preference_ids(), prefer_syntax();
 RunCommand run_prefer;

@@ -1,5 +1,5 @@
+// The commands of files and of the history; `compare` reads another mesh beside the open one.
 #include "app/editor/commands/command_functions.h"
-
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/document/large_files.h"
@@ -283,6 +283,24 @@ Outcome run_shot(Frontend& frontend, RunFiles& files, Words, std::string_view wh
   const Status status = frontend.take_picture(name);
   if (is_in_place(status)) files.writes(name, FileRole::picture);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
+}
+
+std::optional<Text> fault_of_compare(Words arguments, const std::string&) {
+  return arguments.empty() ? std::optional(wrong_arguments("compare").sentence) : std::nullopt;
+}
+
+Outcome run_compare(Session& session, Words arguments, std::string_view whole) {
+  if (arguments.empty()) return wrong_arguments("compare");
+  if (arguments.size() == 1 && arguments[0] == "off") {
+    session.compare_with(nullptr);
+    return {};
+  }
+  const std::string name = file_name(whole);
+  auto document = session.frontend.read_document(name);
+  if (!document) return not_read(document.failure(), name);
+  session.files.reads(name, FileRole::mesh);
+  session.compare_with(std::move(document).value());
+  return {};
 }
 
 }  // namespace ryosen

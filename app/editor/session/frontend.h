@@ -32,7 +32,7 @@ struct Frontend {
   bool begins_empty = false;     // somebody wants an empty mesh, not the start page
   bool awaits_file = false;      // a file is read just now: nothing is offered meanwhile
   bool asks_in_slices = false;   // verdicts of a tool on all elements are asked a slice at a time, in prepare()
-  bool turns_to_solids = false;  // a new document is first seen from a side that shows its solids (first_camera.h)
+  bool turns_to_solids = false;  // a new document is first seen from a side that shows its solids (framing.h)
 };
 
 }  // namespace ryosen

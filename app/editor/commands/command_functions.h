@@ -3,6 +3,8 @@
 // and all of the text behind it.
 #pragma once
 
+#include <vector>
+
 #include "app/editor/commands/commands.h"
 #include "app/editor/preferences/view_switches.h"
 
@@ -110,5 +112,9 @@ RunOn<Frontend> run_quit;
 bool opening_takes_long(Words arguments);
 // Of a file that could not be read, or whose reading was given up.
 Outcome not_read(const Failure& failure, const std::string& name);
+
+// The rows of commands that no other table has: those before the switches of the view, and those behind them.
+const std::vector<CommandRow>& first_command_rows();
+const std::vector<CommandRow>& last_command_rows();
 
 }  // namespace ryosen

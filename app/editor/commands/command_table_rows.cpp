@@ -1,4 +1,4 @@
-#include "app/editor/commands/command_table_rows.h"
+#include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"
 #include "app/editor/commands/expect.h"
 #include "app/editor/commands/text/words.h"

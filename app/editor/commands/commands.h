@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "app/editor/commands/text/command.h"
-#include "app/editor/commands/text/line_of.h"
 #include "app/editor/commands/text/outcomes.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/owners.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/commands/text/line_of.h"
+#include "app/editor/commands/text/command.h"
 #include "app/editor/preferences/view_switches.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/scene/view/named_views.h"

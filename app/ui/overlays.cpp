@@ -29,30 +29,27 @@ class EndDots {
  public:
   EndDots(const Mesh& mesh, std::span<const glm::dvec3> places) : m_(mesh), places_(places) {}
 
-  void add(Edge e);
-  void draw(Theme theme, Overlay& overlay) const;
+  void add(Edge e) {
+    const auto [a, b] = ends(m_, e);
+    const double length = glm::length(places_[a.index] - places_[b.index]);
+    for (const Vertex v : {a, b}) {
+      const auto [at, is_new] = room_.try_emplace(point(m_, v), length);
+      if (!is_new) at->second = std::min(at->second, length);
+    }
+  }
+
+  void draw(Theme theme, Overlay& overlay) const {
+    constexpr float radius_px = 2.2f;  // with the outline of points as wide as the dots of the surface
+    const Rgba colour = with_alpha(palette(theme).wire, 255);
+    for (const auto& [v, room] : room_)
+      overlay.points.push_back({places_[v.index], colour, PointShape::disc, radius_px, 0, room, true});
+  }
 
  private:
   const Mesh& m_;
   std::span<const glm::dvec3> places_;
   std::map<Vertex, double> room_;  // the length of the shortest of its edges
 };
-
-void EndDots::add(Edge e) {
-  const auto [a, b] = ends(m_, e);
-  const double length = glm::length(places_[a.index] - places_[b.index]);
-  for (const Vertex v : {a, b}) {
-    const auto [at, is_new] = room_.try_emplace(point(m_, v), length);
-    if (!is_new) at->second = std::min(at->second, length);
-  }
-}
-
-void EndDots::draw(Theme theme, Overlay& overlay) const {
-  constexpr float radius_px = 2.2f;  // with the outline of points as wide as the dots of the surface
-  const Rgba colour = with_alpha(palette(theme).wire, 255);
-  for (const auto& [v, room] : room_)
-    overlay.points.push_back({places_[v.index], colour, PointShape::disc, radius_px, 0, room, true});
-}
 
 }  // namespace
 

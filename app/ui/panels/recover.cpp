@@ -53,39 +53,38 @@ std::string draw_lost(PanelContext& context, std::size_t n) {
 // What a crash left unsaved.
 class RecoverPanel : public Panel {
  public:
-  void draw(PanelContext& context) override;
+  void draw(PanelContext& context) override {
+    // Where the folder cannot be read, the command says why.
+    if (context.state.last.kind == Outcome::Kind::done) has_chosen_ = false;
+    if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session.lost)) context.run("recover list");
+    const std::vector<LostSession>& lost = context.session.lost;
+    dim_text(context, lost.empty() ? nothing_to_recover().in(context.language()).c_str()
+                                   : context.text(UiText::recover_question));
+    ImGui::Dummy({0, 4 * context.scale});
+    ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()}, false, ImGuiWindowFlags_NavFlattened);
+    std::string chosen;
+    for (std::size_t n = 0; n < lost.size(); ++n)
+      if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
+    if (has_chosen_ && context.state.last.kind != Outcome::Kind::done)
+      coloured_text(context.colours().refused, context.state.last.sentence.in(context.language()).c_str());
+    ImGui::EndChild();
+    const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
+    if (closes) context.run("panel none");
+    if (chosen.empty()) return;
+    has_chosen_ = true;
+    if (call_of(chosen)->effect == Effect::replaces) {
+      const std::string own(panel_opened_by(PanelOpener::lost_sessions).id);
+      return context.leave({.command = chosen, .asks_again = own});
+    }
+    context.run(chosen);
+    if (lost.empty()) context.layout.open_panel.clear();
+  }
+
   ImVec2 size() const override { return {560, 300}; }
 
  private:
   bool has_chosen_ = false;  // where that failed, the reason stands in the panel
 };
-
-void RecoverPanel::draw(PanelContext& context) {
-  // Where the folder cannot be read, the command says why.
-  if (context.state.last.kind == Outcome::Kind::done) has_chosen_ = false;
-  if (ImGui::IsWindowAppearing() && !list_lost_sessions(context.session.lost)) context.run("recover list");
-  const std::vector<LostSession>& lost = context.session.lost;
-  dim_text(context,
-           lost.empty() ? nothing_to_recover().in(context.language()).c_str() : context.text(UiText::recover_question));
-  ImGui::Dummy({0, 4 * context.scale});
-  ImGui::BeginChild("lost", {0, -1.5f * ImGui::GetFrameHeightWithSpacing()}, false, ImGuiWindowFlags_NavFlattened);
-  std::string chosen;
-  for (std::size_t n = 0; n < lost.size(); ++n)
-    if (std::string command = draw_lost(context, n); !command.empty()) chosen = std::move(command);
-  if (has_chosen_ && context.state.last.kind != Outcome::Kind::done)
-    coloured_text(context.colours().refused, context.state.last.sentence.in(context.language()).c_str());
-  ImGui::EndChild();
-  const bool closes = ImGui::Button(context.text(UiText::later), {120 * context.scale, 0});
-  if (closes) context.run("panel none");
-  if (chosen.empty()) return;
-  has_chosen_ = true;
-  if (call_of(chosen)->effect == Effect::replaces) {
-    const std::string own(panel_opened_by(PanelOpener::lost_sessions).id);
-    return context.leave({.command = chosen, .asks_again = own});
-  }
-  context.run(chosen);
-  if (lost.empty()) context.layout.open_panel.clear();
-}
 
 }  // namespace
 

@@ -102,7 +102,28 @@ void draw_texts(PanelContext& context, const forms::Comparison& comparison) {
 // The forms of the source texts side by side for this mesh, measured when the button is pressed.
 class FormsPanel : public Panel {
  public:
-  void draw(PanelContext& context) override;
+  void draw(PanelContext& context) override {
+    if (measured_ && measured_->document != context.document().serial()) measured_.reset();
+    const char* const label =
+        measured_ ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
+    if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0}))
+      measured_ = {forms::compare_forms(context.mesh(), effort), context.document().serial(),
+                   context.document().revision()};
+    tip(context.text("Builds every form of this mesh and times what it is asked.",
+                     "このメッシュのすべての表現を作り、問い合わせにかかる時間を測ります。"));
+    if (!measured_) return;
+    if (measured_->revision != context.document().revision())
+      coloured_text(context.colours().warning,
+                    context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
+    choose_relation(context, relation_);
+    draw_query_times(context, measured_->comparison, relation_);
+    for (const forms::ComparedClaim& compared : forms::compare_claims(measured_->comparison)) {
+      dim_text(context, compared.sentence.in(context.language()).c_str());
+      tip(context.text(compared.claim->why_en, compared.claim->why_ja));
+    }
+    draw_pairing_times(context, measured_->comparison);
+    draw_texts(context, measured_->comparison);
+  }
 
  private:
   // Of which state of which document.
@@ -114,28 +135,6 @@ class FormsPanel : public Panel {
   std::optional<Measured> measured_;
   forms::Relation relation_ = forms::Relation::vertex_vertices;  // whose query times are shown
 };
-
-void FormsPanel::draw(PanelContext& context) {
-  if (measured_ && measured_->document != context.document().serial()) measured_.reset();
-  const char* const label = measured_ ? context.text("Measure again", "もう一度測る") : context.text("Measure", "測る");
-  if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0}))
-    measured_ = {forms::compare_forms(context.mesh(), effort), context.document().serial(),
-                 context.document().revision()};
-  tip(context.text("Builds every form of this mesh and times what it is asked.",
-                   "このメッシュのすべての表現を作り、問い合わせにかかる時間を測ります。"));
-  if (!measured_) return;
-  if (measured_->revision != context.document().revision())
-    coloured_text(context.colours().warning,
-                  context.text("The mesh has changed since.", "測った後にメッシュが変わりました。"));
-  choose_relation(context, relation_);
-  draw_query_times(context, measured_->comparison, relation_);
-  for (const forms::ComparedClaim& compared : forms::compare_claims(measured_->comparison)) {
-    dim_text(context, compared.sentence.in(context.language()).c_str());
-    tip(context.text(compared.claim->why_en, compared.claim->why_ja));
-  }
-  draw_pairing_times(context, measured_->comparison);
-  draw_texts(context, measured_->comparison);
-}
 
 }  // namespace
 

@@ -16,124 +16,6 @@ namespace ryosen {
 
 namespace {
 
-// What is played step by step: what there is to play, the way through it, and what the step does.
-class StepsPanel : public Panel {
- public:
-  void draw(PanelContext& context) override;
-
- private:
-  struct Offered {
-    std::string label, call;  // no call: it stands above others
-    const char* help;
-  };
-  std::vector<Offered> offers(PanelContext& context);
-  void draw_choice(PanelContext& context);
-  // What the rows of the table offer, asked once for a revision and selection.
-  const std::vector<steps::Choices>& choices(const Document& document, const Selecting& selecting);
-  void draw_ways(PanelContext& context, const StepsPlayer& player);
-  void draw_step(PanelContext& context, StepsPlayer& player);
-
-  WholeRows offered_;
-  std::vector<steps::Choices> choices_;
-  std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
-  std::uint64_t selection_ = 0;              // by its stamp
-};
-
-const std::vector<steps::Choices>& StepsPanel::choices(const Document& document, const Selecting& selecting) {
-  if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
-      selection_ == selecting.selection.stamp())
-    return choices_;
-  serial_ = document.serial();
-  revision_ = document.revision();
-  selection_ = selecting.selection.stamp();
-  choices_.clear();
-  for (const steps::StepsRow& row : steps::all_steps())
-    choices_.push_back(row.choices(document.mesh(), selecting.selection));
-  return choices_;
-}
-
-// Scripts by name, the rest as it fits the mesh and the selection.
-std::vector<StepsPanel::Offered> StepsPanel::offers(PanelContext& context) {
-  std::vector<Offered> all;
-  for (const steps::StepsRow& steps_row : steps::all_steps()) {
-    const char* const help = context.text(steps_row.help_en, steps_row.help_ja);
-    const auto add = [&](std::span<const std::string> arguments) {
-      std::vector<std::string> words{std::string(steps_row.id)};
-      words.insert(words.end(), arguments.begin(), arguments.end());
-      std::string call = words[0];
-      for (const std::string& argument : arguments) call += " " + argument;
-      all.push_back({capitalized(name_of_played(words).in(context.language())), std::move(call), help});
-    };
-    const auto add_script = [&](std::string_view name) { add(std::vector{std::string(name)}); };
-    all.push_back({capitalized(context.text(steps_row.en, steps_row.ja)), "", help});
-    if (steps_row.plays_script) {
-      for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
-        for (const ExerciseScript& script : scripts) add_script(script.id);
-      if (!context.document().history().empty()) add_script(history_word);
-      continue;
-    }
-    const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
-    for (const std::vector<std::string>& arguments : choices(context.document(), context.selecting)[row_number])
-      add(arguments);
-    if (choices(context.document(), context.selecting)[row_number].empty())
-      all.push_back({context.text("  not on this mesh", "  このメッシュでは再生できません"), "", help});
-  }
-  return all;
-}
-
-// In a list of its own height, so that the panels below stay in sight.
-void StepsPanel::draw_choice(PanelContext& context) {
-  const std::vector<Offered> all = offers(context);
-  constexpr float most_lines = 14;
-  const float line = ImGui::GetTextLineHeightWithSpacing();
-  const float lines = static_cast<float>(all.size()) * line;  // until it is seen, and known which of them are wrapped
-  offered_.begin("choice", std::min(offered_.height() > 0 ? offered_.height() : lines, most_lines * line));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Offered& offered = all[i];
-    const float width = ImGui::GetContentRegionAvail().x;
-    offered_.row_of_text();
-    if (offered.call.empty()) {
-      dim_text(context, offered.label.c_str());
-      continue;
-    }
-    ImGui::PushID(static_cast<int>(i));
-    if (wrapped_row(context, offered.label, false, width)) context.run("steps " + offered.call);
-    tip(std::string(offered.help) + "\nsteps " + offered.call);
-    ImGui::PopID();
-  }
-  offered_.end();
-}
-
-void StepsPanel::draw_ways(PanelContext& context, const StepsPlayer& player) {
-  const bool at_start = player.position() == 0, at_end = player.position() == player.size();
-  struct Button {
-    const char* label;
-    const char* line;
-    const char *help_en, *help_ja;
-    bool is_off;
-  };
-  const Button buttons[] = {
-      {"|<", "steps first", "To the state before the first step.", "最初の手順の前に戻ります。", at_start},
-      {"<", "steps back", "One step back.", "一手戻ります。", at_start},
-      {player.is_running ? "||" : context.text("Play", "再生"), "steps play", "Goes forward by itself, or stops.",
-       "自動で進みます。もう一度押すと止まります。", false},
-      {">", "steps forward", "One step forward.", "一手進みます。", at_end},
-      {">|", "steps last", "To the end.", "最後まで進みます。", at_end},
-  };
-  const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
-  for (const Button& button : buttons) {
-    if (&button != buttons) ImGui::SameLine(0, gap);
-    ImGui::PushID(button.line);
-    ImGui::BeginDisabled(button.is_off);
-    if (ImGui::Button(button.label, {width, 0})) context.run(button.line);
-    ImGui::EndDisabled();
-    const std::string chord = chord_of(context.preferences, button.line);
-    tip(std::string(context.text(button.help_en, button.help_ja)) + (chord.empty() ? "" : " (" + chord + ")"),
-        ImGuiHoveredFlags_AllowWhenDisabled);
-    ImGui::PopID();
-  }
-}
-
 void draw_cells(PanelContext& context, const std::vector<steps::RowChange>& cells) {
   const std::string none = context.text("none", "なし");
   list_of_rows(
@@ -212,42 +94,154 @@ void draw_curve(PanelContext& context, const StepsPlayer& player) {
   ImGui::GetWindowDrawList()->AddLine({x, from.y}, {x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_PlotHistogram), 2);
 }
 
-void StepsPanel::draw_step(PanelContext& context, StepsPlayer& player) {
-  const steps::Step* const step = player.step();
-  if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
-  wrapped_text(step->caption.in(context.language()).c_str());
-  if (step->delta) coloured_text(context.colours().accent, steps::text_of(*step->delta).in(context.language()).c_str());
-  draw_cells(context, step->rows);
-  if (!step->rows.empty() && player.has_tables()) draw_tables(context, player);
-  draw_roles(context, *step);
-  if (!step->source) return;
-  std::string source = std::string(context.text("Text ", "テキスト ")) + std::string(step->source->text) + ", " +
-                       context.text(step->source->listing_en, step->source->listing_ja);
-  if (step->source->line > 0)
-    source += context.language() == Language::japanese ? " " + std::to_string(step->source->line) + " 行目"
-                                                       : ", line " + std::to_string(step->source->line);
-  dim_text(context, source.c_str());
-}
+// What is played step by step: what there is to play, the way through it, and what the step does.
+class StepsPanel : public Panel {
+ public:
+  void draw(PanelContext& context) override {
+    const std::shared_ptr<StepsPlayer> player = steps_player(context.shown);
+    if (!player) return draw_choice(context);
+    const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
+    const std::string name = player->name().in(context.language());
+    if (row(context, name.c_str(), at.c_str(), true)) context.run("steps close");
+    tip(name + "\n" +
+        context.text("A click ends it, and shows what else there is to play.",
+                     "クリックすると終わり、ほかに再生できるものを表示します。"));
+    if (!context.shown.fits())
+      coloured_text(context.colours().warning,
+                    context.text("The mesh has changed since; play it again.",
+                                 "再生を始めた後にメッシュが変わりました。再生し直してください。"));
+    draw_ways(context, *player);
+    if (const Text remark = player->remark(); !remark.en.empty())
+      dim_text(context, remark.in(context.language()).c_str());
+    draw_curve(context, *player);
+    draw_step(context, *player);
+  }
 
-void StepsPanel::draw(PanelContext& context) {
-  const std::shared_ptr<StepsPlayer> player = steps_player(context.shown);
-  if (!player) return draw_choice(context);
-  const std::string at = std::to_string(player->position()) + " / " + std::to_string(player->size());
-  const std::string name = player->name().in(context.language());
-  if (row(context, name.c_str(), at.c_str(), true)) context.run("steps close");
-  tip(name + "\n" +
-      context.text("A click ends it, and shows what else there is to play.",
-                   "クリックすると終わり、ほかに再生できるものを表示します。"));
-  if (!context.shown.fits())
-    coloured_text(context.colours().warning,
-                  context.text("The mesh has changed since; play it again.",
-                               "再生を始めた後にメッシュが変わりました。再生し直してください。"));
-  draw_ways(context, *player);
-  if (const Text remark = player->remark(); !remark.en.empty())
-    dim_text(context, remark.in(context.language()).c_str());
-  draw_curve(context, *player);
-  draw_step(context, *player);
-}
+ private:
+  struct Offered {
+    std::string label, call;  // no call: it stands above others
+    const char* help;
+  };
+
+  // Scripts by name, the rest as it fits the mesh and the selection.
+  std::vector<Offered> offers(PanelContext& context) {
+    std::vector<Offered> all;
+    for (const steps::StepsRow& steps_row : steps::all_steps()) {
+      const char* const help = context.text(steps_row.help_en, steps_row.help_ja);
+      const auto add = [&](std::span<const std::string> arguments) {
+        std::vector<std::string> words{std::string(steps_row.id)};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        std::string call = words[0];
+        for (const std::string& argument : arguments) call += " " + argument;
+        all.push_back({capitalized(name_of_played(words).in(context.language())), std::move(call), help});
+      };
+      const auto add_script = [&](std::string_view name) { add(std::vector{std::string(name)}); };
+      all.push_back({capitalized(context.text(steps_row.en, steps_row.ja)), "", help});
+      if (steps_row.plays_script) {
+        for (const std::span<const ExerciseScript> scripts : {exercise_scripts(), figure_scripts()})
+          for (const ExerciseScript& script : scripts) add_script(script.id);
+        if (!context.document().history().empty()) add_script(history_word);
+        continue;
+      }
+      const auto row_number = static_cast<std::size_t>(&steps_row - steps::all_steps().data());
+      for (const std::vector<std::string>& arguments : choices(context.document(), context.selecting)[row_number])
+        add(arguments);
+      if (choices(context.document(), context.selecting)[row_number].empty())
+        all.push_back({context.text("  not on this mesh", "  このメッシュでは再生できません"), "", help});
+    }
+    return all;
+  }
+
+  // In a list of its own height, so that the panels below stay in sight.
+  void draw_choice(PanelContext& context) {
+    const std::vector<Offered> all = offers(context);
+    constexpr float most_lines = 14;
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float lines = static_cast<float>(all.size()) * line;  // until it is seen, and known which of them are wrapped
+    offered_.begin("choice", std::min(offered_.height() > 0 ? offered_.height() : lines, most_lines * line));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Offered& offered = all[i];
+      const float width = ImGui::GetContentRegionAvail().x;
+      offered_.row_of_text();
+      if (offered.call.empty()) {
+        dim_text(context, offered.label.c_str());
+        continue;
+      }
+      ImGui::PushID(static_cast<int>(i));
+      if (wrapped_row(context, offered.label, false, width)) context.run("steps " + offered.call);
+      tip(std::string(offered.help) + "\nsteps " + offered.call);
+      ImGui::PopID();
+    }
+    offered_.end();
+  }
+
+  // What the rows of the table offer, asked once for a revision and selection.
+  const std::vector<steps::Choices>& choices(const Document& document, const Selecting& selecting) {
+    if (!choices_.empty() && serial_ == document.serial() && revision_ == document.revision() &&
+        selection_ == selecting.selection.stamp())
+      return choices_;
+    serial_ = document.serial();
+    revision_ = document.revision();
+    selection_ = selecting.selection.stamp();
+    choices_.clear();
+    for (const steps::StepsRow& row : steps::all_steps())
+      choices_.push_back(row.choices(document.mesh(), selecting.selection));
+    return choices_;
+  }
+
+  void draw_ways(PanelContext& context, const StepsPlayer& player) {
+    const bool at_start = player.position() == 0, at_end = player.position() == player.size();
+    struct Button {
+      const char* label;
+      const char* line;
+      const char *help_en, *help_ja;
+      bool is_off;
+    };
+    const Button buttons[] = {
+        {"|<", "steps first", "To the state before the first step.", "最初の手順の前に戻ります。", at_start},
+        {"<", "steps back", "One step back.", "一手戻ります。", at_start},
+        {player.is_running ? "||" : context.text("Play", "再生"), "steps play", "Goes forward by itself, or stops.",
+         "自動で進みます。もう一度押すと止まります。", false},
+        {">", "steps forward", "One step forward.", "一手進みます。", at_end},
+        {">|", "steps last", "To the end.", "最後まで進みます。", at_end},
+    };
+    const float gap = 4 * context.scale, width = (ImGui::GetContentRegionAvail().x - 4 * gap) / 5;
+    for (const Button& button : buttons) {
+      if (&button != buttons) ImGui::SameLine(0, gap);
+      ImGui::PushID(button.line);
+      ImGui::BeginDisabled(button.is_off);
+      if (ImGui::Button(button.label, {width, 0})) context.run(button.line);
+      ImGui::EndDisabled();
+      const std::string chord = chord_of(context.preferences, button.line);
+      tip(std::string(context.text(button.help_en, button.help_ja)) + (chord.empty() ? "" : " (" + chord + ")"),
+          ImGuiHoveredFlags_AllowWhenDisabled);
+      ImGui::PopID();
+    }
+  }
+
+  void draw_step(PanelContext& context, StepsPlayer& player) {
+    const steps::Step* const step = player.step();
+    if (!step) return dim_text(context, context.text("Before the first step.", "最初の手順の前です。"));
+    wrapped_text(step->caption.in(context.language()).c_str());
+    if (step->delta)
+      coloured_text(context.colours().accent, steps::text_of(*step->delta).in(context.language()).c_str());
+    draw_cells(context, step->rows);
+    if (!step->rows.empty() && player.has_tables()) draw_tables(context, player);
+    draw_roles(context, *step);
+    if (!step->source) return;
+    std::string source = std::string(context.text("Text ", "テキスト ")) + std::string(step->source->text) + ", " +
+                         context.text(step->source->listing_en, step->source->listing_ja);
+    if (step->source->line > 0)
+      source += context.language() == Language::japanese ? " " + std::to_string(step->source->line) + " 行目"
+                                                         : ", line " + std::to_string(step->source->line);
+    dim_text(context, source.c_str());
+  }
+
+  WholeRows offered_;
+  std::vector<steps::Choices> choices_;
+  std::uint64_t serial_ = 0, revision_ = 0;  // of what they were asked
+  std::uint64_t selection_ = 0;              // by its stamp
+};
 
 }  // namespace
 

@@ -14,6 +14,10 @@ class Document;
 
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
+// That where it does not have this form; else none.
+std::optional<Text> fault_unless(bool has_form, std::string_view id);
+// The fault of a command that takes one word at least.
+std::function<std::optional<Text>(Words arguments, const std::string& line)> takes_words(std::string_view id);
 // [N]: a number from 1, which is 1 where it is left out; none for anything else.
 std::optional<std::uint32_t> count_of(Words arguments);
 
@@ -33,7 +37,7 @@ RunOn<Document, Framing, Selecting, RunFiles> run_append;
 RunOn<Document, const Selecting, const Frontend, RunFiles> run_save_selected;
 RunOn<Document> run_undo, run_redo;
 RunOn<Frontend, RunFiles> run_shot;
-FaultOfCommand fault_of_append, fault_of_save_selected, fault_of_open, fault_of_recover;
+FaultOfCommand fault_of_recover;
 bool recover_only_tells(Words arguments);
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
@@ -48,7 +52,6 @@ RunOn<const Selecting, Pointing> run_click;
 FaultOfCommand fault_of_remedy;
 // Another mesh beside this one: commands_document.cpp
 RunCommand run_compare;
-FaultOfCommand fault_of_compare;
 // Selecting: commands_selecting.cpp
 RunCommand run_select;
 RunOn<Selecting> run_keep, run_forget;

@@ -112,6 +112,14 @@ Outcome wrong_arguments(std::string_view id) {
   return usage_error("the command reads: " + form, "書式：" + form);
 }
 
+std::optional<Text> fault_unless(bool has_form, std::string_view id) {
+  return has_form ? std::nullopt : std::optional(wrong_arguments(id).sentence);
+}
+
+std::function<std::optional<Text>(Words arguments, const std::string& line)> takes_words(std::string_view id) {
+  return [id](Words arguments, const std::string&) { return fault_unless(!arguments.empty(), id); };
+}
+
 std::optional<std::uint32_t> count_of(Words arguments) {
   if (arguments.empty()) return 1;
   const std::string_view word = arguments[0];

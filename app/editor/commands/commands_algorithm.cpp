@@ -194,7 +194,7 @@ std::optional<Text> fault_of_repair(Words words, const std::string& line) {
   if (row && row->is_repair()) return row_of(*row).fault(words.subspan(1), line);
   const ReadRepairs read = read_repairs(words[0]);
   if (read.fault) return fault_of(read);
-  return words.size() == 1 ? std::nullopt : std::optional(wrong_arguments("repair").sentence);
+  return fault_unless(words.size() == 1, "repair");
 }
 
 Outcome run_repair(Session& session, Words words, std::string_view) {
@@ -217,9 +217,7 @@ Outcome run_would(const Document& document, const Frontend& frontend, Words word
   const auto report = try_repair(document.mesh(), call, beside.input(), frontend.on_progress);
   if (!report) return cancelled();
   if (report->fault) return usage_error(*report->fault);
-  Outcome outcome;
-  outcome.sentence = Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, document.mesh());
-  return outcome;
+  return done_with(Text{"Tried, not done: ", "試しました（変更はしていません）："} + told(*report, document.mesh()));
 }
 
 const RepairReport* tried(const Document& document, RepairTrials& trials, const std::string& line) {

@@ -45,10 +45,6 @@ Outcome step_history(Document& document, Words arguments, std::string_view id, b
 Outcome run_undo(Document& document, Words a, std::string_view) { return step_history(document, a, "undo", true); }
 Outcome run_redo(Document& document, Words a, std::string_view) { return step_history(document, a, "redo", false); }
 
-std::optional<Text> fault_of_open(Words arguments, const std::string&) {
-  return arguments.empty() ? std::optional(wrong_arguments("open").sentence) : std::nullopt;
-}
-
 bool opening_takes_long(Words arguments) {
   if (arguments.empty()) return false;
   const char* const begin = arguments.front().data();  // the words are parts of one line
@@ -82,13 +78,6 @@ Outcome run_start(Session& session, Words arguments, std::string_view) {
   session.set_document(std::make_unique<Document>());
   session.frontend.begins_empty = false;
   return performed("new");
-}
-
-std::optional<Text> fault_of_append(Words arguments, const std::string&) {
-  return arguments.empty() ? std::optional(wrong_arguments("append").sentence) : std::nullopt;
-}
-std::optional<Text> fault_of_save_selected(Words arguments, const std::string&) {
-  return arguments.empty() ? std::optional(wrong_arguments("save_selected").sentence) : std::nullopt;
 }
 
 Outcome run_append(Document& document, Framing& framing, Selecting& selecting, RunFiles& files, Words arguments,
@@ -240,7 +229,7 @@ bool recover_only_tells(Words arguments) {
 }
 
 std::optional<Text> fault_of_recover(Words arguments, const std::string&) {
-  return read_recover_call(arguments) ? std::nullopt : std::optional(wrong_arguments("recover").sentence);
+  return fault_unless(read_recover_call(arguments).has_value(), "recover");
 }
 
 Outcome run_recover(Session& session, Words arguments, std::string_view) {
@@ -283,10 +272,6 @@ Outcome run_shot(Frontend& frontend, RunFiles& files, Words, std::string_view wh
   const Status status = frontend.take_picture(name);
   if (is_in_place(status)) files.writes(name, FileRole::picture);
   return status ? performed("shot " + file_argument(name)) : failed(status.failure());
-}
-
-std::optional<Text> fault_of_compare(Words arguments, const std::string&) {
-  return arguments.empty() ? std::optional(wrong_arguments("compare").sentence) : std::nullopt;
 }
 
 Outcome run_compare(Session& session, Words arguments, std::string_view whole) {

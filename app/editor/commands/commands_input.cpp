@@ -73,9 +73,8 @@ Outcome run_release(Input& input, Words arguments, std::string_view) {
   const auto event = read_button_event(arguments);
   if (!event) return wrong_arguments("release");
   const Outcome clicked = input.release(event->button, event->at);
-  Outcome outcome;  // the event came where it should: what a hand would be told is no failure of the script
-  outcome.sentence = clicked.sentence;
-  return outcome;
+  // The event came where it should: what a hand would be told is no failure of the script.
+  return done_with(clicked.sentence);
 }
 
 Outcome run_move(Session& session, Words arguments, std::string_view) {
@@ -95,7 +94,7 @@ std::string sent_by_move(Words arguments) {
 }
 
 std::optional<Text> fault_of_move(Words arguments, const std::string&) {
-  return read_move(arguments) ? std::nullopt : std::optional(wrong_arguments("move").sentence);
+  return fault_unless(read_move(arguments).has_value(), "move");
 }
 
 Outcome run_wheel(Input& input, Words arguments, std::string_view) {

@@ -36,11 +36,9 @@ std::optional<Text> fault_of_colours(Words arguments, const std::string&) {
   if (arguments.empty() || (arguments.size() > 1 && !shows_all && !range_of(arguments.subspan(1))))
     return wrong_arguments("colours").sentence;
   if (find_colour_map(arguments[0])) return std::nullopt;
-  std::vector<std::string> known;
-  for (const ColourMap& map : colour_maps()) known.emplace_back(map.id);
   const std::string wrong(arguments[0]);
   return Text{"there is no colour map '" + wrong + "'", "色分け「" + wrong + "」はありません"} +
-         did_you_mean(wrong, known);
+         did_you_mean(wrong, ids_of_rows(colour_maps()));
 }
 
 Outcome run_colours(Findings& findings, ViewState& view, Layout& layout, Words arguments, std::string_view) {
@@ -64,9 +62,7 @@ Outcome run_colours(Findings& findings, ViewState& view, Layout& layout, Words a
   const MapRange usual = arguments.size() == 2 ? whole_range(*map, figures) : first_range(*map, figures);
   view.colouring->range = range_of(arguments.subspan(1)).value_or(usual);
   show_panel(layout);
-  Outcome outcome;
-  outcome.sentence = text_of(*map, figures);
-  return outcome;
+  return done_with(text_of(*map, figures));
 }
 
 std::optional<Text> fault_of_measure(Words arguments, const std::string&) {
@@ -99,14 +95,12 @@ Outcome run_measure(Document& document, Selecting& selecting, Layout& layout, Wo
          "計測できません。稜線、面、二つの要素、または三つの頂点（座標が有限のもの）を指定してください"});
   selecting.measures.push_back(std::move(measured));
   show_panel(layout);
-  Outcome outcome;
-  outcome.sentence = text_of(found);
-  return outcome;
+  return done_with(text_of(found));
 }
 
 std::optional<Text> fault_of_self_intersections(Words arguments, const std::string&) {
   const bool is_off = arguments.size() == 1 && arguments[0] == "off";
-  return arguments.empty() || is_off ? std::nullopt : std::optional(wrong_arguments("self_intersections").sentence);
+  return fault_unless(arguments.empty() || is_off, "self_intersections");
 }
 
 Outcome run_self_intersections(Findings& findings, const Frontend& frontend, Words arguments, std::string_view) {
@@ -123,9 +117,8 @@ Outcome run_self_intersections(Findings& findings, const Frontend& frontend, Wor
   for (const Face f : found->faces) faces.push_back(f.index);
   const std::size_t pairs = found->count;
   findings.put(ProblemKind::self_intersection, faces, std::move(found->pairs));
-  Outcome outcome;
-  outcome.sentence = {"No face meets another elsewhere than in common vertices and edges.",
-                      "共有する頂点・稜線以外で交わる面はありません。"};
+  Outcome outcome = done_with({"No face meets another elsewhere than in common vertices and edges.",
+                               "共有する頂点・稜線以外で交わる面はありません。"});
   if (!faces.empty()) {
     outcome.sentence = row_of(ProblemKind::self_intersection).sentence(faces.size());
     outcome.say(count_text(pairs, "It is one pair.", "They are # pairs.", "組の数は # です。"));

@@ -91,14 +91,12 @@ Outcome run_ask(Session& session, Words arguments, std::string_view whole) {
 }
 
 Outcome run_mode(Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
-  for (const auto& [mode, id, point_en, point_ja, help_en, help_ja] : pick_modes) {
-    if (arguments.size() != 1 || arguments[0] != id) continue;
-    selecting.mode = mode;
-    selecting.release_verdict();
-    if (selecting.hover()) pointing.point_at(selecting.hover()->pixel, selecting.hover()->modifiers);
-    return {};
-  }
-  return wrong_arguments("mode");
+  const PickModeRow* const row = arguments.size() == 1 ? find_row(pick_modes, arguments[0]) : nullptr;
+  if (!row) return wrong_arguments("mode");
+  selecting.mode = row->mode;
+  selecting.release_verdict();
+  if (selecting.hover()) pointing.point_at(selecting.hover()->pixel, selecting.hover()->modifiers);
+  return {};
 }
 
 Outcome run_click(const Selecting& selecting, Pointing& pointing, Words arguments, std::string_view) {
@@ -109,7 +107,7 @@ Outcome run_click(const Selecting& selecting, Pointing& pointing, Words argument
 }
 
 std::optional<Text> fault_of_remedy(Words arguments, const std::string&) {
-  return count_of(arguments) ? std::nullopt : std::optional(wrong_arguments("remedy").sentence);
+  return fault_unless(count_of(arguments).has_value(), "remedy");
 }
 
 Outcome run_remedy(Session& session, Words arguments, std::string_view) {

@@ -70,8 +70,7 @@ SelectRequest read_selecting(Words arguments) {
 // The kinds of problems and the selectors that a word may stand for: those that it is a part of, else the one that it
 // is a slip of.
 Text meant_by(std::string_view word) {
-  std::vector<std::string> known;
-  for (const ProblemRow& row : problem_table()) known.emplace_back(row.id);
+  std::vector<std::string> known = ids_of_rows(problem_table());
   for (const Selector& row : selectors()) known.emplace_back(row.id);
   Text ids;
   for (const std::string& id : known)
@@ -111,23 +110,11 @@ Elements all_of(Findings& findings, const ProblemRow& problem) {
   return found;
 }
 
-Element::Kind kind_of(PickMode mode) {
-  switch (mode) {
-    case PickMode::vertex:
-      return Element::Kind::vertex;
-    case PickMode::edge:
-      return Element::Kind::edge;
-    case PickMode::face:
-      return Element::Kind::face;
-    case PickMode::halfedge:
-      return Element::Kind::halfedge;
-  }
-  return Element::Kind::edge;
-}
+Element::Kind kind_of(PickMode mode) { return pick_modes[static_cast<std::size_t>(mode)].kind; }
 
 const PickModeRow& mode_of(Element::Kind kind) {
   return *std::find_if(std::begin(pick_modes), std::end(pick_modes),
-                       [&](const PickModeRow& row) { return kind_of(row.mode) == kind; });
+                       [&](const PickModeRow& row) { return row.kind == kind; });
 }
 
 Outcome nothing_kept(const Selecting& selecting, std::string_view name) {
@@ -143,10 +130,9 @@ Outcome nothing_kept(const Selecting& selecting, std::string_view name) {
 // What was searched for, but for what is hidden.
 Outcome select(Findings& findings, Selecting& selecting, Elements found) {
   findings.drop_hidden(found);
-  Outcome outcome;
-  outcome.sentence = found.empty() ? Text{"nothing is selected", "選択はありません"}
-                                   : count_text(found.size(), "one element is selected", "# elements are selected",
-                                                "# 個を選択しました");
+  Outcome outcome = done_with(found.empty() ? Text{"nothing is selected", "選択はありません"}
+                                            : count_text(found.size(), "one element is selected",
+                                                         "# elements are selected", "# 個を選択しました"));
   selecting.selection = std::move(found);
   return outcome;
 }
@@ -279,9 +265,7 @@ Outcome hide_named(Document& document, Findings& findings, Selecting& selecting,
     return failed(ExitCode::refused, lacks);
   }
   (selecting.*hide)(elements);
-  Outcome outcome;
-  outcome.sentence = hidden_text(findings.hidden());
-  return outcome;
+  return done_with(hidden_text(findings.hidden()));
 }
 
 }  // namespace

@@ -77,16 +77,10 @@ Outcome go_to_level(Shown& shown, std::size_t faces) {
                                       "その後メッシュが変わりました。もう一度 levels で始めてください"});
   }
   shown.go_to_level(shown.levels()->level_of(faces));
-  Outcome outcome;
-  outcome.sentence = told(*shown.levels());
-  return outcome;
+  return done_with(told(*shown.levels()));
 }
 
-const EdgeRuleRow* find_rule(std::string_view id) {
-  for (const EdgeRuleRow& row : edge_rule_table())
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const EdgeRuleRow* find_rule(std::string_view id) { return find_row(edge_rule_table(), id); }
 
 void select_under(Selecting& selecting, const LeftEdges& left_edges, EdgeRule rule) {
   Elements found;
@@ -105,11 +99,8 @@ bool levels_take_long(Words arguments) {
 
 std::optional<Text> fault_of_levels(Words arguments, const std::string&) {
   if (arguments.empty()) return std::nullopt;
-  if (arguments[0] == "at")
-    return arguments.size() == 2 && face_count(arguments[1]) ? std::nullopt
-                                                             : std::optional(wrong_arguments("levels").sentence);
-  if (arguments[0] == "keep" || arguments[0] == "close")
-    return arguments.size() == 1 ? std::nullopt : std::optional(wrong_arguments("levels").sentence);
+  if (arguments[0] == "at") return fault_unless(arguments.size() == 2 && face_count(arguments[1]), "levels");
+  if (arguments[0] == "keep" || arguments[0] == "close") return fault_unless(arguments.size() == 1, "levels");
   ReadValues read = read_values(level_parameters(), arguments);
   return read.values ? std::nullopt : std::optional(behind("levels", read.sentence));
 }
@@ -128,15 +119,11 @@ Outcome run_levels(Session& session, Words arguments, std::string_view) {
   return session.run(line);  // which ends them
 }
 
-std::string account_syntax() {
-  std::string syntax;
-  for (const EdgeRuleRow& row : edge_rule_table()) syntax.append(syntax.empty() ? "[" : "|").append(row.id);
-  return syntax + "]";
-}
+std::string account_syntax() { return "[" + joined_ids(edge_rule_table()) + "]"; }
 
 std::optional<Text> fault_of_account(Words arguments, const std::string&) {
   const bool is_known = arguments.empty() || (arguments.size() == 1 && find_rule(arguments[0]));
-  return is_known ? std::nullopt : std::optional(wrong_arguments("account").sentence);
+  return fault_unless(is_known, "account");
 }
 
 Outcome run_account(Session& session, Words arguments, std::string_view) {

@@ -17,9 +17,8 @@ namespace ryosen {
 namespace {
 
 Outcome no_such_panel(const std::string& id) {
-  std::vector<std::string> known;
-  for (const PanelRow& row : panel_list()) known.emplace_back(row.id);
-  const Text hint = did_you_mean(id, known), all{"; known: " + panel_ids(), "。あるのは " + panel_ids()};
+  const Text hint = did_you_mean(id, ids_of_rows(panel_list())),
+             all{"; known: " + panel_ids(), "。あるのは " + panel_ids()};
   return usage_error(Text{"there is no panel '" + id + "'", "パネル「" + id + "」はありません"} +
                      (hint.en.empty() ? all : hint));
 }
@@ -58,9 +57,8 @@ Outcome run_panel(Layout& layout, Words arguments, std::string_view) {
     return {};
   }
   const std::string_view word = arguments.size() == 1 ? "on" : arguments[1];
-  const auto act =
-      std::find_if(std::begin(panel_acts), std::end(panel_acts), [&](const auto& a) { return a.id == word; });
-  if (act == std::end(panel_acts)) return wrong_arguments("panel");
+  const PanelAct* const act = find_row(panel_acts, word);
+  if (!act) return wrong_arguments("panel");
   const PanelRow* const row = find_panel(id);
   if (!row) return no_such_panel(id);
   if (row->place == PanelPlace::over && act->of_columns)
@@ -70,11 +68,7 @@ Outcome run_panel(Layout& layout, Words arguments, std::string_view) {
   return {};
 }
 
-std::string panel_syntax() {
-  std::string words;
-  for (const PanelAct& act : panel_acts) words.append(words.empty() ? "" : "|").append(act.id);
-  return "ID|none [" + words + "]";
-}
+std::string panel_syntax() { return "ID|none [" + joined_ids(panel_acts) + "]"; }
 
 Outcome run_menu(Layout& layout, Words arguments, std::string_view) {
   const MenuRow* const menu = arguments.empty() ? menu_bar : find_menu(arguments[0]);
@@ -101,11 +95,9 @@ Outcome run_values(Layout& layout, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("values");
   const AlgorithmRow* const row = find_algorithm(arguments[0]);
   if (!row) {
-    std::vector<std::string> known;
-    for (const AlgorithmRow& other : algorithm_table()) known.emplace_back(other.id);
     const std::string wrong(arguments[0]);
     return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
-                       did_you_mean(wrong, known));
+                       did_you_mean(wrong, ids_of_rows(algorithm_table())));
   }
   layout.asked_algorithm = row->id;
   layout.show(panel_opened_by(PanelOpener::asked_values), true);
@@ -121,9 +113,7 @@ Outcome run_language(Preferences& preferences, Words arguments, std::string_view
 
 Outcome leave_question(std::optional<AskedQuestion>& asked_question) {
   asked_question.reset();
-  Outcome outcome;
-  outcome.sentence = {"The question is left.", "問題を終えました。"};
-  return outcome;
+  return done_with({"The question is left.", "問題を終えました。"});
 }
 
 // One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a

@@ -31,11 +31,7 @@ std::vector<PanelRow>& panel_rows() {
 
 std::span<const PanelRow> panel_list() { return panel_rows(); }
 
-const PanelRow* find_panel(std::string_view id) {
-  for (const PanelRow& row : panel_list())
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const PanelRow* find_panel(std::string_view id) { return find_row(panel_rows(), id); }
 
 const PanelRow& panel_opened_by(PanelOpener opener) {
   const std::span<const PanelRow> rows = panel_list();
@@ -44,11 +40,7 @@ const PanelRow& panel_opened_by(PanelOpener opener) {
   return *row;
 }
 
-std::string panel_ids() {
-  std::string ids;
-  for (const PanelRow& row : panel_list()) ids.append(ids.empty() ? "" : ", ").append(row.id);
-  return ids;
-}
+std::string panel_ids() { return joined_ids(panel_list(), ", "); }
 
 ScopedPanel::ScopedPanel(const PanelRow& row) : id_(row.id) {
   assert(!find_panel(id_) && "every panel has an id of its own");

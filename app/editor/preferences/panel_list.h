@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/editor/commands/text/words.h"
+
 namespace ryosen {
 
 // In a column beside the view until it is hidden, or over the view, one at a time.
@@ -84,17 +86,9 @@ inline constexpr MenuRow menu_bar[] = {
 };
 
 // Null where there is none.
-inline const MenuRow* find_menu(std::string_view id) {
-  const auto at =
-      std::find_if(std::begin(menu_bar), std::end(menu_bar), [&](const MenuRow& row) { return row.id == id; });
-  return at == std::end(menu_bar) ? nullptr : at;
-}
+inline const MenuRow* find_menu(std::string_view id) { return find_row(menu_bar, id); }
 
 // "file|edit|..."
-inline std::string menu_ids() {
-  std::string ids;
-  for (const MenuRow& row : menu_bar) ids.append(ids.empty() ? "" : "|").append(row.id);
-  return ids;
-}
+inline std::string menu_ids() { return joined_ids(menu_bar); }
 
 }  // namespace ryosen

@@ -5,6 +5,7 @@
 
 #include "app/editor/camera/cutting.h"
 #include "app/editor/camera/view_state.h"
+#include "app/editor/commands/text/words.h"
 #include "app/editor/input/input_presets.h"
 #include "app/editor/preferences/preference_values.h"
 
@@ -259,17 +260,9 @@ std::vector<ViewSwitch>& switch_rows() {
 
 std::span<const ViewSwitch> view_switches() { return switch_rows(); }
 
-const ViewSwitch* find_view_switch(std::string_view id) {
-  for (const ViewSwitch& row : view_switches())
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const ViewSwitch* find_view_switch(std::string_view id) { return find_row(switch_rows(), id); }
 
-std::string ids_of(std::span<const SwitchValue> values) {
-  std::string ids;
-  for (const SwitchValue& value : values) ids.append(ids.empty() ? "" : "|").append(value.id);
-  return ids;
-}
+std::string ids_of(std::span<const SwitchValue> values) { return joined_ids(values); }
 
 std::optional<std::size_t> find_value(const ViewSwitch& row, std::string_view id) {
   for (std::size_t i = 0; i < row.values.size(); ++i)

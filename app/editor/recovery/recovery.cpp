@@ -182,9 +182,7 @@ Outcome replay(Session& session, const LostSession& lost) {
     stopped.say({"The script stays there.", "スクリプトはそのまま残してあります。"});
     return stopped;
   }
-  Outcome outcome;
-  outcome.sentence = what_is_recovered(session.document().position(), lost.unsaved);
-  return outcome;
+  return done_with(what_is_recovered(session.document().position(), lost.unsaved));
 }
 
 // The recovered document continues this script if it began as the script says; otherwise it gets a script of its own.

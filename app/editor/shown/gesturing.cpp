@@ -3,6 +3,7 @@
 #include <iterator>
 #include <new>
 
+#include "app/editor/commands/text/outcomes.h"
 #include "app/editor/session/session.h"
 #include "app/editor/shown/ongoing_gesture.h"
 #include "app/editor/shown/snapping.h"
@@ -235,10 +236,8 @@ std::optional<Outcome> Gesturing::key(const std::string& chord) {
   } else if (chord == "Enter") {
     return end();
   } else if (chord == "O" && !ongoing_->transform.takes_falloff()) {
-    Outcome outcome;
-    outcome.sentence = {"What is made here moves alone; a falloff is for what is there.",
-                        "ここで作られる要素は単独で動きます。減衰は既存の要素の移動に使えます。"};
-    return outcome;
+    return done_with({"What is made here moves alone; a falloff is for what is there.",
+                      "ここで作られる要素は単独で動きます。減衰は既存の要素の移動に使えます。"});
   } else if (ongoing_->transform.key(mesh(), chord)) {
     follow_what_moves();
     follow(ongoing_->pixel, ongoing_->modifiers);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/editor/commands/text/outcomes.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/shown/shown.h"
@@ -38,10 +39,8 @@ std::string ShownLevels::line() const {
 
 Outcome leave_level(Shown& shown) {
   shown.end_levels();
-  Outcome outcome;
-  outcome.sentence = {"The levels of detail are left; the mesh is as it was before them.",
-                      "詳細度の表示を終え、元のメッシュに戻しました。"};
-  return outcome;
+  return done_with({"The levels of detail are left; the mesh is as it was before them.",
+                    "詳細度の表示を終え、元のメッシュに戻しました。"});
 }
 
 std::string line_to_account_for(const Document& document, const Shown& shown) {

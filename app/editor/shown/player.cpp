@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "app/editor/camera/view_state.h"
+#include "app/editor/commands/text/outcomes.h"
 #include "app/editor/session/session_camera.h"
 #include "app/editor/shown/shown.h"
 #include "ryosen/document/document.h"
@@ -59,8 +60,7 @@ void end_playing(ViewState& view, Framing& framing, Shown& shown) {
 }
 
 Outcome leave_playing(ViewState& view, Framing& framing, Shown& shown) {
-  Outcome outcome;
-  outcome.sentence = end_of(*shown.player());
+  Outcome outcome = done_with(end_of(*shown.player()));
   end_playing(view, framing, shown);
   return outcome;
 }

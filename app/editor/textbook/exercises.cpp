@@ -1,5 +1,7 @@
 #include "app/editor/textbook/exercises.h"
 
+#include "app/editor/commands/text/words.h"
+
 namespace ryosen {
 
 namespace {
@@ -12,29 +14,16 @@ std::string remark(std::string_view script, int line, std::string_view colon) {
 
 }  // namespace
 
-const ExerciseScript* find_exercise(std::string_view id) {
-  for (const ExerciseScript& exercise : exercise_scripts())
-    if (exercise.id == id) return &exercise;
-  return nullptr;
-}
+const ExerciseScript* find_exercise(std::string_view id) { return find_row(exercise_scripts(), id); }
 
 const ExerciseScript* find_built_in_script(std::string_view id) {
-  for (const ExerciseScript& figure : figure_scripts())
-    if (figure.id == id) return &figure;
-  return find_exercise(id);
+  const ExerciseScript* const figure = find_row(figure_scripts(), id);
+  return figure ? figure : find_exercise(id);
 }
 
-std::string exercise_ids() {
-  std::string ids;
-  for (const ExerciseScript& exercise : exercise_scripts()) ids.append(ids.empty() ? "" : "|").append(exercise.id);
-  return ids;
-}
+std::string exercise_ids() { return joined_ids(exercise_scripts()); }
 
-std::string built_in_script_ids() {
-  std::string ids = exercise_ids();
-  for (const ExerciseScript& figure : figure_scripts()) ids.append("|").append(figure.id);
-  return ids;
-}
+std::string built_in_script_ids() { return exercise_ids() + "|" + joined_ids(figure_scripts()); }
 
 Text name_of_exercise(const ExerciseScript& exercise) {
   return {remark(exercise.script, 0, ":"), remark(exercise.script, 1, "：")};

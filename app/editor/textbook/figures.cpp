@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/editor/commands/text/words.h"
 #include "ryosen/io/formats.h"
 
 namespace ryosen {
@@ -80,17 +81,9 @@ constexpr Figure figure_rows[] = {
 
 std::span<const Figure> figures() { return figure_rows; }
 
-const Figure* find_figure(std::string_view id) {
-  const auto found =
-      std::find_if(std::begin(figure_rows), std::end(figure_rows), [&](const Figure& row) { return row.id == id; });
-  return found == std::end(figure_rows) ? nullptr : found;
-}
+const Figure* find_figure(std::string_view id) { return find_row(figure_rows, id); }
 
-std::string figure_ids() {
-  std::string ids;
-  for (const Figure& figure : figure_rows) ids.append(ids.empty() ? "" : "|").append(figure.id);
-  return ids;
-}
+std::string figure_ids() { return joined_ids(figure_rows); }
 
 Result<MeshFile> mesh_of_figure(const Figure& figure) {
   const std::span<const FigureFile> files = figure_files();

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "app/editor/commands/text/words.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/base/enum_table.h"
 #include "ryosen/document/document.h"
@@ -162,11 +163,7 @@ Text text_of_valence(const Mesh& mesh, Vertex v) {
 
 std::span<const QuestionKindRow> question_kinds() { return kind_rows; }
 
-const QuestionKindRow* find_question_kind(std::string_view id) {
-  const auto found =
-      std::find_if(std::begin(kind_rows), std::end(kind_rows), [&](const auto& row) { return row.id == id; });
-  return found == std::end(kind_rows) ? nullptr : found;
-}
+const QuestionKindRow* find_question_kind(std::string_view id) { return find_row(kind_rows, id); }
 
 // Drawn apart from the question itself and from the figure.
 QuestionKind kind_of_seed(std::uint64_t seed) { return kind_rows[Draws(~seed).below(std::size(kind_rows))].kind; }

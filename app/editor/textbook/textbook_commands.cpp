@@ -18,7 +18,7 @@ namespace ryosen {
 
 std::optional<Text> fault_of_exercise(Words arguments, const std::string&) {
   const bool is_one = arguments.size() == 1 && find_exercise(arguments[0]);
-  return is_one ? std::nullopt : std::optional(wrong_arguments("exercise").sentence);
+  return fault_unless(is_one, "exercise");
 }
 
 // Its steps name their elements by numbers, which begin at 0 in an empty mesh without a history only.
@@ -40,7 +40,7 @@ Outcome run_exercise(Session& session, Words arguments, std::string_view) {
 
 std::optional<Text> fault_of_figure(Words arguments, const std::string&) {
   const bool is_one = arguments.size() == 1 && find_figure(arguments[0]);
-  return is_one ? std::nullopt : std::optional(wrong_arguments("figure").sentence);
+  return fault_unless(is_one, "figure");
 }
 
 // An entry of the history, so that what is recovered has it too.
@@ -87,11 +87,7 @@ constexpr PlayerWay player_ways[] = {
     {"pause", [](const Player& player) { return player.position(); }, stops},
 };
 
-const PlayerWay* find_way(std::string_view id) {
-  for (const PlayerWay& way : player_ways)
-    if (way.id == id) return &way;
-  return nullptr;
-}
+const PlayerWay* find_way(std::string_view id) { return find_row(player_ways, id); }
 
 std::optional<std::size_t> step_number(std::string_view word) {
   std::size_t number = 0;
@@ -139,11 +135,8 @@ std::string steps_syntax() {
 
 std::optional<Text> fault_of_steps(Words arguments, const std::string&) {
   if (arguments.empty()) return wrong_arguments("steps").sentence;
-  if (find_way(arguments[0]) || arguments[0] == "close")
-    return arguments.size() == 1 ? std::nullopt : std::optional(wrong_arguments("steps").sentence);
-  if (arguments[0] == "at")
-    return arguments.size() == 2 && step_number(arguments[1]) ? std::nullopt
-                                                              : std::optional(wrong_arguments("steps").sentence);
+  if (find_way(arguments[0]) || arguments[0] == "close") return fault_unless(arguments.size() == 1, "steps");
+  if (arguments[0] == "at") return fault_unless(arguments.size() == 2 && step_number(arguments[1]), "steps");
   const auto row = find_played(arguments[0]);
   return row ? std::nullopt : std::optional(row.failure().message.text);
 }

@@ -15,6 +15,11 @@ Outcome failed(const Failure& failure) { return failed(failure.exit_code, failur
 
 Outcome usage_error(const Text& sentence) { return failed(ExitCode::usage, sentence); }
 Outcome usage_error(std::string en, std::string ja) { return failed(ExitCode::usage, {std::move(en), std::move(ja)}); }
+Outcome done_with(Text remark) {
+  Outcome outcome;
+  outcome.sentence = std::move(remark);
+  return outcome;
+}
 Outcome cancelled() {
   return failed(ExitCode::cancelled, {"Cancelled; nothing has changed.", "中止しました。何も変わっていません。"});
 }

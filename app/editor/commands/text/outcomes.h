@@ -15,6 +15,8 @@ class Document;
 Outcome failed(const Failure& failure);
 Outcome usage_error(std::string en, std::string ja);
 Outcome usage_error(const Text& sentence);
+// Done, with a remark.
+Outcome done_with(Text remark);
 // Long work that was given up.
 Outcome cancelled();
 // An operator's line names no element of the mesh, with this error: a refusal by the rule `deleted` where the element

@@ -111,21 +111,7 @@ PanelContext Gui::context(Session& session) {
   Fonts fonts = fonts_;
   // One weight only for Japanese: a bold one would need all glyphs twice.
   if (session.preferences.language == Language::japanese) fonts.bold = fonts.normal;
-  return {session,
-          session.view,
-          session.framing,
-          session.selecting,
-          session.pointing,
-          session.gesturing,
-          session.shown,
-          session.preferences,
-          session.layout,
-          session.trials,
-          state_,
-          fonts,
-          session.view.settings.theme,
-          size_.scale,
-          size_.of_columns()};
+  return {session, state_, fonts, session.view.settings.theme, size_.scale, size_.of_columns()};
 }
 
 bool Gui::prepare(const Session& session) {

@@ -86,20 +86,20 @@ struct GuiState {
 // One frame of one panel.
 struct PanelContext {
   Session& session;
-  ViewState& view;
-  Framing& framing;
-  Selecting& selecting;
-  Pointing& pointing;
-  Gesturing& gesturing;
-  Shown& shown;
-  Preferences& preferences;
-  Layout& layout;
-  RepairTrials& trials;
   GuiState& state;
   Fonts fonts;
   Theme theme;
   float scale;
   float column_scale;  // of the width of columns and panels, which grow with the letters
+  ViewState& view = owner_of<ViewState>(session);
+  Framing& framing = owner_of<Framing>(session);
+  Selecting& selecting = owner_of<Selecting>(session);
+  Pointing& pointing = owner_of<Pointing>(session);
+  Gesturing& gesturing = owner_of<Gesturing>(session);
+  Shown& shown = owner_of<Shown>(session);
+  Preferences& preferences = owner_of<Preferences>(session);
+  Layout& layout = owner_of<Layout>(session);
+  RepairTrials& trials = owner_of<RepairTrials>(session);
 
   // The document that is open just now: a line that runs may put another in its place.
   Document& document() const;

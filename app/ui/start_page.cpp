@@ -58,12 +58,6 @@ void draw_hints(PanelContext& context) {
 
 }  // namespace
 
-void StartPage::heading(PanelContext& context, const char* text) {
-  ImGui::PushFont(context.fonts.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
-}
-
 bool StartPage::takes(std::string_view chord) {
   return std::any_of(taken_keys.begin(), taken_keys.end(), [&](const auto& key) { return key.first == chord; });
 }
@@ -104,7 +98,7 @@ void StartPage::look_for_recent(const std::vector<std::string>& files) {
 void StartPage::draw_recent(PanelContext& context, std::size_t most) {
   look_for_recent(context.preferences.recent);
   if (recent_.empty() || most == 0) return;
-  heading(context, context.text("Recent files", "最近のファイル"));
+  bold_text(context, context.text("Recent files", "最近のファイル"));
   for (const auto& [file, is_there] : std::span(recent_).first(std::min(most, recent_.size()))) {
     const std::string name = std::filesystem::path(file).filename().string();
     const std::string gone = context.text(" (not there any more)", "（見つかりません）");
@@ -122,7 +116,7 @@ void StartPage::draw_beginnings(PanelContext& context, std::size_t most_recent) 
 
 // As many in a line as there is room for.
 void StartPage::draw_shapes(PanelContext& context) {
-  heading(context, context.text("A shape", "基本形状"));
+  bold_text(context, context.text("A shape", "基本形状"));
   const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   bool is_first = true;
   for (const AlgorithmRow& row : algorithm_table()) {
@@ -247,7 +241,7 @@ void StartPage::draw(PanelContext& context) {
   taken_.clear();
   const Measured now{width, ImGui::GetFontSize(), context.language(), context.preferences.recent.size()};
   const bool is_known = measured_ == now;
-  heading(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
+  bold_text(context, context.text("Ryosen: where do you want to begin?", "稜線：何から始めますか"));
   if (is_known && whole_height_ > room.y)
     draw_tabs(context, room.y);
   else

@@ -44,7 +44,6 @@ class StartPage {
   void draw_shapes(PanelContext& context);
   void draw_exercises(PanelContext& context);  // this and the next: textbook/offered.cpp
   void draw_figures(PanelContext& context);
-  static void heading(PanelContext& context, const char* text);
   void look_for_recent(const std::vector<std::string>& files);
   // An entry as wide as there is room, or as its name.
   void entry(PanelContext& context, const std::string& name, const std::string& line, bool fills);

@@ -26,7 +26,6 @@ class Pointing;
 class Selecting;
 class Session;
 struct SeenMesh;
-struct ViewState;
 
 class Viewport {
  public:
@@ -97,10 +96,14 @@ class Viewport {
   int supersample_ = 1, samples_ = 0;  // those that were set, and those that are drawn
   Size size_{};
   const Document* mesh_of_ = nullptr;
-  Shading drawn_shading_ = Shading::flat;  // with which the mesh was passed
-  std::optional<Colouring> drawn_colouring_;
-  FileColours drawn_file_colours_ = FileColours::on;
-  double drawn_crease_deg_ = 30;
+  struct Look {
+    Shading shading = Shading::flat;
+    std::optional<Colouring> colouring = {};
+    FileColours file_colours = FileColours::on;
+    double crease_deg = 30;
+    bool operator==(const Look&) const = default;
+  };
+  Look drawn_look_;  // with which the mesh was passed
   std::vector<std::uint8_t> face_tints_;
   std::size_t rebuilds_ = 0;
   std::uint64_t mesh_revision_ = 0, gesture_step_ = 0;

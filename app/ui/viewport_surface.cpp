@@ -212,9 +212,8 @@ void Viewport::follow_mesh(const SeenMesh& seen, const Selecting* selecting, std
   const bool other_selection = selecting && selection_ != selecting->selection.stamp();
   if (other_selection) follow_selected_faces(findings, *selecting, changes.faces, triangles);
   const FaceTints tints(findings, view, selected_faces_);
-  const bool anew = mesh_of_ != &document || changes.everything || drawn_shading_ != view.settings.shading ||
-                    drawn_colouring_ != view.colouring || drawn_file_colours_ != view.settings.file_colours ||
-                    drawn_crease_deg_ != preferences.crease_deg;
+  const Look look{view.settings.shading, view.colouring, view.settings.file_colours, preferences.crease_deg};
+  const bool anew = mesh_of_ != &document || changes.everything || drawn_look_ != look;
   const bool other_highlights = shown_ != view.highlights || changes.searched;
   if (!anew && !other_highlights && !other_selection && !changes.hiding && gesture_step_ == step &&
       mesh_revision_ == document.revision())
@@ -237,10 +236,7 @@ void Viewport::follow_mesh(const SeenMesh& seen, const Selecting* selecting, std
   mesh_of_ = &document;
   mesh_revision_ = document.revision();
   gesture_step_ = step;
-  drawn_shading_ = view.settings.shading;
-  drawn_colouring_ = view.colouring;
-  drawn_file_colours_ = view.settings.file_colours;
-  drawn_crease_deg_ = preferences.crease_deg;
+  drawn_look_ = look;
   shown_ = view.highlights;
   normal_lines_.note(seen, changes, triangles, anew);
   if (anew || changes.hiding) verdict_layer_.forget();

@@ -28,6 +28,12 @@ void coloured_text(const ImVec4& colour, const char* text) {
 
 void dim_text(PanelContext& context, const char* text) { coloured_text(context.colours().dim, text); }
 
+void bold_text(PanelContext& context, const char* text) {
+  ImGui::PushFont(context.fonts.bold);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
 void labelled(PanelContext& context, const char* label, const std::string& value, float column) {
   ImGui::TextColored(context.colours().dim, "%s", label);
   const float least = ImGui::GetStyle().WindowPadding.x + ImGui::CalcTextSize(label).x + 0.8f * ImGui::GetFontSize();

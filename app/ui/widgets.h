@@ -23,6 +23,8 @@ ImVec2 wrapped_size(std::string_view text, float width_px);
 std::size_t lines_of(std::string_view text, float width_px);
 void coloured_text(const ImVec4& colour, const char* text);
 void dim_text(PanelContext& context, const char* text);
+// A heading, in one line.
+void bold_text(PanelContext& context, const char* text);
 // A dim label and a value in two columns, the second at `column` font heights or after a longer label.
 void labelled(PanelContext& context, const char* label, const std::string& value, float column = 5);
 // A row that looks and acts like a link; true when clicked.

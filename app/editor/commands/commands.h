@@ -28,7 +28,6 @@
 
 namespace ryosen {
 
-class Document;
 class RepairTrials;
 class Session;
 

@@ -21,7 +21,6 @@ namespace ryosen {
 class Findings;
 class Gesturing;
 class Selecting;
-class Mesh;
 class Session;
 struct ViewState;
 

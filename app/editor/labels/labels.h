@@ -23,7 +23,6 @@ namespace ryosen {
 
 class Document;
 class Findings;
-class Gesturing;
 class Mesh;
 class Selecting;
 class Session;

@@ -32,7 +32,6 @@
 
 namespace ryosen {
 
-class Autosave;
 class Input;
 
 // The question of practice that is open: what the view and Escape need of it.

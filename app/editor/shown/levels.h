@@ -12,8 +12,6 @@
 
 namespace ryosen {
 
-class Document;
-class Findings;
 struct Frontend;
 class Shown;
 

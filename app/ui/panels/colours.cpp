@@ -57,8 +57,7 @@ class ColoursPanel : public Panel {
 
   // The colours from the low end to the high one, with a value below each end and the middle.
   void draw_legend(PanelContext& context) {
-    const ColourMap* const map = context.view.colouring->map;
-    const MapRange range = context.view.colouring->range;
+    const auto [map, range] = *context.view.colouring;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 12 * context.scale;
     ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -102,8 +101,7 @@ class ColoursPanel : public Panel {
   }
 
   void draw_histogram(PanelContext& context) {
-    const ColourMap* const map = context.view.colouring->map;
-    const MapRange range = context.view.colouring->range;
+    const auto [map, range] = *context.view.colouring;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 64 * context.scale;
     ImGui::InvisibleButton("histogram", {width, height});
@@ -144,8 +142,7 @@ class ColoursPanel : public Panel {
 
   // Which part of the values the colours are spread over, and the other choice.
   void draw_range(PanelContext& context) {
-    const ColourMap* const map = context.view.colouring->map;
-    const MapRange range = context.view.colouring->range;
+    const auto [map, range] = *context.view.colouring;
     const MapRange whole = whole_range(*map, figures_), first = first_range(*map, figures_);
     if (whole == first) return;
     const std::string line = "colours " + std::string(map->id);

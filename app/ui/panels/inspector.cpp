@@ -35,9 +35,7 @@ class Inspector {
 
   // One of so many that are selected.
   void draw(const Element& element, std::size_t selected) {
-    ImGui::PushFont(context_.fonts.bold);
-    ImGui::TextUnformatted(name_and_slot(m_, element).c_str());
-    ImGui::PopFont();
+    bold_text(context_, name_and_slot(m_, element).c_str());
     if (selected > 1) tell_of_others(selected - 1, element.kind == Element::Kind::vertex);
     switch (element.kind) {
       case Element::Kind::vertex:

@@ -59,9 +59,7 @@ class ValuesPanel : public Panel {
     const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last.kind != Outcome::Kind::done;
     const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
     if (begins && !has_failed) begin(context, *row);
-    ImGui::PushFont(context.fonts.bold);
-    ImGui::TextUnformatted(context.text(row->name_en, row->name_ja));
-    ImGui::PopFont();
+    bold_text(context, context.text(row->name_en, row->name_ja));
     dim_text(context, context.text(row->help_en, row->help_ja));
     ImGui::Separator();
     ReadValues read = this->read(*row);

@@ -21,7 +21,7 @@ OfferedCalls offered(Text title, std::span<const ExerciseScript> scripts) {
 }  // namespace
 
 void StartPage::draw_exercises(PanelContext& context) {
-  heading(context, context.text("An exercise, step by step", "演習（一手ずつ）"));
+  bold_text(context, context.text("An exercise, step by step", "演習（一手ずつ）"));
   for (const ExerciseScript& exercise : exercise_scripts()) {
     entry(context, name_of_exercise(exercise).in(context.language()), "exercise " + std::string(exercise.id), true);
     tip(context.text("Builds it from nothing by Euler operators; undo goes back through the steps.",
@@ -31,7 +31,7 @@ void StartPage::draw_exercises(PanelContext& context) {
 
 // A line for each text, and as many more as it needs.
 void StartPage::draw_figures(PanelContext& context) {
-  heading(context, context.text("A figure of the source texts", "テキストの図"));
+  bold_text(context, context.text("A figure of the source texts", "テキストの図"));
   const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   std::string_view text_before;
   for (const Figure& figure : figures()) {

@@ -19,9 +19,7 @@ class TextsPanel : public Panel {
       if (place.text != text) {
         if (is_open) ImGui::EndTable();
         text = place.text;
-        ImGui::PushFont(context.fonts.bold);
-        ImGui::TextUnformatted((context.text("Text ", "テキスト ") + std::string(text)).c_str());
-        ImGui::PopFont();
+        bold_text(context, (context.text("Text ", "テキスト ") + std::string(text)).c_str());
         is_open = ImGui::BeginTable(std::string(text).c_str(), 2);
         if (is_open) {
           ImGui::TableSetupColumn("place", ImGuiTableColumnFlags_WidthStretch, 1);

@@ -21,8 +21,7 @@ namespace {
 class Ghost {
  public:
   Ghost(const Mesh& mesh, const ViewState& view, const Gesturing& gesturing, Theme theme, Overlay& overlay)
-      : mesh_(mesh),
-        view_(view),
+      : view_(view),
         gesturing_(gesturing),
         m_(mesh),
         overlay_(overlay),
@@ -35,11 +34,11 @@ class Ghost {
     const bool is_edge = pointed.kind == Element::Kind::edge || pointed.kind == Element::Kind::halfedge;
     if (is_edge) pointed_ = pointed.kind == Element::Kind::edge ? pointed.edge() : edge(pointed.halfedge());
     for (const GhostFace& face : preview.faces) draw(face);
-    Painter old(mesh_, gesturing_.drawn_positions(), overlay_, goes_, 1);
+    Painter old(m_, gesturing_.drawn_positions(), overlay_, goes_, 1);
     for (const Element& e : preview.deleted)
       if (e.kind == Element::Kind::edge || e.kind == Element::Kind::vertex) old.draw(e);
     if (pointed_ && !pointed_stays_) old.draw(pointed_);
-    Painter fresh(mesh_, gesturing_.drawn_positions(), overlay_, comes_, 1);
+    Painter fresh(m_, gesturing_.drawn_positions(), overlay_, comes_, 1);
     const auto is_before = [](const glm::dvec3& a, const glm::dvec3& b) {
       return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z};
     };
@@ -95,7 +94,6 @@ class Ghost {
     }
   }
 
-  const Mesh& mesh_;
   const ViewState& view_;
   const Gesturing& gesturing_;
   const Mesh& m_;

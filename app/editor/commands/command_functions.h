@@ -14,7 +14,7 @@ class Document;
 
 // The line says the command in another form than its row shows.
 Outcome wrong_arguments(std::string_view id);
-// That where it does not have this form; else none.
+// Says the form where a line does not have it; else nothing.
 std::optional<Text> fault_unless(bool has_form, std::string_view id);
 // The fault of a command that takes one word at least.
 std::function<std::optional<Text>(Words arguments, const std::string& line)> takes_words(std::string_view id);

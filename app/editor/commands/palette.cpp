@@ -62,8 +62,7 @@ std::optional<Fit> fit_of(const PaletteEntry& entry, std::string_view typed) {
 std::string title_of(std::string_view help, std::string_view ends) {
   std::string title(help.substr(0, help.find_first_of(ends)));
   while (title.ends_with(' ')) title.pop_back();
-  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  return title;
+  return capitalized(std::move(title));
 }
 
 // In the words of its help where no other table names it.

@@ -362,10 +362,8 @@ Outcome discard(const LostSession& lost) {
   std::optional<OwnedScript> script = take(lost.script);
   if (!script) return not_to_be_had(lost);
   script->remove();
-  Outcome outcome;
   const Text what = describe(lost);
-  outcome.sentence = {"Discarded: " + what.en + ".", "破棄しました：" + what.ja + "。"};
-  return outcome;
+  return done_with({"Discarded: " + what.en + ".", "破棄しました：" + what.ja + "。"});
 }
 
 }  // namespace ryosen

@@ -49,16 +49,10 @@ class Painter {
     point(sum / corners);
   }
   void draw(const Element& e) {
-    switch (e.kind) {
-      case Element::Kind::vertex:
-        return draw(e.vertex());
-      case Element::Kind::halfedge:
-        return draw(e.halfedge());
-      case Element::Kind::edge:
-        return draw(e.edge());
-      case Element::Kind::face:
-        return draw(e.face(), false);
-    }
+    if (e.kind == Element::Kind::vertex) return draw(e.vertex());
+    if (e.kind == Element::Kind::halfedge) return draw(e.halfedge());
+    if (e.kind == Element::Kind::edge) return draw(e.edge());
+    draw(e.face(), false);
   }
 
  private:

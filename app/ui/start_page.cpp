@@ -200,19 +200,10 @@ void StartPage::draw_tabs(PanelContext& context, float height) {
   for (const std::string& hint : hints_of_start(context)) hints += wrapped_size(hint, width).y + gap;
   const float room = height - hints - ImGui::GetCursorPosY(), row = ImGui::GetFrameHeightWithSpacing();
   const float recent = room - 2 * row - 2 * ImGui::GetTextLineHeightWithSpacing();
-  switch (part_) {
-    case Part::beginnings:
-      draw_beginnings(context, static_cast<std::size_t>(std::max(recent / row, 0.f)));
-      break;
-    case Part::shapes:
-      draw_shapes(context);
-      break;
-    case Part::exercises:
-      draw_exercises(context);
-      break;
-    case Part::figures:
-      draw_figures(context);
-  }
+  if (part_ == Part::beginnings) draw_beginnings(context, static_cast<std::size_t>(std::max(recent / row, 0.f)));
+  if (part_ == Part::shapes) draw_shapes(context);
+  if (part_ == Part::exercises) draw_exercises(context);
+  if (part_ == Part::figures) draw_figures(context);
   ImGui::SetCursorPosY(std::max(height - hints, ImGui::GetCursorPosY()));
   ImGui::Separator();
   draw_hints(context);

@@ -35,18 +35,10 @@ float pattern_light(FacePattern pattern, float x) {
 }
 float pattern_share(FacePattern pattern, float x, float y) {
   const auto is_on = [](float t) { return fraction(t) >= 0.5f; };
-  switch (pattern) {
-    case FacePattern::diagonal:
-      return is_on((x + y) / 10) ? 1 : 0.55f;
-    case FacePattern::chessboard:
-      return is_on((x + y) / 10) != is_on((x - y) / 10) ? 1 : 0.5f;
-    case FacePattern::horizontal:
-      return is_on(y / 6) ? 1 : 0.5f;
-    case FacePattern::bars:
-      return fraction(x / 8) <= 0.5f ? 1 : 0;
-    case FacePattern::plain:
-      break;
-  }
+  if (pattern == FacePattern::diagonal) return is_on((x + y) / 10) ? 1 : 0.55f;
+  if (pattern == FacePattern::chessboard) return is_on((x + y) / 10) != is_on((x - y) / 10) ? 1 : 0.5f;
+  if (pattern == FacePattern::horizontal) return is_on(y / 6) ? 1 : 0.5f;
+  if (pattern == FacePattern::bars) return fraction(x / 8) <= 0.5f ? 1 : 0;
   return 1;
 }
 

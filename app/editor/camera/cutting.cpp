@@ -12,19 +12,10 @@ namespace ryosen {
 namespace {
 
 glm::dvec3 normal_of(ClipWay way, const Camera& camera) {
-  switch (way) {
-    case ClipWay::x:
-    case ClipWay::minus_x:
-      return {way == ClipWay::x ? 1 : -1, 0, 0};
-    case ClipWay::y:
-    case ClipWay::minus_y:
-      return {0, way == ClipWay::y ? 1 : -1, 0};
-    case ClipWay::z:
-    case ClipWay::minus_z:
-      return {0, 0, way == ClipWay::z ? 1 : -1};
-    default:
-      return -axes(camera).forward;
-  }
+  if (way == ClipWay::x || way == ClipWay::minus_x) return {way == ClipWay::x ? 1 : -1, 0, 0};
+  if (way == ClipWay::y || way == ClipWay::minus_y) return {0, way == ClipWay::y ? 1 : -1, 0};
+  if (way == ClipWay::z || way == ClipWay::minus_z) return {0, 0, way == ClipWay::z ? 1 : -1};
+  return -axes(camera).forward;
 }
 
 }  // namespace

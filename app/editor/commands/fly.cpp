@@ -24,19 +24,12 @@ namespace ryosen {
 namespace {
 
 std::vector<Vertex> vertices_of(const Mesh& m, const Element& e) {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return {e.vertex()};
-    case Element::Kind::halfedge:
-      return {m.from(e.halfedge()), m.to(e.halfedge())};
-    case Element::Kind::edge:
-      return {ends(m, e.edge()).first, ends(m, e.edge()).second};
-    default: {
-      std::vector<Vertex> corners;
-      for (Vertex v : vertices_around(m, e.face())) corners.push_back(v);
-      return corners;
-    }
-  }
+  if (e.kind == Element::Kind::vertex) return {e.vertex()};
+  if (e.kind == Element::Kind::halfedge) return {m.from(e.halfedge()), m.to(e.halfedge())};
+  if (e.kind == Element::Kind::edge) return {ends(m, e.edge()).first, ends(m, e.edge()).second};
+  std::vector<Vertex> corners;
+  for (Vertex v : vertices_around(m, e.face())) corners.push_back(v);
+  return corners;
 }
 
 // The faces that look along with an element: its own, its two, or those at all copies of its vertex.

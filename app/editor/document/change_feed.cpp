@@ -10,23 +10,11 @@ ChangeFeed::Changes ChangeFeed::since(const Cursor& cursor) const {
     return changes;
   }
   cells_.for_each_since(cursor.clock, [&](const Cell& cell) {
-    switch (cell.sort) {
-      case Sort::vertex:
-        changes.vertices.push_back(cell.index);
-        break;
-      case Sort::face:
-        changes.faces.push_back(cell.index);
-        break;
-      case Sort::mark:
-        changes.marks.push_back({cell.mark, cell.index});
-        break;
-      case Sort::search:
-        changes.searched = true;
-        break;
-      case Sort::hiding:
-        changes.hiding = true;
-        break;
-    }
+    if (cell.sort == Sort::vertex) changes.vertices.push_back(cell.index);
+    if (cell.sort == Sort::face) changes.faces.push_back(cell.index);
+    if (cell.sort == Sort::mark) changes.marks.push_back({cell.mark, cell.index});
+    changes.searched |= cell.sort == Sort::search;
+    changes.hiding |= cell.sort == Sort::hiding;
   });
   return changes;
 }

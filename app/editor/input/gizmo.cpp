@@ -207,16 +207,10 @@ std::optional<int> axis_of(HandleWay way) {
 }
 
 std::optional<std::array<int, 2>> plane_of(HandleWay way) {
-  switch (way) {
-    case HandleWay::yz:
-      return std::array{1, 2};
-    case HandleWay::zx:
-      return std::array{2, 0};
-    case HandleWay::xy:
-      return std::array{0, 1};
-    default:
-      return std::nullopt;
-  }
+  if (way == HandleWay::yz) return std::array{1, 2};
+  if (way == HandleWay::zx) return std::array{2, 0};
+  if (way == HandleWay::xy) return std::array{0, 1};
+  return std::nullopt;
 }
 
 const std::vector<LetterStroke>& axis_letter(int axis) {

@@ -118,16 +118,10 @@ class LinksOf {
       : m_(mesh), places_(places), make_(make), arrows_(arrows) {}
 
   void add(const Element& e) {
-    switch (e.kind) {
-      case Element::Kind::vertex:
-        return add(e.vertex());
-      case Element::Kind::halfedge:
-        return add(e.halfedge());
-      case Element::Kind::edge:
-        return add(e.edge());
-      case Element::Kind::face:
-        return add(e.face());
-    }
+    if (e.kind == Element::Kind::vertex) return add(e.vertex());
+    if (e.kind == Element::Kind::halfedge) return add(e.halfedge());
+    if (e.kind == Element::Kind::edge) return add(e.edge());
+    add(e.face());
   }
 
  private:

@@ -140,25 +140,14 @@ class NumberLabels {
 void add_numbers(const SeenMesh& seen, std::set<Element> selected, std::vector<Label>& labels) {
   NumberLabels numbers(seen, std::move(selected), labels);
   const Mesh& mesh = seen.findings.mesh();
-  switch (seen.view.settings.numbers) {
-    case Numbers::off:
-      return;
-    case Numbers::vertices:
-      return numbers.add<Vertex>(mesh.vertex_slots(), 'v');
-    case Numbers::edges:
-      return numbers.add<Edge>(mesh.edge_slots(), 'e');
-    case Numbers::faces:
-      return numbers.add<Face>(mesh.face_slots(), 'f');
-    case Numbers::halfedges:
-      return numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
-    case Numbers::all:
-      numbers.add<Vertex>(mesh.vertex_slots(), 'v');
-      numbers.add<Face>(mesh.face_slots(), 'f');
-      numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
-      return numbers.add<Edge>(mesh.edge_slots(), 'e');
-    case Numbers::corners:
-      return numbers.add_corners();
-  }
+  const auto shows = [&](Numbers which) {
+    return seen.view.settings.numbers == which || seen.view.settings.numbers == Numbers::all;
+  };
+  if (shows(Numbers::vertices)) numbers.add<Vertex>(mesh.vertex_slots(), 'v');
+  if (shows(Numbers::faces)) numbers.add<Face>(mesh.face_slots(), 'f');
+  if (shows(Numbers::halfedges)) numbers.add<Halfedge>(mesh.halfedge_slots(), 'h');
+  if (shows(Numbers::edges)) numbers.add<Edge>(mesh.edge_slots(), 'e');
+  if (seen.view.settings.numbers == Numbers::corners) numbers.add_corners();
 }
 
 }  // namespace ryosen

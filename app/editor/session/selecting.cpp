@@ -12,17 +12,10 @@
 namespace ryosen {
 
 PickMode pick_mode(const OpInfo* tool, PickMode mode) {
-  if (!tool) return mode;
-  switch (tool->target) {
-    case OpTargetKind::vertex:
-      return PickMode::vertex;
-    case OpTargetKind::edge:
-      return PickMode::edge;
-    case OpTargetKind::face:
-      return PickMode::face;
-    default:
-      return mode;
-  }
+  if (tool && tool->target == OpTargetKind::vertex) return PickMode::vertex;
+  if (tool && tool->target == OpTargetKind::edge) return PickMode::edge;
+  if (tool && tool->target == OpTargetKind::face) return PickMode::face;
+  return mode;
 }
 
 const Mesh& Selecting::mesh() const { return session_.mesh(); }

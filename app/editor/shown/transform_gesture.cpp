@@ -98,16 +98,9 @@ TransformGesture::TransformGesture(PointTransform::Kind kind, const Mesh& mesh, 
 void TransformGesture::find_moved(const Mesh& mesh) { moved_ = moved_points(mesh, points_, falloff_); }
 
 void TransformGesture::follow(const Mesh&, const Where& where) {
-  switch (kind_) {
-    case PointTransform::Kind::move:
-      follow_move(where);
-      break;
-    case PointTransform::Kind::turn:
-      follow_turn(where);
-      break;
-    case PointTransform::Kind::scale:
-      follow_scale(where);
-  }
+  if (kind_ == PointTransform::Kind::move) follow_move(where);
+  if (kind_ == PointTransform::Kind::turn) follow_turn(where);
+  if (kind_ == PointTransform::Kind::scale) follow_scale(where);
   last_ = where.pixel;
   take_number();
 }
@@ -202,16 +195,9 @@ void TransformGesture::follow_scale(const Where& where) {
 void TransformGesture::take_number() {
   const auto number = parse_double(typed_);
   if (!number) return;
-  switch (kind_) {
-    case PointTransform::Kind::move:
-      transform_.by = *number * typed_direction();
-      break;
-    case PointTransform::Kind::turn:
-      transform_.angle_deg = *number;
-      break;
-    case PointTransform::Kind::scale:
-      transform_.factor = *number;
-  }
+  if (kind_ == PointTransform::Kind::move) transform_.by = *number * typed_direction();
+  if (kind_ == PointTransform::Kind::turn) transform_.angle_deg = *number;
+  if (kind_ == PointTransform::Kind::scale) transform_.factor = *number;
 }
 
 // Along which a typed number moves: in a plane its first axis, X, Y or Z.
@@ -264,15 +250,9 @@ bool TransformGesture::widen(const Mesh& mesh, double steps) {
 }
 
 bool TransformGesture::does_nothing() const {
-  switch (kind_) {
-    case PointTransform::Kind::move:
-      return transform_.by == glm::dvec3(0);
-    case PointTransform::Kind::turn:
-      return transform_.angle_deg == 0;
-    case PointTransform::Kind::scale:
-      return transform_.factor == 1;
-  }
-  return true;
+  if (kind_ == PointTransform::Kind::move) return transform_.by == glm::dvec3(0);
+  if (kind_ == PointTransform::Kind::turn) return transform_.angle_deg == 0;
+  return transform_.factor == 1;
 }
 
 std::optional<glm::dvec3> TransformGesture::movement() const {

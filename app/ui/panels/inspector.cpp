@@ -37,16 +37,10 @@ class Inspector {
   void draw(const Element& element, std::size_t selected) {
     bold_text(context_, name_and_slot(m_, element).c_str());
     if (selected > 1) tell_of_others(selected - 1, element.kind == Element::Kind::vertex);
-    switch (element.kind) {
-      case Element::Kind::vertex:
-        return draw(element.vertex());
-      case Element::Kind::edge:
-        return draw(element.edge());
-      case Element::Kind::halfedge:
-        return draw(element.halfedge());
-      case Element::Kind::face:
-        return draw(element.face());
-    }
+    if (element.kind == Element::Kind::vertex) return draw(element.vertex());
+    if (element.kind == Element::Kind::edge) return draw(element.edge());
+    if (element.kind == Element::Kind::halfedge) return draw(element.halfedge());
+    draw(element.face());
   }
 
  private:

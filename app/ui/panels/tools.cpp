@@ -53,17 +53,10 @@ static_assert(rows_are_in_order(presses, &PressRow::press));
 
 void press(PanelContext& context, const OpInfo& op) {
   const std::string id(op.id);
-  switch (press_of(context.selecting, op)) {
-    case Press::takes_tool:
-      context.run(context.selecting.tool == id ? "tool none" : "tool " + id);
-      return;
-    case Press::acts:
-      context.run(op.line.all_lists().empty() ? id : id + " selected");
-      return;
-    case Press::asks:
-      context.begin_command(id + " ");
-      return;
-  }
+  const Press does = press_of(context.selecting, op);
+  if (does == Press::takes_tool) context.run(context.selecting.tool == id ? "tool none" : "tool " + id);
+  if (does == Press::acts) context.run(op.line.all_lists().empty() ? id : id + " selected");
+  if (does == Press::asks) context.begin_command(id + " ");
 }
 
 // A row that ends with the mark of what a press does.

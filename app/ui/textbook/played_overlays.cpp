@@ -12,18 +12,10 @@ namespace ryosen {
 namespace {
 
 Style style(steps::RoleLook look, Theme theme) {
-  switch (look) {
-    case steps::RoleLook::main:
-      return style(Role::selected, theme);
-    case steps::RoleLook::good:
-      return style(Role::legal, theme);
-    case steps::RoleLook::bad:
-      return style(Role::refused, theme);
-    case steps::RoleLook::other:
-      return style(Role::hover, theme);
-    case steps::RoleLook::quiet:
-      break;
-  }
+  if (look == steps::RoleLook::main) return style(Role::selected, theme);
+  if (look == steps::RoleLook::good) return style(Role::legal, theme);
+  if (look == steps::RoleLook::bad) return style(Role::refused, theme);
+  if (look == steps::RoleLook::other) return style(Role::hover, theme);
   return style(Role::witness, theme);
 }
 

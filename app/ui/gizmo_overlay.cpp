@@ -133,69 +133,38 @@ Overlay gizmo_overlay(const ViewState& view, const Pointing& pointing, const Ges
   return overlay;
 }
 
-namespace {
-
-// Draws in pixels of the view, on the plane of the target of the camera.
-class CornerPainter {
- public:
-  CornerPainter(const ViewState& view, const Pointing& pointing, const Preferences& preferences,
-                const CornerAxes& corner, Theme theme)
-      : view_(view),
-        pointing_(pointing),
-        preferences_(preferences),
-        corner_(corner),
-        theme_(theme),
-        depth_(depth_of(view.camera, view.camera.target)) {}
-
-  Overlay drawn() {
-    for (const PlacedAxisEnd& placed : corner_.ends) draw(placed);
-    return std::move(overlay_);
-  }
-
- private:
-  void draw(const PlacedAxisEnd& placed) {
-    const bool is_pointed = placed.end == pointing_.pointed_axis_end();
-    const Rgba colour = palette(theme_).axes[static_cast<std::size_t>(placed.end->axis)];
-    const Rgba ink = rgb(0x0C1018);
-    if (placed.end->is_negative) {
-      disc(placed, 1, is_pointed ? rgb(0xFFFFFF) : colour);
-      if (!is_pointed) disc(placed, 0.72, palette(theme_).background_bottom);
-    } else {
-      line(corner_.middle, placed.pixel, colour, arm_px);
-      disc(placed, 1, is_pointed ? rgb(0xFFFFFF) : colour);
+Overlay axes_overlay(const ViewState& view, const Pointing& pointing, const Preferences& preferences, Theme theme) {
+  constexpr float arm_px = 2.5f, letter_px = 1.6f;
+  Overlay overlay;
+  const auto corner = pointing.axes_in_corner();
+  if (!corner) return overlay;
+  // In pixels of the view, on the plane of the target of the camera.
+  const double depth = depth_of(view.camera, view.camera.target);
+  const auto line = [&](glm::dvec2 a, glm::dvec2 b, Rgba colour, float width_px) {
+    const auto at = [&](glm::dvec2 pixel) { return place_at(view.camera, view.size, pixel, depth); };
+    overlay.lines.push_back({at(a), at(b), colour, LineStyle::solid, width_px, 1});
+  };
+  // A line without length is as round as it is wide.
+  const auto disc = [&](const PlacedAxisEnd& placed, double share, Rgba colour) {
+    line(placed.pixel, placed.pixel, colour,
+         static_cast<float>(2 * share * placed.radius_px / preferences.size_scale()));
+  };
+  const Rgba ink = rgb(0x0C1018);
+  for (const PlacedAxisEnd& placed : corner->ends) {
+    const bool is_pointed = placed.end == pointing.pointed_axis_end();
+    const Rgba colour = palette(theme).axes[static_cast<std::size_t>(placed.end->axis)];
+    if (!placed.end->is_negative) line(corner->middle, placed.pixel, colour, arm_px);
+    disc(placed, 1, is_pointed ? rgb(0xFFFFFF) : colour);
+    if (placed.end->is_negative && !is_pointed) {
+      disc(placed, 0.72, palette(theme).background_bottom);
+      continue;
     }
-    if (placed.end->is_negative && !is_pointed) return;
     const double size = 0.42 * placed.radius_px;
     for (const LetterStroke& stroke : axis_letter(placed.end->axis))
       line(placed.pixel + glm::dvec2(stroke.a.x, -stroke.a.y) * size,
            placed.pixel + glm::dvec2(stroke.b.x, -stroke.b.y) * size, ink, letter_px);
   }
-
-  // A line without length is as round as it is wide.
-  void disc(const PlacedAxisEnd& placed, double share, Rgba colour) {
-    line(placed.pixel, placed.pixel, colour,
-         static_cast<float>(2 * share * placed.radius_px / preferences_.size_scale()));
-  }
-  void line(glm::dvec2 a, glm::dvec2 b, Rgba colour, float width_px) {
-    const auto at = [&](glm::dvec2 pixel) { return place_at(view_.camera, view_.size, pixel, depth_); };
-    overlay_.lines.push_back({at(a), at(b), colour, LineStyle::solid, width_px, 1});
-  }
-
-  static constexpr float arm_px = 2.5f, letter_px = 1.6f;
-  const ViewState& view_;
-  const Pointing& pointing_;
-  const Preferences& preferences_;
-  const CornerAxes& corner_;
-  Theme theme_;
-  double depth_;
-  Overlay overlay_;
-};
-
-}  // namespace
-
-Overlay axes_overlay(const ViewState& view, const Pointing& pointing, const Preferences& preferences, Theme theme) {
-  const auto corner = pointing.axes_in_corner();
-  return corner ? CornerPainter(view, pointing, preferences, *corner, theme).drawn() : Overlay();
+  return overlay;
 }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-// Outcomes of lines that are not carried out.
+// Outcomes of lines that are not carried out, or that have only something to tell.
 #pragma once
 
 #include <string>

@@ -87,16 +87,16 @@ enum class Lineage {
 };
 
 struct AlgorithmRow {
-  std::string_view id;
-  std::string_view name_en, name_ja;
-  std::string_view help_en, help_ja;
+  std::string_view id = "";  // these five as in RowWords
+  std::string_view name_en = "", name_ja = "";
+  std::string_view help_en = "", help_ja = "";
   // One that is required has no initial value. A repair requires its first one at most (`--kinds ID=NUMBER`), and none
   // where it keeps geometry.
-  std::vector<ParameterRow> parameters;
+  std::vector<ParameterRow> parameters = {};
   // With its initial values it moves no finite place and removes no face, but may cut faces whose edges hold a place:
   // `ryosen repair` does it unless others are named.
   bool keeps_geometry;
-  std::vector<ProblemKind> solves;  // not empty: a repair
+  std::vector<ProblemKind> solves = {};  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);
   // Adds a shape beside what is there, and so needs no mesh to begin with.
@@ -112,5 +112,7 @@ struct AlgorithmRow {
 
   bool is_repair() const { return !solves.empty(); }
 };
+
+inline AlgorithmRow algorithm_row(const RowWords& words, AlgorithmRow row) { return with_words(words, std::move(row)); }
 
 }  // namespace ryosen

@@ -29,11 +29,29 @@ struct Choice {
   std::string_view id, en, ja;
 };
 
-struct ParameterRow {
-  std::string_view id;  // snake_case
-  ParameterKind kind;
-  std::string_view name_en, name_ja;  // of its field
+// The words of a row of a table.
+struct RowWords {
+  std::string_view id;                // snake_case
+  std::string_view name_en, name_ja;  // of its field or command
   std::string_view help_en, help_ja;
+};
+
+// Gives a row its words.
+template <class Row>
+Row with_words(const RowWords& words, Row row) {
+  row.id = words.id;
+  row.name_en = words.name_en;
+  row.name_ja = words.name_ja;
+  row.help_en = words.help_en;
+  row.help_ja = words.help_ja;
+  return row;
+}
+
+struct ParameterRow {
+  std::string_view id = "";  // these five as in RowWords
+  ParameterKind kind;
+  std::string_view name_en = "", name_ja = "";
+  std::string_view help_en = "", help_ja = "";
   bool is_required = false;
   std::string_view initial = "";  // the value unless one is given, as a text; empty: it may be left out
   // Of numbers; unless they are given, those of the kind.
@@ -46,6 +64,8 @@ struct ParameterRow {
   bool is_worked_on = false;  // elements that it is done to, in place of all: in the window first what is selected
   std::string (*proposed)(const Mesh& mesh) = nullptr;  // what its field begins with, as this mesh has it
 };
+
+inline ParameterRow parameter_row(const RowWords& words, ParameterRow row) { return with_words(words, std::move(row)); }
 
 // What its field begins with: what is proposed for the mesh, else its initial value.
 std::string first_text(const ParameterRow& row, const Mesh& mesh);

@@ -106,59 +106,36 @@ std::vector<Choice> projection_choices() {
 }
 
 std::vector<ParameterRow> parameters() {
-  return {{.id = "faces",
-           .kind = ParameterKind::choice,
-           .name_en = "Faces",
-           .name_ja = "面",
-           .help_en = "the facets as they are, or cut into triangles",
-           .help_ja = "面をそのまま出すか、三角形に分けるか",
-           .initial = "facets",
-           .choices = {{"facets", "Facets", "多角形"}, {"triangles", "Triangles", "三角形"}}},
-          {.id = "elements",
-           .kind = ParameterKind::elements,
-           .name_en = "Elements",
-           .name_ja = "対象",
-           .help_en = "of the vertices of these; else of all",
-           .help_ja = "これらの頂点の凸包（省くとすべての頂点）",
-           .is_worked_on = true},
-          {.id = "per_component",
-           .kind = ParameterKind::flag,
-           .name_en = "Per component",
-           .name_ja = "連結成分ごと",
-           .help_en = "a hull of each connected component",
-           .help_ja = "連結成分ごとに凸包を作る",
-           .initial = "off"},
-          {.id = "project",
-           .kind = ParameterKind::choice,
-           .name_en = "Projection",
-           .name_ja = "投影",
-           .help_en = "the polygon around the points as seen along an axis",
-           .help_ja = "点を軸方向に投影した多角形",
-           .initial = "none",
-           .choices = projection_choices()},
-          {.id = "measure",
-           .kind = ParameterKind::flag,
-           .name_en = "Measure",
-           .name_ja = "計測",
-           .help_en = "also tells its farthest pair of points and its smallest width",
-           .help_ja = "最も遠い 2 点と最小の幅も示す",
-           .initial = "off"}};
+  return {parameter_row({"faces", "Faces", "面", "the facets as they are, or cut into triangles",
+                         "面をそのまま出すか、三角形に分けるか"},
+                        {.kind = ParameterKind::choice,
+                         .initial = "facets",
+                         .choices = {{"facets", "Facets", "多角形"}, {"triangles", "Triangles", "三角形"}}}),
+          parameter_row({"elements", "Elements", "対象", "of the vertices of these; else of all",
+                         "これらの頂点の凸包（省くとすべての頂点）"},
+                        {.kind = ParameterKind::elements, .is_worked_on = true}),
+          parameter_row({"per_component", "Per component", "連結成分ごと", "a hull of each connected component",
+                         "連結成分ごとに凸包を作る"},
+                        {.kind = ParameterKind::flag, .initial = "off"}),
+          parameter_row({"project", "Projection", "投影", "the polygon around the points as seen along an axis",
+                         "点を軸方向に投影した多角形"},
+                        {.kind = ParameterKind::choice, .initial = "none", .choices = projection_choices()}),
+          parameter_row({"measure", "Measure", "計測", "also tells its farthest pair of points and its smallest width",
+                         "最も遠い 2 点と最小の幅も示す"},
+                        {.kind = ParameterKind::flag, .initial = "off"})};
 }
 
 }  // namespace
 
 std::vector<AlgorithmRow> hull_rows() {
-  return {{.id = "hull",
-           .name_en = "Convex hull",
-           .name_ja = "凸包",
-           .help_en = "adds the convex hull of the vertices: facets in one plane united, exact",
-           .help_ja = "頂点の凸包を追加する（同一平面の面は一枚にまとめる。判定は厳密）",
-           .parameters = parameters(),
-           .keeps_geometry = true,
-           .solves = {},
-           .run = hull,
-           .selects_added = true,
-           .has_own_subcommand = true}};
+  return {algorithm_row(
+      {"hull", "Convex hull", "凸包", "adds the convex hull of the vertices: facets in one plane united, exact",
+       "頂点の凸包を追加する（同一平面の面は一枚にまとめる。判定は厳密）"},
+      {.parameters = parameters(),
+       .keeps_geometry = true,
+       .run = hull,
+       .selects_added = true,
+       .has_own_subcommand = true})};
 }
 
 }  // namespace ryosen

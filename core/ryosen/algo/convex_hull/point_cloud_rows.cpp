@@ -35,63 +35,30 @@ std::vector<Choice> family_choices() {
 }
 
 std::vector<ParameterRow> parameters_of_points() {
-  return {{.id = "family",
-           .kind = ParameterKind::choice,
-           .name_en = "Family",
-           .name_ja = "種類",
-           .help_en = "where they lie",
-           .help_ja = "点の分布",
-           .initial = "ball",
-           .choices = family_choices()},
-          {.id = "count",
-           .kind = ParameterKind::count,
-           .name_en = "Count",
-           .name_ja = "個数",
-           .help_en = "how many points",
-           .help_ja = "点の個数",
-           .initial = "1000",
-           .smallest = 1,
-           .largest = 1e7},
-          {.id = "seed",
-           .kind = ParameterKind::count,
-           .name_en = "Seed",
-           .name_ja = "乱数の種",
-           .help_en = "the same one gives the same points",
-           .help_ja = "同じ値なら同じ点になる",
-           .initial = "1"},
-          {.id = "radius",
-           .kind = ParameterKind::length,
-           .name_en = "Radius",
-           .name_ja = "半径",
-           .help_en = "from the centre to the farthest along an axis",
-           .help_ja = "中心から座標軸方向に最も遠い点までの距離",
-           .initial = "1",
-           .smallest = 0,
-           .excludes_smallest = true},
-          {.id = "at",
-           .kind = ParameterKind::place,
-           .name_en = "Centre",
-           .name_ja = "中心",
-           .help_en = "where their middle lies",
-           .help_ja = "中心の位置",
-           .initial = "0,0,0"}};
+  return {parameter_row({"family", "Family", "種類", "where they lie", "点の分布"},
+                        {.kind = ParameterKind::choice, .initial = "ball", .choices = family_choices()}),
+          parameter_row({"count", "Count", "個数", "how many points", "点の個数"},
+                        {.kind = ParameterKind::count, .initial = "1000", .smallest = 1, .largest = 1e7}),
+          parameter_row({"seed", "Seed", "乱数の種", "the same one gives the same points", "同じ値なら同じ点になる"},
+                        {.kind = ParameterKind::count, .initial = "1"}),
+          parameter_row({"radius", "Radius", "半径", "from the centre to the farthest along an axis",
+                         "中心から座標軸方向に最も遠い点までの距離"},
+                        {.kind = ParameterKind::length, .initial = "1", .smallest = 0, .excludes_smallest = true}),
+          parameter_row({"at", "Centre", "中心", "where their middle lies", "中心の位置"},
+                        {.kind = ParameterKind::place, .initial = "0,0,0"})};
 }
 
 }  // namespace
 
 std::vector<AlgorithmRow> point_cloud_rows() {
-  return {{.id = "points",
-           .name_en = "Points",
-           .name_ja = "点の集まり",
-           .help_en = "adds random points of a family, such as to try hulls on",
-           .help_ja = "ランダムな点を追加する（凸包などを試すため）",
-           .parameters = parameters_of_points(),
-           .keeps_geometry = true,
-           .solves = {},
-           .run = add_points,
-           .is_primitive = true,
-           .selects_added = true,
-           .adds_points = true}};
+  return {algorithm_row({"points", "Points", "点の集まり", "adds random points of a family, such as to try hulls on",
+                         "ランダムな点を追加する（凸包などを試すため）"},
+                        {.parameters = parameters_of_points(),
+                         .keeps_geometry = true,
+                         .run = add_points,
+                         .is_primitive = true,
+                         .selects_added = true,
+                         .adds_points = true})};
 }
 
 }  // namespace ryosen

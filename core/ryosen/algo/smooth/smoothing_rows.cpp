@@ -95,95 +95,59 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
 }
 
 template <std::size_t n>
-ParameterRow choice_row(std::string_view id, std::string_view name_en, std::string_view name_ja,
-                        std::string_view help_en, std::string_view help_ja, const Choice (&choices)[n]) {
-  return {.id = id,
-          .kind = ParameterKind::choice,
-          .name_en = name_en,
-          .name_ja = name_ja,
-          .help_en = help_en,
-          .help_ja = help_ja,
-          .initial = choices[0].id,
-          .choices = std::vector<Choice>(std::begin(choices), std::end(choices))};
+ParameterRow choice_row(const RowWords& words, const Choice (&choices)[n]) {
+  return parameter_row(words, {.kind = ParameterKind::choice,
+                               .initial = choices[0].id,
+                               .choices = std::vector<Choice>(std::begin(choices), std::end(choices))});
 }
 
 std::vector<ParameterRow> smoothing_parameters() {
   return {
       choice_row(
-          "method", "Method", "方法",
-          "laplace moves towards the neighbours, implicit takes large steps at once, taubin hardly shrinks or grows",
-          "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin はほとんど縮まない", method_choices),
-      {.id = "steps",
-       .kind = ParameterKind::count,
-       .name_en = "Steps",
-       .name_ja = "回数",
-       .help_en = "how often",
-       .help_ja = "繰り返す回数",
-       .initial = "10",
-       .smallest = 1,
-       .largest = 1000000},
-      {.id = "strength",
-       .kind = ParameterKind::number,
-       .name_en = "Strength",
-       .name_ja = "強さ",
-       .help_en = "the share of the way to the neighbours, at most 1; of implicit steps any number",
-       .help_ja = "近傍へ動く割合（1 以下。陰解法では任意の正の数）",
-       .initial = "0.5",
-       .smallest = 0,
-       .largest = 1e12,
-       .excludes_smallest = true},
-      choice_row("weights", "Weights", "重み",
-                 "how much each neighbour counts: by the angles across from it (not below 0), or all alike",
-                 "近傍の重み：向かいの角の余接（負は 0）、またはすべて等しく", weight_choices),
-      choice_row("boundary", "Boundary", "境界",
-                 "boundary vertices stay, move along the boundary (its corners stay), or move as all others",
-                 "境界の頂点を固定するか、境界に沿って動かす（角は固定）か、他と同じに動かす", boundary_choices),
-      {.id = "keep_volume",
-       .kind = ParameterKind::flag,
-       .name_en = "Keep the volume",
-       .name_ja = "体積を保つ",
-       .help_en = "gives each closed part its volume back, along the normals",
-       .help_ja = "閉じた部分ごとに、法線方向へ動かして元の体積に戻す",
-       .initial = "off"},
-      {.id = "pass_band",
-       .kind = ParameterKind::number,
-       .name_en = "Pass band",
-       .name_ja = "通過帯域",
-       .help_en = "of taubin: what varies more slowly stays",
-       .help_ja = "taubin で、これより緩やかな変化を残す",
-       .initial = "0.1",
-       .smallest = 0,
-       .largest = 2,
-       .excludes_smallest = true},
-      {.id = "falloff",
-       .kind = ParameterKind::length,
-       .name_en = "Falloff",
-       .name_ja = "減衰半径",
-       .help_en = "vertices nearer than this to the selection are smoothed too, less and less with the distance",
-       .help_ja = "対象からこの距離より近い頂点も、遠いほど弱く滑らかにする"},
-      {.id = "select",
-       .kind = ParameterKind::elements,
-       .name_en = "Select",
-       .name_ja = "対象",
-       .help_en = "the vertices, or those of these edges and faces; else all",
-       .help_ja = "滑らかにする頂点、または稜線や面（省くとすべて）",
-       .is_worked_on = true},
+          {"method", "Method", "方法",
+           "laplace moves towards the neighbours, implicit takes large steps at once, taubin hardly shrinks or grows",
+           "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin はほとんど縮まない"},
+          method_choices),
+      parameter_row({"steps", "Steps", "回数", "how often", "繰り返す回数"},
+                    {.kind = ParameterKind::count, .initial = "10", .smallest = 1, .largest = 1000000}),
+      parameter_row(
+          {"strength", "Strength", "強さ",
+           "the share of the way to the neighbours, at most 1; of implicit steps any number",
+           "近傍へ動く割合（1 以下。陰解法では任意の正の数）"},
+          {.kind = ParameterKind::number, .initial = "0.5", .smallest = 0, .largest = 1e12, .excludes_smallest = true}),
+      choice_row({"weights", "Weights", "重み",
+                  "how much each neighbour counts: by the angles across from it (not below 0), or all alike",
+                  "近傍の重み：向かいの角の余接（負は 0）、またはすべて等しく"},
+                 weight_choices),
+      choice_row({"boundary", "Boundary", "境界",
+                  "boundary vertices stay, move along the boundary (its corners stay), or move as all others",
+                  "境界の頂点を固定するか、境界に沿って動かす（角は固定）か、他と同じに動かす"},
+                 boundary_choices),
+      parameter_row(
+          {"keep_volume", "Keep the volume", "体積を保つ", "gives each closed part its volume back, along the normals",
+           "閉じた部分ごとに、法線方向へ動かして元の体積に戻す"},
+          {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row(
+          {"pass_band", "Pass band", "通過帯域", "of taubin: what varies more slowly stays",
+           "taubin で、これより緩やかな変化を残す"},
+          {.kind = ParameterKind::number, .initial = "0.1", .smallest = 0, .largest = 2, .excludes_smallest = true}),
+      parameter_row({"falloff", "Falloff", "減衰半径",
+                     "vertices nearer than this to the selection are smoothed too, less and less with the distance",
+                     "対象からこの距離より近い頂点も、遠いほど弱く滑らかにする"},
+                    {.kind = ParameterKind::length}),
+      parameter_row({"select", "Select", "対象", "the vertices, or those of these edges and faces; else all",
+                     "滑らかにする頂点、または稜線や面（省くとすべて）"},
+                    {.kind = ParameterKind::elements, .is_worked_on = true}),
   };
 }
 
 }  // namespace
 
 std::vector<AlgorithmRow> smoothing_rows() {
-  return {{.id = "smooth",
-           .name_en = "Smooth",
-           .name_ja = "平滑化",
-           .help_en = "moves vertices towards their neighbours, so that the surface becomes smooth",
-           .help_ja = "頂点を近傍へ動かし、曲面を滑らかにする",
-           .parameters = smoothing_parameters(),
-           .keeps_geometry = false,
-           .solves = {},
-           .run = smooth_mesh,
-           .has_goal = true}};
+  return {algorithm_row(
+      {"smooth", "Smooth", "平滑化", "moves vertices towards their neighbours, so that the surface becomes smooth",
+       "頂点を近傍へ動かし、曲面を滑らかにする"},
+      {.parameters = smoothing_parameters(), .keeps_geometry = false, .run = smooth_mesh, .has_goal = true})};
 }
 
 }  // namespace ryosen

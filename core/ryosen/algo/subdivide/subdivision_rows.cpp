@@ -90,69 +90,43 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
 }  // namespace
 
 std::vector<AlgorithmRow> subdivision_rows() {
-  ParameterRow scheme{
-      .id = "scheme",
-      .kind = ParameterKind::choice,
-      .name_en = "Scheme",
-      .name_ja = "方式",
-      .help_en =
-          "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
-          "triangles first, all cut faces with rings",
-      .help_ja = "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する",
-      .initial = "loop",
-      .proposed = scheme_for};
+  ParameterRow scheme =
+      parameter_row({"scheme", "Scheme", "方式",
+                     "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
+                     "triangles first, all cut faces with rings",
+                     "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する"},
+                    {.kind = ParameterKind::choice, .initial = "loop", .proposed = scheme_for});
   for (const SchemeRow& row : schemes) scheme.choices.push_back(row.choice);
   const std::vector<ParameterRow> parameters{
       scheme,
-      {.id = "steps",
-       .kind = ParameterKind::count,
-       .name_en = "Steps",
-       .name_ja = "回数",
-       .help_en = "how often; each makes about four times as many faces, sqrt(3) three times",
-       .help_ja = "繰り返す回数。一回で面は約 4 倍、√3 では 3 倍になる",
-       .initial = "1",
-       .smallest = 1,
-       .largest = 16},
-      {.id = "limit",
-       .kind = ParameterKind::flag,
-       .name_en = "Limit",
-       .name_ja = "極限位置",
-       .help_en = "puts the vertices where ever more steps would bring them, with the normals there",
-       .help_ja = "無限に繰り返したときの位置に頂点を置き、法線も付ける",
-       .initial = "off"},
-      {.id = "crease_angle",
-       .kind = ParameterKind::angle,
-       .name_en = "Crease angle",
-       .name_ja = "折り目の角度",
-       .help_en = "edges whose faces bend by at least this stay sharp",
-       .help_ja = "両側の面がこの角度以上に曲がる稜線を折り目として保つ"},
-      {.id = "sharp",
-       .kind = ParameterKind::elements,
-       .name_en = "Sharp",
-       .name_ja = "折り目と角",
-       .help_en = "edges that stay sharp, and vertices that stay where they are",
-       .help_ja = "折り目にする稜線と、動かさない頂点"},
-      {.id = "sharp_steps",
-       .kind = ParameterKind::number,
-       .name_en = "Sharp for",
-       .name_ja = "鋭さ",
-       .help_en = "such edges are sharp in so many steps and smooth then; else they stay sharp",
-       .help_ja = "折り目をこの回数だけ鋭く保ち、その後は滑らかにする（省くと常に鋭い）",
-       .smallest = 0,
-       .unit_en = "steps",
-       .unit_ja = "回"},
+      parameter_row(
+          {"steps", "Steps", "回数", "how often; each makes about four times as many faces, sqrt(3) three times",
+           "繰り返す回数。一回で面は約 4 倍、√3 では 3 倍になる"},
+          {.kind = ParameterKind::count, .initial = "1", .smallest = 1, .largest = 16}),
+      parameter_row({"limit", "Limit", "極限位置",
+                     "puts the vertices where ever more steps would bring them, with the normals there",
+                     "無限に繰り返したときの位置に頂点を置き、法線も付ける"},
+                    {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row(
+          {"crease_angle", "Crease angle", "折り目の角度", "edges whose faces bend by at least this stay sharp",
+           "両側の面がこの角度以上に曲がる稜線を折り目として保つ"},
+          {.kind = ParameterKind::angle}),
+      parameter_row({"sharp", "Sharp", "折り目と角", "edges that stay sharp, and vertices that stay where they are",
+                     "折り目にする稜線と、動かさない頂点"},
+                    {.kind = ParameterKind::elements}),
+      parameter_row({"sharp_steps", "Sharp for", "鋭さ",
+                     "such edges are sharp in so many steps and smooth then; else they stay sharp",
+                     "折り目をこの回数だけ鋭く保ち、その後は滑らかにする（省くと常に鋭い）"},
+                    {.kind = ParameterKind::number, .smallest = 0, .unit_en = "steps", .unit_ja = "回"}),
   };
-  return {{.id = "subdivide",
-           .name_en = "Subdivide",
-           .name_ja = "細分割曲面",
-           .help_en = "divides all faces and smooths the surface, but for its boundary curves, creases and corners",
-           .help_ja = "すべての面を分割し、境界・折り目・角を保ちながら曲面を滑らかにする",
-           .parameters = parameters,
-           .keeps_geometry = false,
-           .solves = {},
-           .run = subdivide_mesh,
-           .lineage = Lineage::told,
-           .has_goal = true}};
+  return {algorithm_row({"subdivide", "Subdivide", "細分割曲面",
+                         "divides all faces and smooths the surface, but for its boundary curves, creases and corners",
+                         "すべての面を分割し、境界・折り目・角を保ちながら曲面を滑らかにする"},
+                        {.parameters = parameters,
+                         .keeps_geometry = false,
+                         .run = subdivide_mesh,
+                         .lineage = Lineage::told,
+                         .has_goal = true})};
 }
 
 }  // namespace ryosen

@@ -85,103 +85,57 @@ AlgorithmResult scale(Edit& edit, const AlgorithmInput& input, Progress& progres
 }
 
 ParameterRow about() {
-  return {.id = "about",
-          .kind = ParameterKind::place,
-          .name_en = "About",
-          .name_ja = "中心",
-          .help_en = "what stays where it is; else the middle of what is moved",
-          .help_ja = "動かない点（省くと対象の中央）"};
+  return parameter_row({"about", "About", "中心", "what stays where it is; else the middle of what is moved",
+                        "動かない点（省くと対象の中央）"},
+                       {.kind = ParameterKind::place});
 }
 
 std::vector<ParameterRow> with_common(std::vector<ParameterRow> rows) {
-  rows.push_back({.id = "falloff",
-                  .kind = ParameterKind::length,
-                  .name_en = "Falloff",
-                  .name_ja = "減衰半径",
-                  .help_en = "vertices nearer than this come along, less and less with the distance",
-                  .help_ja = "この距離より近い頂点も、遠いほど少なく動かす"});
-  rows.push_back({.id = "elements",
-                  .kind = ParameterKind::elements,
-                  .name_en = "Elements",
-                  .name_ja = "対象",
-                  .help_en = "the vertices, or those of these edges and faces; else all",
-                  .help_ja = "動かす頂点、または稜線や面（省くとすべて）",
-                  .is_worked_on = true});
+  rows.push_back(parameter_row(
+      {"falloff", "Falloff", "減衰半径", "vertices nearer than this come along, less and less with the distance",
+       "この距離より近い頂点も、遠いほど少なく動かす"},
+      {.kind = ParameterKind::length}));
+  rows.push_back(
+      parameter_row({"elements", "Elements", "対象", "the vertices, or those of these edges and faces; else all",
+                     "動かす頂点、または稜線や面（省くとすべて）"},
+                    {.kind = ParameterKind::elements, .is_worked_on = true}));
   return rows;
 }
 
 ParameterRow axis(std::string_view help_en, std::string_view help_ja, std::string_view initial) {
-  return {.id = "axis",
-          .kind = ParameterKind::place,
-          .name_en = "Axis",
-          .name_ja = "軸",
-          .help_en = help_en,
-          .help_ja = help_ja,
-          .initial = initial};
+  return parameter_row({"axis", "Axis", "軸", help_en, help_ja}, {.kind = ParameterKind::place, .initial = initial});
 }
 
 }  // namespace
 
 std::vector<AlgorithmRow> transform_rows() {
-  const auto row = [](AlgorithmRow made, std::vector<ParameterRow> parameters) {
-    made.parameters = with_common(std::move(parameters));
-    return made;
-  };
   return {
-      row({.id = "translate",
-           .name_en = "Move",
-           .name_ja = "移動",
-           .help_en = "moves vertices by a vector",
-           .help_ja = "頂点をベクトルだけ動かす",
-           .parameters = {},
+      algorithm_row({"translate", "Move", "移動", "moves vertices by a vector", "頂点をベクトルだけ動かす"},
+                    {.parameters = with_common(
+                         {parameter_row({"by", "By", "移動量", "how far along X, Y and Z", "X、Y、Z 方向の移動量"},
+                                        {.kind = ParameterKind::place, .is_required = true})}),
+                     .keeps_geometry = false,
+                     .run = translate}),
+      algorithm_row(
+          {"rotate", "Turn", "回転", "turns vertices about an axis", "頂点を軸のまわりに回す"},
+          {.parameters = with_common(
+               {parameter_row(
+                    {"angle", "Angle", "角度", "counter-clockwise seen against the axis", "軸の先から見て反時計回り"},
+                    {.kind = ParameterKind::number, .is_required = true, .unit_en = "degrees", .unit_ja = "度"}),
+                axis("the direction of the axis", "軸の向き", "0,1,0"), about()}),
            .keeps_geometry = false,
-           .solves = {},
-           .run = translate},
-          {{.id = "by",
-            .kind = ParameterKind::place,
-            .name_en = "By",
-            .name_ja = "移動量",
-            .help_en = "how far along X, Y and Z",
-            .help_ja = "X、Y、Z 方向の移動量",
-            .is_required = true}}),
-      row({.id = "rotate",
-           .name_en = "Turn",
-           .name_ja = "回転",
-           .help_en = "turns vertices about an axis",
-           .help_ja = "頂点を軸のまわりに回す",
-           .parameters = {},
-           .keeps_geometry = false,
-           .solves = {},
-           .run = rotate},
-          {{.id = "angle",
-            .kind = ParameterKind::number,
-            .name_en = "Angle",
-            .name_ja = "角度",
-            .help_en = "counter-clockwise seen against the axis",
-            .help_ja = "軸の先から見て反時計回り",
-            .is_required = true,
-            .unit_en = "degrees",
-            .unit_ja = "度"},
-           axis("the direction of the axis", "軸の向き", "0,1,0"),
-           about()}),
-      row({.id = "scale",
-           .name_en = "Scale",
-           .name_ja = "拡大縮小",
-           .help_en = "scales vertices, everywhere or along an axis",
-           .help_ja = "頂点を全方向または軸方向に拡大縮小する",
-           .parameters = {},
-           .keeps_geometry = false,
-           .solves = {},
-           .run = scale},
-          {{.id = "factor",
-            .kind = ParameterKind::number,
-            .name_en = "Factor",
-            .name_ja = "倍率",
-            .help_en = "1 changes nothing; a negative one mirrors",
-            .help_ja = "1 で変化なし、負の値で反転",
-            .is_required = true},
-           axis("scales along this direction alone; else everywhere", "この向きだけ拡大縮小する（省くと全方向）", ""),
-           about()})};
+           .run = rotate}),
+      algorithm_row({"scale", "Scale", "拡大縮小", "scales vertices, everywhere or along an axis",
+                     "頂点を全方向または軸方向に拡大縮小する"},
+                    {.parameters = with_common(
+                         {parameter_row({"factor", "Factor", "倍率", "1 changes nothing; a negative one mirrors",
+                                         "1 で変化なし、負の値で反転"},
+                                        {.kind = ParameterKind::number, .is_required = true}),
+                          axis("scales along this direction alone; else everywhere",
+                               "この向きだけ拡大縮小する（省くと全方向）", ""),
+                          about()}),
+                     .keeps_geometry = false,
+                     .run = scale})};
 }
 
 }  // namespace ryosen

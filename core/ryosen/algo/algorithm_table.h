@@ -1,7 +1,7 @@
 // The one table of algorithms: what changes a mesh as a whole.
 //
-// To add one, write its function in a pair of files of its own and its row in the list of its folder; the lists of the
-// folders are joined in algorithm_table.cpp. From the row come its subcommand with its flags
+// To add one, write its function, in a pair of files of its own where it is large, and its row in the list of its
+// folder; the lists of the folders are joined in algorithm_table.cpp. From the row come its subcommand with its flags
 // (`ryosen ID FILE -o OUT --PARAMETER VALUE`), its command in scripts (`ID PARAMETER=VALUE ...`), its fields in the
 // window, help, progress, cancel, the history, recovery, and the tests that go over the table: these want that each row
 // finds something to do on their mesh of all defects. One with a parameter of each kind is

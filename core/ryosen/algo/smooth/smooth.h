@@ -1,7 +1,7 @@
 // Smoothing: points move towards the mean of their neighbours, connectivity stays.
 //
 //   laplace    p + s (mean - p)                                       s: the strength, at most 1
-//   implicit   the p' with p' - s (mean' - p') = p [Desbrun99]        any strength; see implicit_step.h
+//   implicit   the p' with p' - s (mean' - p') = p [Desbrun99]        any strength
 //   taubin     laplace with s, then with 1 / (k - 1 / s), which is negative [Taubin95]: what varies slowly
 //              (below the pass band k) neither shrinks nor grows
 //

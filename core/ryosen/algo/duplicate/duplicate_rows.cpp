@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ryosen/algo/duplicate/part.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/circulate.h"
@@ -56,16 +57,10 @@ void reflect(IndexedMesh& list, int axis, double at) {
 // Of the points of a part those within a distance of the plane at which one gap ends.
 std::vector<Vertex> points_at_plane(const Mesh& mesh, const Part& part, int axis, double at, double distance) {
   std::vector<Vertex> found;
-  for (const Vertex v : part.points) {
-    if (!(std::abs(mesh.position(v)[axis] - at) <= distance) || has_copies(mesh, v) || !mesh.is_boundary(v)) continue;
-    std::uint32_t gaps = 0;
-    bool has_wire = false;
-    for (const Halfedge h : outgoing(mesh, v)) {
-      gaps += mesh.is_outside(h);
-      has_wire = has_wire || mesh.is_wire(edge(h));
-    }
-    if (gaps == 1 && !has_wire) found.push_back(v);
-  }
+  for (const Vertex v : part.points)
+    if (std::abs(mesh.position(v)[axis] - at) <= distance && mesh.is_boundary(v) && !has_copies(mesh, v) &&
+        !ends_a_wire_or_fan(mesh, v))
+      found.push_back(v);
   return found;
 }
 

@@ -1,6 +1,6 @@
 #include <deque>
 
-#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/remesh/features.h"
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/algo/unit_scale.h"

@@ -6,9 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/remesh/remesher.h"
-#include "ryosen/algo/shared_values.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/analysis/components.h"
 #include "ryosen/analysis/self_intersections.h"

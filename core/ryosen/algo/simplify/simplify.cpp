@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ryosen/algo/shared_values.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/simplify/flat_normals.h"
 #include "ryosen/algo/simplify/remaining_edges.h"
 #include "ryosen/algo/simplify/simplifier.h"

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/smooth/keep_volume.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/base/parallel.h"
@@ -232,23 +233,13 @@ class Smoother {
     for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
       const Vertex v(i);
       const bool is_moved = mesh_.is_alive(v) && !mesh_.is_isolated(v) && !has_copies(mesh_, v) &&
-                            is_finite(mesh_.position(v)) && !ends_a_wire_or_fan(v);
+                            is_finite(mesh_.position(v)) && !ends_a_wire_or_fan(mesh_, v);
       if (!is_moved) shares_[i] = 0;
       if (shares_[i] == 0 || !mesh_.is_boundary(v) || options_.boundary == BoundaryRule::free) continue;
       if (options_.boundary == BoundaryRule::sliding) add_sliding(v);
       shares_[i] = 0;
     }
     slide_.emplace(std::move(sliding_), places_);
-  }
-
-  bool ends_a_wire_or_fan(Vertex v) const {
-    if (!mesh_.is_boundary(v)) return false;
-    std::uint32_t gaps = 0;
-    for (const Halfedge h : outgoing(mesh_, v)) {
-      if (mesh_.is_wire(edge(h))) return true;
-      gaps += mesh_.is_outside(h) ? 1u : 0u;
-    }
-    return gaps > 1;
   }
 
   void add_sliding(Vertex v) {

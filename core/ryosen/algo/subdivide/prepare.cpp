@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
@@ -17,13 +17,6 @@ namespace ryosen::subdivide {
 namespace {
 
 bool takes_triangles(Scheme scheme) { return scheme == Scheme::loop || scheme == Scheme::sqrt3; }
-
-// A bridge within one loop shows as a halfedge whose twin has the same face.
-bool has_bridge(const Mesh& mesh, Face f) {
-  for (const Halfedge h : loop(mesh, mesh.halfedge(f)))
-    if (is_bridge(mesh, h)) return true;
-  return false;
-}
 
 std::vector<Face> faces_to_cut(const Mesh& mesh, Scheme scheme) {
   std::vector<Face> found = polygons_of_mesh(mesh);
@@ -75,17 +68,6 @@ void mark_bent_edges(const Mesh& mesh, double angle_rad, float sharpness, std::v
   }
 }
 
-bool is_fixed_by_links(const Mesh& mesh, Vertex v) {
-  if (has_copies(mesh, v)) return true;
-  if (!mesh.is_boundary(v)) return false;
-  std::uint32_t gaps = 0;
-  for (const Halfedge h : outgoing(mesh, v)) {
-    if (mesh.is_wire(edge(h))) return true;
-    gaps += mesh.is_outside(h) ? 1u : 0u;
-  }
-  return gaps > 1;
-}
-
 // What is sharp on the mesh as it is given.
 Creases creases_of(const Mesh& mesh, const Options& options) {
   Creases creases;
@@ -102,7 +84,8 @@ Creases creases_of(const Mesh& mesh, const Options& options) {
     if (e.kind == Element::Kind::halfedge) creases.sharpness[edge(e.halfedge()).index] = sharpness;
   }
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)) && !mesh.is_isolated(Vertex(i)) && is_fixed_by_links(mesh, Vertex(i))) corners[i] = 1;
+    if (const Vertex v(i); mesh.is_alive(v) && !mesh.is_isolated(v))
+      if (has_copies(mesh, v) || ends_a_wire_or_fan(mesh, v)) corners[i] = 1;
   if (std::any_of(corners.begin(), corners.end(), [](std::uint8_t c) { return c != 0; }))
     creases.corners = std::move(corners);
   return creases;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/subdivide/subdivide.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/names.h"

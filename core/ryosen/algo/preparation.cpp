@@ -1,5 +1,9 @@
-#include "ryosen/algo/cut_faces.h"
+#include "ryosen/algo/preparation.h"
 
+#include <string_view>
+#include <unordered_map>
+
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/poke.h"
@@ -43,7 +47,30 @@ void cut_from_middle(Edit& edit, Face face) {
   edit.set_halfedge(middle, twin(spokes[0]));
 }
 
+// By index into a pool: the first index with the same value.
+std::vector<std::uint32_t> first_equals(const AttributeColumn& pool) {
+  const std::size_t count = pool.data.size() / pool.words;
+  std::vector<std::uint32_t> first(count);
+  std::unordered_map<std::string_view, std::uint32_t> known;
+  known.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto* const bytes = reinterpret_cast<const char*>(pool.data.data() + i * pool.words);
+    first[i] = known.emplace(std::string_view(bytes, pool.words * sizeof(std::uint32_t)), i).first->second;
+  }
+  return first;
+}
+
 }  // namespace
+
+bool ends_a_wire_or_fan(const Mesh& mesh, Vertex v) {
+  if (!mesh.is_boundary(v)) return false;
+  std::uint32_t gaps = 0;
+  for (const Halfedge h : outgoing(mesh, v)) {
+    if (mesh.is_wire(edge(h))) return true;
+    gaps += mesh.is_outside(h) ? 1u : 0u;
+  }
+  return gaps > 1;
+}
 
 std::vector<Face> polygons_of_mesh(const Mesh& mesh) {
   std::vector<Face> found;
@@ -52,6 +79,12 @@ std::vector<Face> polygons_of_mesh(const Mesh& mesh) {
     if (mesh.is_alive(f) && (mesh.has_rings(f) || !is_triangle(mesh, mesh.halfedge(f)))) found.push_back(f);
   }
   return found;
+}
+
+bool has_bridge(const Mesh& mesh, Face f) {
+  for (const Halfedge h : loop(mesh, mesh.halfedge(f)))
+    if (is_bridge(mesh, h)) return true;
+  return false;
 }
 
 std::optional<Text> cut_faces(Edit& edit, std::span<const Face> faces) {
@@ -69,6 +102,19 @@ std::optional<Text> cut_faces(Edit& edit, std::span<const Face> faces) {
     }
   }
   return std::nullopt;
+}
+
+void share_equal_values(Edit& edit) {
+  const Mesh& mesh = edit.mesh();
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const std::vector<std::uint32_t> first = first_equals(mesh.attributes()[attribute.pool_column]);
+    const std::vector<std::uint32_t>& indices = mesh.attributes()[attribute.index_column].data;
+    for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+      if (!mesh.is_alive(Halfedge(i)) || indices[i] >= first.size()) continue;
+      const std::uint32_t index = first[indices[i]];
+      edit.set_attribute(attribute.index_column, i, std::span(&index, 1));
+    }
+  }
 }
 
 }  // namespace ryosen

@@ -3,14 +3,172 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
+#include <optional>
 
-#include "ryosen/algo/subdivide/charts.h"
+#include "ryosen/algo/subdivide/masks.h"
+#include "ryosen/indexed/from_indexed.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 
 namespace ryosen::subdivide {
 
 namespace {
+
+// The smallest and largest values in the faces around each vertex: masks stay between them but for rounding, and where
+// they are equal to the bit.
+class ValueBounds {
+ public:
+  explicit ValueBounds(const Mesh& mesh) {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    bounds_.assign(mesh.vertex_slots(), {glm::dvec3(all), glm::dvec3(-all)});
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+      if (!mesh.is_alive(Face(i))) continue;
+      std::pair<glm::dvec3, glm::dvec3> own{glm::dvec3(all), glm::dvec3(-all)};
+      for (const Vertex v : vertices_around(mesh, Face(i))) {
+        own.first = glm::min(own.first, mesh.position(v));
+        own.second = glm::max(own.second, mesh.position(v));
+      }
+      for (const Vertex v : vertices_around(mesh, Face(i))) {
+        auto& [lowest, highest] = bounds_[v.index];
+        lowest = glm::min(lowest, own.first);
+        highest = glm::max(highest, own.second);
+      }
+    }
+  }
+  void keep_within(glm::dvec3& value, Vertex around) const { keep_within(value, around, around); }
+  void keep_within(glm::dvec3& value, Vertex a, Vertex b) const {
+    const glm::dvec3 lowest = glm::min(bounds_[a.index].first, bounds_[b.index].first),
+                     highest = glm::max(bounds_[a.index].second, bounds_[b.index].second);
+    if (lowest.x <= highest.x) value = glm::min(glm::max(value, lowest), highest);  // else there are no faces
+  }
+
+ private:
+  std::vector<std::pair<glm::dvec3, glm::dvec3>> bounds_;
+};
+
+// The mesh with the values of vertices, three of them from `first` on, as places and without attributes.
+Mesh mesh_of_values(const Mesh& mesh, const AttributeColumn& column, glm::length_t first) {
+  MeshColumns columns = mesh.columns();
+  columns.attributes.clear();
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+    const auto value = attribute_value<glm::dvec4>(column, i);
+    for (glm::length_t k = 0; k < 3; ++k) columns.positions[i][k] = first + k < 4 ? value[first + k] : 0;
+  }
+  return Mesh(std::move(columns));
+}
+
+// What a mask does to places it does to values, as places, so that these stay on the surface where they are: of
+// vertices (colours) on the mesh itself; of corners (texture coordinates, normals) on a mesh of their charts, which is
+// torn where values differ. There a chart has a boundary, and so its outline runs by the mask of boundaries.
+class Charts {
+ public:
+  Charts(const Mesh& mesh, const Creases& creases, const CornerAttribute& attribute)
+      : mesh_(mesh), creases_(creases), of_(mesh.halfedge_slots()) {
+    build(mesh.attributes()[attribute.index_column], mesh.attributes()[attribute.pool_column]);
+    take_creases();
+    find_tips();
+  }
+
+  // Faces have the numbers they had; those of which a corner has no value are not there. Each vertex has one value.
+  const Mesh& mesh() const { return charts_; }
+  // The halfedge at the same corner; none where the face is not there.
+  Halfedge of(Halfedge h) const { return of_[h.index]; }
+
+  // What masks(mesh, creases) makes of values; vertices come first. A chart that is torn up to a vertex has one value
+  // there: it goes by the mask of the whole mesh, with the means of what its neighbours have.
+  template <class Masks>
+  Places values(const Masks& masks) const {
+    Places values = masks(charts_, own_creases_);
+    if (!means_) return values;
+    const Places means = masks(*means_, creases_);
+    for (const auto& [own, v] : tips_) values[own.index] = means[v.index];
+    return values;
+  }
+
+ private:
+  // A vertex of the charts for each vertex with each of its values.
+  void build(const AttributeColumn& index, const AttributeColumn& pool) {
+    IndexedMesh list;
+    list.face_offsets.assign(1, 0);
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> known(mesh_.vertex_slots());  // value, number
+    const auto number_of = [&](Halfedge corner) {
+      const std::uint32_t value = index.data[corner.index];
+      auto& own = known[mesh_.from(corner).index];
+      for (const auto& [other, number] : own)
+        if (other == value) return number;
+      const auto number = static_cast<std::uint32_t>(list.positions.size());
+      own.emplace_back(value, number);
+      list.positions.push_back(attribute_value<glm::dvec3>(pool, value));
+      vertex_of_.push_back(mesh_.from(corner));
+      return number;
+    };
+    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+      if (const Face f(i); mesh_.is_alive(f)) {
+        bool has_all = true;
+        for (const Halfedge h : loop(mesh_, mesh_.halfedge(f))) has_all = has_all && index.data[h.index] != no_index;
+        for (const Halfedge h : loop(mesh_, mesh_.halfedge(f)))
+          if (has_all) list.corners.push_back(number_of(h));
+      }
+      list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
+    }
+    charts_ = from_indexed(std::move(list));
+    for (std::uint32_t i = 0; i < charts_.face_slots(); ++i) {
+      if (!charts_.is_alive(Face(i))) continue;
+      Halfedge own = charts_.halfedge(Face(i));
+      for (const Halfedge h : loop(mesh_, mesh_.halfedge(Face(i)))) {
+        of_[h.index] = own;
+        own = charts_.next(own);
+      }
+    }
+  }
+
+  void take_creases() {
+    for (std::size_t i = vertex_of_.size(); i < charts_.vertex_slots(); ++i)  // copies
+      vertex_of_.push_back(vertex_of_[point(charts_, Vertex(static_cast<std::uint32_t>(i))).index]);
+    own_creases_.corners.resize(charts_.vertex_slots());
+    for (std::uint32_t i = 0; i < charts_.vertex_slots(); ++i) {
+      const bool stays = rule_at(mesh_, creases_, vertex_of_[i], 1).rule == VertexRule::corner;
+      own_creases_.corners[i] = stays || has_copies(charts_, Vertex(i));
+    }
+    if (creases_.sharpness.empty()) return;
+    own_creases_.sharpness.resize(charts_.edge_slots());
+    for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i)
+      if (const Halfedge own = of_[i])
+        own_creases_.sharpness[edge(own).index] = creases_.sharpness_of(mesh_, Halfedge(i));
+  }
+
+  // Where a chart has a boundary at a vertex and the mesh has none, though the vertex has one value.
+  void find_tips() {
+    std::vector<std::uint32_t> values(mesh_.vertex_slots());
+    for (const Vertex v : vertex_of_) ++values[v.index];
+    for (std::uint32_t i = 0; i < charts_.vertex_slots(); ++i)
+      if (const Vertex v = vertex_of_[i];
+          values[v.index] == 1 && charts_.is_boundary(Vertex(i)) && !mesh_.is_boundary(v) && !own_creases_.corners[i])
+        tips_.emplace_back(Vertex(i), v);
+    if (tips_.empty()) return;
+    MeshColumns columns = mesh_.columns();
+    columns.attributes.clear();
+    std::fill(columns.positions.begin(), columns.positions.end(), glm::dvec3(0));
+    for (std::uint32_t i = 0; i < charts_.vertex_slots(); ++i) {
+      const Vertex v = vertex_of_[i];
+      columns.positions[v.index] += charts_.position(Vertex(i)) / double(values[v.index]);
+    }
+    means_.emplace(std::move(columns));
+  }
+
+  const Mesh& mesh_;
+  const Creases& creases_;
+  Mesh charts_;
+  Creases own_creases_;
+  std::vector<Halfedge> of_;
+  std::vector<Vertex> vertex_of_;                // by vertex of the charts
+  std::vector<std::pair<Vertex, Vertex>> tips_;  // of the charts, of the mesh
+  std::optional<Mesh> means_;
+};
 
 // Each new face as the one it comes of.
 template <class Child>
@@ -23,11 +181,6 @@ void carry_faces(const Mesh& mesh, AttributeColumn& column, std::size_t faces, c
     const std::uint32_t* const words = column.data.data() + std::size_t{from.index} * column.words;
     if (from != to) std::copy(words, words + column.words, column.data.data() + std::size_t{to.index} * column.words);
   }
-}
-
-void put_values(const Places& values, AttributeColumn& pool) {
-  pool.data.resize(values.size() * pool.words);
-  if (!values.empty()) std::memcpy(pool.data.data(), values.data(), values.size() * sizeof values.front());
 }
 
 // A step by masks: what all places are, vertices first, and between the values of which vertices they stay.
@@ -167,14 +320,14 @@ void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& 
   }
 }
 
-// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, and gives the
-// columns of vertices and faces to the others.
-template <class Corners, class Vertices, class Faces>
-void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, MeshColumns& out, const Corners& corners,
-                   const Vertices& vertices, const Faces& faces) {
+// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, gives vertices
+// what the step makes of their values, and calls faces(column) for those of faces.
+template <class Corners, class Faces>
+void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
+                   MeshColumns& out, const Corners& corners, const Faces& faces) {
   out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
   for (AttributeColumn& column : out.attributes) {
-    if (column.element == ElementKind::vertex) vertices(column);
+    if (column.element == ElementKind::vertex) carry_vertices(mesh, creases, step, added, column);
     if (column.element == ElementKind::face) faces(column);
   }
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
@@ -182,7 +335,10 @@ void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, M
     std::vector<std::uint32_t>& index = out.attributes[attribute.index_column].data;
     index.assign(out.halfedges.size(), no_index);
     corners(charts, index);
-    put_values(charts.values(step), out.attributes[attribute.pool_column]);
+    AttributeColumn& pool = out.attributes[attribute.pool_column];
+    const Places values = charts.values(step);
+    pool.data.resize(values.size() * pool.words);
+    if (!values.empty()) std::memcpy(pool.data.data(), values.data(), values.size() * sizeof values.front());
   }
 }
 
@@ -199,11 +355,10 @@ void carry_split(const Mesh& mesh, const Creases& creases, Scheme scheme, const 
   const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
     carry_split_corners(mesh, n, charts, to);
   };
-  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, added, column); };
   const auto faces = [&](AttributeColumn& column) {
     carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.at_corner(h); });
   };
-  carry_columns(mesh, creases, step, out, corners, vertices, faces);
+  carry_columns(mesh, creases, step, added, out, corners, faces);
 }
 
 void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, const Sqrt3Numbers& n, MeshColumns& out) {
@@ -222,11 +377,10 @@ void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, co
   const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
     carry_sqrt3_corners(mesh, n, charts, to);
   };
-  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, added, column); };
   const auto faces = [&](AttributeColumn& column) {
     carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.triangle(h); });
   };
-  carry_columns(mesh, creases, step, out, corners, vertices, faces);
+  carry_columns(mesh, creases, step, added, out, corners, faces);
 }
 
 void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, MeshColumns& out) {
@@ -237,8 +391,7 @@ void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, Mes
     for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
       if (!mesh.is_outside(h) && charts.of(h)) to[h.index] = charts.mesh().from(charts.of(h)).index;
   };
-  const auto vertices = [&](AttributeColumn& column) { carry_vertices(mesh, creases, step, {}, column); };
-  carry_columns(mesh, creases, step, out, corners, vertices, [](AttributeColumn&) {});
+  carry_columns(mesh, creases, step, {}, out, corners, [](AttributeColumn&) {});
 }
 
 }  // namespace ryosen::subdivide

@@ -1,14 +1,13 @@
 // The attributes of the new elements of a subdivision.
 //
-// Colours of vertices and values of corners (texture coordinates, normals) go by the masks of the places (charts.h):
-// where a mask moves a point, its values are those of the place that it comes to, but across a seam, along which each
-// chart keeps an outline of its own. Seams stay, and no value leaves what the faces around it had. New faces have the
-// material and group of the face they lie in.
+// Colours of vertices and values of corners (texture coordinates, normals) go by the masks of the places: where a mask
+// moves a point, its values are those of the place that it comes to, but across a seam, along which each chart keeps an
+// outline of its own. Seams stay, and no value leaves what the faces around it had. New faces have the material and
+// group of the face they lie in.
 #pragma once
 
 #include "ryosen/algo/subdivide/creases.h"
-#include "ryosen/algo/subdivide/split_links.h"
-#include "ryosen/algo/subdivide/sqrt3_links.h"
+#include "ryosen/algo/subdivide/level_links.h"
 #include "ryosen/algo/subdivide/subdivide.h"
 
 namespace ryosen::subdivide {

@@ -40,10 +40,36 @@ struct RuleAt {
 
 // The rule at a vertex when `steps` more steps have been taken from the sharpness. Cost: the valence, O(1) at a
 // boundary where nothing else is sharp.
-RuleAt rule_at(const Mesh& mesh, const Creases& creases, Vertex v, float steps = 0);
+inline RuleAt rule_at(const Mesh& mesh, const Creases& creases, Vertex v, float steps = 0) {
+  if (creases.is_corner(v)) return {VertexRule::corner};
+  RuleAt at;
+  if (creases.sharpness.empty()) {
+    if (!mesh.is_boundary(v)) return at;
+    // A vertex with one gap, whose stored halfedge runs along it; several gaps make it a corner beforehand.
+    const Halfedge out = mesh.halfedge(v);
+    return {VertexRule::crease, {mesh.to(out), mesh.from(mesh.prev(out))}};
+  }
+  std::uint32_t sharp = 0;
+  for (const Halfedge h : outgoing(mesh, v)) {
+    if (!(creases.sharpness_of(mesh, h) > steps)) continue;
+    if (sharp < 2) at.along[sharp] = mesh.to(h);
+    ++sharp;
+  }
+  at.rule = sharp < 2 ? VertexRule::smooth : sharp == 2 ? VertexRule::crease : VertexRule::corner;
+  return at;
+}
 // How much the rule of now weighs where it differs from that of the next step: the mean sharpness of the edges that
 // become smooth in this one.
-double weight_of_rule(const Mesh& mesh, const Creases& creases, Vertex v);
+inline double weight_of_rule(const Mesh& mesh, const Creases& creases, Vertex v) {
+  double sum = 0, count = 0;
+  for (const Halfedge h : outgoing(mesh, v)) {
+    const double sharpness = creases.sharpness_of(mesh, h);
+    if (sharpness <= 0 || sharpness > 1) continue;
+    sum += sharpness;
+    ++count;
+  }
+  return count > 0 ? sum / count : 1;
+}
 
 // Where a vertex comes to with this step: by the mask of smooth vertices, that of creases (1 6 1)/8, or nowhere.
 template <class Smooth>

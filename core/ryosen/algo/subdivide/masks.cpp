@@ -66,9 +66,11 @@ void for_each_slot(std::uint32_t count, const Place& place) {
   });
 }
 
-void make_room(Places& places, std::size_t count) {
+Places room_for(std::size_t count) {
+  Places places;
   reserve_large(places, count);
   places.resize(count);
+  return places;
 }
 
 // Of the vertices that are alive; dead ones keep their place.
@@ -81,8 +83,7 @@ void place_vertices(const Mesh& mesh, Places& places, const Place& place) {
 
 template <class Smooth>
 Places limit_by(const Mesh& mesh, const Creases& creases, Scheme scheme, const Smooth& smooth) {
-  Places places;
-  make_room(places, mesh.vertex_slots());
+  Places places = room_for(mesh.vertex_slots());
   const auto dart = [&](Vertex v) {
     return scheme == Scheme::sqrt3 ? smooth(v) : limit_of_dart(mesh, creases, v, scheme);
   };
@@ -107,11 +108,16 @@ void place_centres(const Mesh& mesh, const std::vector<std::uint32_t>& centre_of
   });
 }
 
-}  // namespace
-
-void loop_places(const Mesh& mesh, const Creases& creases, Places& places) {
+// Loop's scheme on triangles [Loop87]: the places of the old vertices, then one for each edge.
+//
+//        1                b--b
+//       / \              /    \        b = (5/8 - (3/8 + cos(2 pi/n)/4)^2) / n, in the middle 1 - n b
+//      3-x-3  / 8       b  v  b
+//       \ /              \    /
+//        1                b--b         limit: b' = 1 / (n + 3 / (8 b)) in place of b
+Places loop_places(const Mesh& mesh, const Creases& creases) {
   const std::uint32_t vertices = mesh.vertex_slots();
-  make_room(places, std::size_t{vertices} + mesh.edge_slots());
+  Places places = room_for(std::size_t{vertices} + mesh.edge_slots());
   const auto smooth_vertex = [&](Vertex v) { return around<loop_weight>(mesh, v); };
   place_vertices(mesh, places, [&](Vertex v) { return place_of_vertex(mesh, creases, v, smooth_vertex); });
   const auto smooth_edge = [&](Halfedge h) {
@@ -122,17 +128,21 @@ void loop_places(const Mesh& mesh, const Creases& creases, Places& places) {
   for_each_slot(mesh.edge_slots(), [&](std::uint32_t e) {
     places[std::size_t{vertices} + e] = place_on_edge(mesh, creases, Edge(e), smooth_edge);
   });
+  return places;
 }
 
-Places loop_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_by(mesh, creases, Scheme::loop, [&](Vertex v) { return around<loop_limit_weight>(mesh, v); });
-}
-
-void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::vector<std::uint32_t>& centre_of,
-                          Places& places) {
+// Catmull's and Clark's scheme on polygons [Catmull78]: the places of the old vertices, of the edges, then of the
+// living faces.
+//
+//      o---o            f        face: the mean f of its corners
+//      | f |         a--x--b     edge: (a + b + f + g) / 4
+//      o---o            g        vertex of valence n: (Q + 2 R + (n - 3) v) / n, Q the mean of the faces, R of the
+//                                middles of the edges
+//   limit, of a mesh of quads: (n n v + 4 sum of the neighbours + sum of the vertices across the quads) / (n (n + 5))
+Places catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::vector<std::uint32_t>& centre_of) {
   const std::uint32_t vertices = mesh.vertex_slots(), edges = mesh.edge_slots();
   const std::size_t first_centre = std::size_t{vertices} + edges;
-  make_room(places, first_centre + mesh.live().faces);
+  Places places = room_for(first_centre + mesh.live().faces);
   place_centres(mesh, centre_of, places);
   const auto centre = [&](Halfedge h) -> const glm::dvec3& {
     const std::uint32_t f = mesh.face(h).index;
@@ -153,6 +163,7 @@ void catmull_clark_places(const Mesh& mesh, const Creases& creases, const std::v
     return sum;
   };
   place_vertices(mesh, places, [&](Vertex v) { return place_of_vertex(mesh, creases, v, smooth_vertex); });
+  return places;
 }
 
 Places catmull_clark_limit(const Mesh& mesh, const Creases& creases) {
@@ -167,16 +178,20 @@ Places catmull_clark_limit(const Mesh& mesh, const Creases& creases) {
   });
 }
 
-void midpoint_places(const Mesh& mesh, const std::vector<std::uint32_t>& centre_of, bool with_centres, Places& places) {
+// Every vertex stays; new ones lie in the middle of edges and, `with_centres`, at the mean of the corners of faces.
+Places midpoint_places(const Mesh& mesh, const std::vector<std::uint32_t>& centre_of, bool with_centres) {
   const std::uint32_t vertices = mesh.vertex_slots(), edges = mesh.edge_slots();
-  make_room(places, std::size_t{vertices} + edges + (with_centres ? mesh.live().faces : 0));
+  Places places = room_for(std::size_t{vertices} + edges + (with_centres ? mesh.live().faces : 0));
   for_each_slot(vertices, [&](std::uint32_t i) { places[i] = mesh.position(Vertex(i)); });
   for_each_slot(edges, [&](std::uint32_t e) {
     const auto [a, b] = ends(mesh, Edge(e));
     places[std::size_t{vertices} + e] = 0.5 * mesh.position(a) + 0.5 * mesh.position(b);
   });
   if (with_centres) place_centres(mesh, centre_of, places);
+  return places;
 }
+
+}  // namespace
 
 void sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases, Places& places) {
   place_vertices(mesh, places, [&](Vertex v) {
@@ -189,10 +204,6 @@ void sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases, P
   });
 }
 
-Places sqrt3_limit(const Mesh& mesh, const Creases& creases) {
-  return limit_by(mesh, creases, Scheme::sqrt3, [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); });
-}
-
 glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, Vertex b) {
   const glm::dvec3 &near = mesh.position(a), &far = mesh.position(b);
   const RuleAt at = rule_at(mesh, creases, a);
@@ -202,17 +213,16 @@ glm::dvec3 third_of_crease(const Mesh& mesh, const Creases& creases, Vertex a, V
 }
 
 Places split_places(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& numbers) {
-  Places places;
-  if (scheme == Scheme::loop) loop_places(mesh, creases, places);
-  if (scheme == Scheme::catmull_clark) catmull_clark_places(mesh, creases, numbers.centre_of(), places);
-  if (scheme == Scheme::midpoint)
-    midpoint_places(mesh, numbers.centre_of(), numbers.split() == Split::into_quads, places);
-  return places;
+  if (scheme == Scheme::loop) return loop_places(mesh, creases);
+  if (scheme == Scheme::catmull_clark) return catmull_clark_places(mesh, creases, numbers.centre_of());
+  return midpoint_places(mesh, numbers.centre_of(), numbers.split() == Split::into_quads);
 }
 
 Places limit_places(const Mesh& mesh, const Creases& creases, Scheme scheme) {
-  if (scheme == Scheme::loop) return loop_limit(mesh, creases);
-  return scheme == Scheme::catmull_clark ? catmull_clark_limit(mesh, creases) : sqrt3_limit(mesh, creases);
+  if (scheme == Scheme::catmull_clark) return catmull_clark_limit(mesh, creases);
+  const auto loop = [&](Vertex v) { return around<loop_limit_weight>(mesh, v); };
+  const auto sqrt3 = [&](Vertex v) { return around<sqrt3_limit_weight>(mesh, v); };
+  return scheme == Scheme::loop ? limit_by(mesh, creases, scheme, loop) : limit_by(mesh, creases, scheme, sqrt3);
 }
 
 }  // namespace ryosen::subdivide

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/poke.h"

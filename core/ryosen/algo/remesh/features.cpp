@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/remesh/triangle_shape.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/attribute.h"
@@ -11,16 +12,6 @@
 namespace ryosen::remesh {
 
 namespace {
-
-bool face_values_differ(const Mesh& mesh, Face a, Face b) {
-  for (const AttributeColumn& column : mesh.attributes()) {
-    if (column.element != ElementKind::face) continue;
-    const std::uint32_t* const words = column.data.data();
-    for (std::uint32_t k = 0; k < column.words; ++k)
-      if (words[std::size_t{a.index} * column.words + k] != words[std::size_t{b.index} * column.words + k]) return true;
-  }
-  return false;
-}
 
 bool is_finite_face(const Mesh& mesh, Halfedge h) {
   const Corners corners = corners_of(mesh, h);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ryosen/algo/preparation.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -35,23 +36,12 @@ double cost_of(double squares, double weight, const glm::dvec3& along) {
 // A face that turns by less than a right angle does so by more than rounding.
 constexpr double least_cosine = 1e-9;
 
-bool have_other_face_values(const Mesh& mesh, Face f, Face g) {
-  for (const AttributeColumn& column : mesh.attributes()) {
-    if (column.element != ElementKind::face) continue;
-    const std::uint32_t* const data = column.data.data();
-    if (!std::equal(data + std::size_t{f.index} * column.words, data + (std::size_t{f.index} + 1) * column.words,
-                    data + std::size_t{g.index} * column.words))
-      return true;
-  }
-  return false;
-}
-
 bool is_boundary(const Mesh& mesh, Halfedge h) { return mesh.is_outside(h) != mesh.is_outside(twin(h)); }
 
 // A border of a material or group, whose line is to stay.
 bool is_border_of_values(const Mesh& mesh, Halfedge h) {
   if (mesh.is_outside(h) || mesh.is_outside(twin(h))) return false;
-  return have_other_face_values(mesh, mesh.face(h), mesh.face(twin(h)));
+  return face_values_differ(mesh, mesh.face(h), mesh.face(twin(h)));
 }
 
 }  // namespace

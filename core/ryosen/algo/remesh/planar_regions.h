@@ -1,4 +1,4 @@
-// Uniting planar regions into polygons with rings.
+// Uniting planar regions into polygons with rings, and taking out the corners of polygons that lie on straight edges.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,9 @@
 namespace ryosen::remesh {
 
 struct PlanarOptions {
-  double angle_rad = 0.02;  // the normals of the faces of a region are within this of its first one's
-  double distance = 0;      // and their points within this of its plane
+  // The normals of the faces of a region are within this of its first one's, and the parts of an edge of its direction.
+  double angle_rad = 0.02;
+  double distance = 0;  // and their points within this of its plane, or of the edge; 0: exactly on it
 };
 
 struct United {
@@ -31,5 +32,11 @@ struct United {
 //     | / | / |           |       |
 //     o---o---o           o---o---o
 United unite_planar(Edit& edit, const PlanarOptions& options, Progress& progress);
+
+// Takes out vertices with two edges that lie on the straight line between those that stay, in the faces of both sides,
+// where unite_edge may and no face loses its area. A vertex with more edges stays, and so does one with copies. Of a
+// loop that has only vertices with two edges the first place in the order of coordinates and the one farthest from it
+// stay. Returns how many went. O(n log n).
+std::size_t drop_straight_corners(Edit& edit, const PlanarOptions& options, Progress& progress);
 
 }  // namespace ryosen::remesh

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "ryosen/algo/remesh/sizing.h"
+#include "ryosen/algo/remesh/target.h"
 #include "ryosen/base/message.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/mesh/descent.h"
@@ -14,7 +14,7 @@ namespace ryosen::remesh {
 
 struct Options {
   double length = 0;      // of edges, above 0
-  bool adaptive = false;  // shorter where the surface bends (sizing.h)
+  bool adaptive = false;  // shorter where the surface bends (target.h)
   double tolerance = 0;   // of adaptive ones, above 0
   std::size_t rounds = 5;
   double feature_angle_rad = 0.8;

@@ -6,7 +6,6 @@
 #include "ryosen/algo/proposals.h"
 #include "ryosen/algo/remesh/planar_regions.h"
 #include "ryosen/algo/remesh/remesh.h"
-#include "ryosen/algo/remesh/straight_corners.h"
 #include "ryosen/base/count_text.h"
 
 namespace ryosen {

@@ -1,4 +1,5 @@
-// The surface as it was, to which new points are brought back, with the wanted length at each of its points.
+// The surface as it was, to which new points are brought back, and how long edges are to be at each of its points:
+// everywhere alike, or shorter where it bends.
 #pragma once
 
 #include <array>
@@ -6,10 +7,37 @@
 #include <optional>
 #include <vector>
 
-#include "ryosen/algo/remesh/sizing.h"
+#include "ryosen/algo/remesh/triangle_shape.h"
 #include "ryosen/geometry/trees/triangle_tree.h"
 
 namespace ryosen::remesh {
+
+struct SizeOptions {
+  double length = 1;  // where the surface is flat
+  bool adaptive = false;
+  double tolerance = 0;  // of adaptive ones: how far a triangle may leave the surface
+};
+
+// The wanted length at each vertex of a mesh of triangles.
+class Sizing {
+ public:
+  // An adaptive length is that of edges which leave a circle of the largest curvature by the tolerance, but at least an
+  // eighth of `length` and at most all of it [Dunyach13]. O(n).
+  Sizing(const Mesh& mesh, const SizeOptions& options);
+
+  double length_at(Vertex v) const { return lengths_.empty() ? options_.length : lengths_[v.index]; }
+  double longest() const { return options_.length; }
+  double shortest() const { return is_adaptive() ? options_.length / 8 : options_.length; }
+  bool is_adaptive() const { return !lengths_.empty(); }
+
+ private:
+  SizeOptions options_;
+  std::vector<double> lengths_;  // per vertex; empty where all are alike
+};
+
+// The largest absolute principal curvature at each vertex slot, by the cotangent Laplacian and the angle deficit over a
+// third of the area around [Meyer03]; 0 at boundaries. Triangles.
+std::vector<double> largest_curvatures(const Mesh& mesh);
 
 class Target {
  public:

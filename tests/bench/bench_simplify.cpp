@@ -17,8 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "ryosen/algo/simplify/detail_levels.h"
-#include "ryosen/algo/simplify/simplifier.h"
+#include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/analysis/figures.h"
 #include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/indexed/from_indexed.h"

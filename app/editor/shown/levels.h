@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app/editor/document/findings.h"
-#include "ryosen/algo/simplify/detail_levels.h"
+#include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

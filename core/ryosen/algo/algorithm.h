@@ -58,7 +58,7 @@ struct GoalReport {
   // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked
   // for, and where every edge is free.
   std::vector<std::size_t> remaining = {};
-  // The same by edge slot of the result, or no_rule; of an algorithm that knows it (see remaining_edges.h).
+  // The same by edge slot of the result, or no_rule; of an algorithm that knows it (see find_remaining()).
   std::vector<std::uint8_t> rules = {};
 };
 

@@ -3,28 +3,93 @@
 // An edge waits on a level of its cost, which nearly is a lower bound: what its ends stand for only grows. It is asked
 // anew when its turn comes, and goes to a higher level or collapses. One that is refused is blocked until something
 // around it changes. So nothing is written to the queue where a neighbour collapses. Edges of a level are taken many at
-// once (simplifier_batch.cpp); what one of them asked is asked again where a collapse of another has changed it.
+// once (simplifier_asking.cpp); what one of them asked is asked again where a collapse of another has changed it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "ryosen/algo/crossings/crossing_guard.h"
 #include "ryosen/algo/simplify/collapse_surface.h"
 #include "ryosen/algo/simplify/input_sides.h"
-#include "ryosen/algo/simplify/level_queue.h"
-#include "ryosen/algo/simplify/small_parts.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/plain_check.h"
 
 namespace ryosen {
+
+// Numbers in the order of a cost, as far as it matters: costs between two powers of two share a few levels, and within
+// a level the first to come is the first to go. Adding and taking cost O(1).
+class LevelQueue {
+ public:
+  using Level = std::uint32_t;
+
+  // 2^bits levels from one power of two to the next.
+  explicit LevelQueue(unsigned bits)
+      : shift_(52 - bits), first_(key_of(smallest)), levels_(key_of(largest) - first_ + 1) {}
+
+  // Of a cost from 0 up; what is no number counts as the largest.
+  Level level_of(double cost) const {
+    if (!(cost <= largest)) return static_cast<Level>(levels_.size() - 1);
+    return static_cast<Level>(key_of(std::max(cost, smallest)) - first_);
+  }
+
+  // Puts it on its level, or on the one that is being taken from where that is already past.
+  void add(std::uint32_t number, Level level) { levels_[std::max(level, current_)].push_back(number); }
+
+  // Goes to the next number; false where there is none, and everything added from then on is taken from the lowest
+  // level again.
+  bool next() {
+    ++place_;
+    while (place_ >= levels_[current_].size()) {
+      std::vector<std::uint32_t>().swap(levels_[current_]);
+      place_ = 0;
+      if (current_ + 1 == levels_.size()) {
+        restart();
+        return false;
+      }
+      ++current_;
+    }
+    return true;
+  }
+  // The same, but no further than the end of the level.
+  bool next_on_level() {
+    if (place_ + 1 >= levels_[current_].size()) return false;
+    ++place_;
+    return true;
+  }
+  std::uint32_t number() const { return levels_[current_][place_]; }
+  // The number so many steps ahead on the same level, or the last one.
+  std::uint32_t ahead(std::size_t steps) const {
+    const std::vector<std::uint32_t>& level = levels_[current_];
+    return level[std::min(place_ + steps, level.size() - 1)];
+  }
+  Level current() const { return current_; }
+
+ private:
+  static constexpr double smallest = 0x1p-120, largest = 0x1p40;
+
+  void restart() {
+    current_ = 0;
+    place_ = static_cast<std::size_t>(-1);
+  }
+  std::uint64_t key_of(double cost) const { return std::bit_cast<std::uint64_t>(cost) >> shift_; }
+
+  unsigned shift_;
+  std::uint64_t first_;
+  std::vector<std::vector<std::uint32_t>> levels_;
+  Level current_ = 0;
+  std::size_t place_ = static_cast<std::size_t>(-1);
+};
 
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
@@ -97,7 +162,7 @@ class Simplifier {
   void remove_noted_parts();
   // Removes them, the smallest first, until the goal is reached.
   void remove_small_parts();
-  void remove(const SmallPart& part);
+  void remove_part(std::span<const Vertex> part);
   // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
   // (simplifier_turned.cpp). False where it was cancelled.
   bool mend_turned(Progress& progress);
@@ -174,5 +239,12 @@ class Simplifier {
   double error_max_ = 0;
   CollapseSurface::Minds minds_ = CollapseSurface::Minds::input;  // less where nothing else can collapse
 };
+
+// By edge slot, as EdgeRule: the first rule that holds an edge of faces, that of the first of its sheets where its
+// points have several; no_rule for every other slot, and of those left where it was cancelled. Cost: that of asking
+// every edge.
+std::vector<std::uint8_t> find_remaining(const Mesh& mesh, const Simplifier& simplifier, Progress& progress);
+// How many edges stand under each, counted on points as in figures.
+std::vector<std::size_t> count_remaining(const Mesh& mesh, std::span<const std::uint8_t> rules);
 
 }  // namespace ryosen

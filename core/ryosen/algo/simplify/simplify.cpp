@@ -1,12 +1,11 @@
 #include "ryosen/algo/simplify/simplify.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/simplify/flat_normals.h"
-#include "ryosen/algo/simplify/remaining_edges.h"
-#include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
@@ -192,6 +191,30 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal_of(values, faces_wanted(values, mesh.live().faces)), progress)) levels.reset();
   return {std::move(levels)};
+}
+
+bool DetailLevels::build(const CollapseLimits& limits, const SimplifyGoal& goal, Progress& progress) {
+  assert(last() == 0);
+  const bool is_done = Simplifier(mesh_, limits, goal, &journal_).run(progress);
+  std::vector<std::uint32_t> faces;
+  for (; journal_.can_undo(); journal_.undo(mesh_)) faces.push_back(mesh_.live().faces);
+  if (!is_done) {
+    journal_.clear();
+    return false;
+  }
+  faces_.insert(faces_.end(), faces.rbegin(), faces.rend());
+  return true;
+}
+
+void DetailLevels::go_to(std::size_t level) {
+  assert(level <= last());
+  while (journal_.position() > level) journal_.undo(mesh_);
+  while (journal_.position() < level) journal_.redo(mesh_);
+}
+
+std::size_t DetailLevels::level_of(std::size_t faces) const {
+  const auto found = std::partition_point(faces_.begin(), faces_.end(), [&](std::uint32_t f) { return f > faces; });
+  return found == faces_.end() ? last() : static_cast<std::size_t>(found - faces_.begin());
 }
 
 }  // namespace ryosen

@@ -1,4 +1,4 @@
-#include "ryosen/algo/simplify/detail_levels.h"
+#include "ryosen/algo/simplify/simplify.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "ryosen/algo/simplify/remaining_edges.h"
 #include "ryosen/algo/simplify/simplify.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/geometry/trees/primitive.h"

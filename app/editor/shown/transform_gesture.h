@@ -10,7 +10,6 @@
 #include "app/editor/commands/text/command.h"
 #include "app/editor/input/input.h"
 #include "ryosen/algo/transform/moved_points.h"
-#include "ryosen/algo/transform/point_transform.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/ops/op.h"
 #include "ryosen/scene/pick/picker.h"

@@ -1,7 +1,6 @@
 #include "ryosen/algo/algorithm_rows.h"
 
 #include "ryosen/algo/transform/moved_points.h"
-#include "ryosen/algo/transform/point_transform.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
@@ -114,7 +113,6 @@ std::vector<AlgorithmRow> transform_rows() {
                     {.parameters = with_common(
                          {parameter_row({"by", "By", "移動量", "how far along X, Y and Z", "X、Y、Z 方向の移動量"},
                                         {.kind = ParameterKind::place, .is_required = true})}),
-                     .keeps_geometry = false,
                      .run = translate}),
       algorithm_row(
           {"rotate", "Turn", "回転", "turns vertices about an axis", "頂点を軸のまわりに回す"},
@@ -123,7 +121,6 @@ std::vector<AlgorithmRow> transform_rows() {
                     {"angle", "Angle", "角度", "counter-clockwise seen against the axis", "軸の先から見て反時計回り"},
                     {.kind = ParameterKind::number, .is_required = true, .unit_en = "degrees", .unit_ja = "度"}),
                 axis("the direction of the axis", "軸の向き", "0,1,0"), about()}),
-           .keeps_geometry = false,
            .run = rotate}),
       algorithm_row({"scale", "Scale", "拡大縮小", "scales vertices, everywhere or along an axis",
                      "頂点を全方向または軸方向に拡大縮小する"},
@@ -134,7 +131,6 @@ std::vector<AlgorithmRow> transform_rows() {
                           axis("scales along this direction alone; else everywhere",
                                "この向きだけ拡大縮小する（省くと全方向）", ""),
                           about()}),
-                     .keeps_geometry = false,
                      .run = scale})};
 }
 

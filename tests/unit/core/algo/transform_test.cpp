@@ -6,7 +6,6 @@
 
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/transform/moved_points.h"
-#include "ryosen/algo/transform/point_transform.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "tests/support/core/random_meshes.h"

@@ -77,18 +77,15 @@ Text range_text(const ParameterRow& row) {
   return text;
 }
 
-std::optional<ParameterValue> read_names(std::string_view text) {
-  ParameterValue value;
-  for (std::string_view name : split_list(text)) {
-    if (!is_element_name(name) && !parse_slot_range(name)) return std::nullopt;
-    value.names.emplace_back(name);
-  }
-  return value;
-}
-
 std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_view text) {
   ParameterValue value;
-  if (row.kind == ParameterKind::elements) return read_names(text);
+  if (row.kind == ParameterKind::elements) {
+    for (std::string_view name : split_list(text)) {
+      if (!is_element_name(name) && !parse_slot_range(name)) return std::nullopt;
+      value.names.emplace_back(name);
+    }
+    return value;
+  }
   if (row.kind == ParameterKind::place) {
     const auto place = parse_place(text);
     if (!place) return std::nullopt;

@@ -277,44 +277,17 @@ AlgorithmRow primitive(const RowWords& words, std::vector<ParameterRow> paramete
 
 ParameterRow circumradius() { return radius("from the centre to each vertex", "中心から頂点までの距離"); }
 
-AlgorithmRow grid() {
-  return primitive(
-      {"grid", "Grid", "格子", "adds a floor of quads, which faces up (+Y)", "上（+Y）を向いた四角形の格子を追加する"},
-      {length({"width", "Width", "幅", "along X", "X 方向の長さ"}, "2"),
-       length({"depth", "Depth", "奥行き", "along Z", "Z 方向の長さ"}, "2"),
-       parts({"columns", "Columns", "列数", "quads along X", "X 方向の面の数"}, "10", 1),
-       parts({"rows", "Rows", "行数", "quads along Z", "Z 方向の面の数"}, "10", 1)},
-      add_grid);
-}
-
-AlgorithmRow sphere() {
-  return primitive(
-      {"sphere", "Sphere", "球", "adds a sphere of quads between circles of latitude, triangles at the poles",
-       "緯線と経線で分けた球を追加する（極は三角形、他は四角形）"},
-      {circumradius(), segments(),
-       parts({"bands", "Bands", "段数", "rows of faces from pole to pole", "極から極までの面の段数"}, "16", 2)},
-      add_sphere);
-}
-
-AlgorithmRow torus() {
-  return primitive(
-      {"torus", "Torus", "トーラス", "adds a tube of quads along a circle about Y",
-       "Y 軸まわりの円に沿った四角形の管を追加する"},
-      {radius("of the circle that the tube follows", "管の中心が通る円の半径"),
-       length({"tube", "Tube radius", "管の半径", "of the tube itself, less than the other radius",
-               "管の太さ（中心円の半径より小さいこと）"},
-              "0.25"),
-       segments(),
-       parts({"tube_segments", "Tube segments", "管の分割数", "parts of a turn around the tube", "管を一周する分割数"},
-             "16", 3)},
-      add_torus);
-}
-
 }  // namespace
 
 std::vector<AlgorithmRow> primitive_rows() {
   return {
-      grid(),
+      primitive({"grid", "Grid", "格子", "adds a floor of quads, which faces up (+Y)",
+                 "上（+Y）を向いた四角形の格子を追加する"},
+                {length({"width", "Width", "幅", "along X", "X 方向の長さ"}, "2"),
+                 length({"depth", "Depth", "奥行き", "along Z", "Z 方向の長さ"}, "2"),
+                 parts({"columns", "Columns", "列数", "quads along X", "X 方向の面の数"}, "10", 1),
+                 parts({"rows", "Rows", "行数", "quads along Z", "Z 方向の面の数"}, "10", 1)},
+                add_grid),
       primitive({"cube", "Cube", "立方体", "adds a cube of six quads along the axes", "座標軸に沿った立方体を追加する"},
                 {length({"size", "Size", "大きさ", "length of its edges", "稜線の長さ"}, "2")}, add_cube),
       primitive({"tetrahedron", "Tetrahedron", "正四面体", "adds a regular solid of 4 triangles", "正四面体を追加する"},
@@ -327,7 +300,12 @@ std::vector<AlgorithmRow> primitive_rows() {
       primitive(
           {"icosahedron", "Icosahedron", "正二十面体", "adds a regular solid of 20 triangles", "正二十面体を追加する"},
           {circumradius()}, add_within_sphere<icosahedron_vertices, dodecahedron_vertices>),
-      sphere(),
+      primitive(
+          {"sphere", "Sphere", "球", "adds a sphere of quads between circles of latitude, triangles at the poles",
+           "緯線と経線で分けた球を追加する（極は三角形、他は四角形）"},
+          {circumradius(), segments(),
+           parts({"bands", "Bands", "段数", "rows of faces from pole to pole", "極から極までの面の段数"}, "16", 2)},
+          add_sphere),
       primitive({"cylinder", "Cylinder", "円柱", "adds a cylinder about Y, quads around", "Y 軸まわりの円柱を追加する"},
                 {radius("of its circles", "円の半径"), height(), segments(),
                  caps("how its ends are closed", "両端のふさぎ方")},
@@ -336,7 +314,17 @@ std::vector<AlgorithmRow> primitive_rows() {
           {"cone", "Cone", "円錐", "adds a cone about Y, its tip up", "Y 軸まわりの、頂点が上の円錐を追加する"},
           {radius("of its base", "底面の半径"), height(), segments(), caps("how its base is closed", "底面のふさぎ方")},
           add_cone),
-      torus(),
+      primitive({"torus", "Torus", "トーラス", "adds a tube of quads along a circle about Y",
+                 "Y 軸まわりの円に沿った四角形の管を追加する"},
+                {radius("of the circle that the tube follows", "管の中心が通る円の半径"),
+                 length({"tube", "Tube radius", "管の半径", "of the tube itself, less than the other radius",
+                         "管の太さ（中心円の半径より小さいこと）"},
+                        "0.25"),
+                 segments(),
+                 parts({"tube_segments", "Tube segments", "管の分割数", "parts of a turn around the tube",
+                        "管を一周する分割数"},
+                       "16", 3)},
+                add_torus),
   };
 }
 

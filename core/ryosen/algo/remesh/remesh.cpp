@@ -111,12 +111,6 @@ bool run_rounds(Remesher& remesher, const Options& options, Progress& progress) 
   return close_up(remesher, options.adaptive, progress);
 }
 
-Mesh scaled(const Mesh& mesh, double scale) {
-  MeshColumns columns = mesh.columns();
-  for (glm::dvec3& p : columns.positions) p *= scale;
-  return Mesh(std::move(columns));
-}
-
 // With the places in the old size, those that did not move to the bit.
 MeshColumns unscaled(const Mesh& mesh, const Mesh& before, double scale) {
   MeshColumns columns = mesh.columns();
@@ -262,7 +256,9 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   Options own = options;
   own.length *= scale;
   own.tolerance *= scale;
-  Mesh triangles = scaled(mesh, scale);
+  MeshColumns columns = mesh.columns();
+  for (glm::dvec3& p : columns.positions) p *= scale;
+  Mesh triangles(std::move(columns));
   Edit edit(triangles, nullptr);
   const std::vector<Face> polygons = polygons_of_mesh(triangles);
   result.cut_faces = polygons.size();

@@ -100,79 +100,72 @@ AlgorithmResult unite_planar_regions(Edit& edit, const AlgorithmInput& input, Pr
   return result;
 }
 
-AlgorithmRow unite_planar_row() {
-  return algorithm_row(
-      {"unite_planar", "Unite planar regions", "平面領域の統合",
-       "makes one polygon, with rings, of neighbouring faces that lie in one plane",
-       "同じ平面上の隣り合う面を、リングを持つ一つの多角形にまとめる"},
-      {.parameters = {parameter_row(
-                          {"angle", "Angle", "角度", "by which normals may differ from that of the first face",
-                           "最初の面の法線との差の上限"},
-                          {.kind = ParameterKind::angle, .initial = "1"}),
-                      parameter_row({"distance", "Distance", "距離", "by which points may leave its plane",
-                                     "その平面からの距離の上限"},
-                                    {.kind = ParameterKind::length, .initial = "0.01%"}),
-                      parameter_row({"straight", "Corners on straight edges", "まっすぐな稜線上の角",
-                                     "whether vertices with two edges stay where these are straight",
-                                     "二本の稜線がまっすぐに続く頂点を残すか"},
-                                    {.kind = ParameterKind::choice,
-                                     .initial = "keep",
-                                     .choices = {{"keep", "keep", "残す"}, {"drop", "drop", "取り除く"}}})},
-       .keeps_geometry = false,
-       .run = unite_planar_regions});
-}
-
-AlgorithmRow remesh_row() {
-  return algorithm_row(
-      {"remesh", "Remesh", "リメッシュ",
-       "makes triangles of even edge lengths on the same surface; boundary and feature edges are only "
-       "divided, their points stay",
-       "同じ曲面上に稜線の長さのそろった三角形を作り直す（境界と特徴稜線は分割だけ、その頂点は固定）"},
-      {.parameters = {parameter_row({"length", "Length", "長さ", "of the edges", "稜線の長さ"},
-                                    {.kind = ParameterKind::length,
-                                     .is_required = true,
-                                     .smallest = 0,
-                                     .excludes_smallest = true,
-                                     .proposed = mean_edge_length_text}),
-                      parameter_row({"adaptive", "Adaptive", "曲率に適応",
-                                     "shorter edges where the surface bends, down to an eighth",
-                                     "曲がった所ほど短くする（最小で八分の一）"},
-                                    {.kind = ParameterKind::flag, .initial = "off"}),
-                      parameter_row(
-                          {"tolerance", "Tolerance", "許容誤差",
-                           "of adaptive lengths: about how far triangles leave the surface, no bound; else a "
-                           "twentieth of the length",
-                           "適応時に三角形が曲面から離れる距離の目安（上限ではない。省くと長さの二十分の一）"},
-                          {.kind = ParameterKind::length, .smallest = 0, .excludes_smallest = true}),
-                      parameter_row({"rounds", "Rounds", "回数",
-                                     "how often edges are split, collapsed and swapped and points moved",
-                                     "分割・削除・交換・移動を繰り返す回数"},
-                                    {.kind = ParameterKind::count, .initial = "5", .smallest = 1, .largest = 1000}),
-                      parameter_row({"feature_angle", "Feature angle", "特徴角",
-                                     "edges whose faces bend by at least this are features",
-                                     "両側の面がこの角度以上に曲がる稜線を特徴として保つ"},
-                                    {.kind = ParameterKind::angle, .initial = "45"})},
-       .keeps_geometry = false,
-       .run = remesh_mesh,
-       .lineage = Lineage::lost,
-       .has_goal = true});
-}
-
 }  // namespace
 
 std::vector<AlgorithmRow> remeshing_rows() {
-  return {remesh_row(),
-          algorithm_row({"delaunay", "Delaunay swaps", "ドロネー交換",
-                         "swaps edges until the angles across from each are together at most 180 degrees; points stay",
-                         "各稜線の向かいの角の和が 180 度以下になるまで交換する（頂点は動かない）"},
-                        {.parameters = {parameter_row({"most_turn", "Largest bend", "最大の曲がり",
-                                                       "edges whose faces bend by at least this stay",
-                                                       "両側の面がこの角度以上に曲がる稜線は交換しない"},
-                                                      {.kind = ParameterKind::angle, .initial = "10"})},
-                         .keeps_geometry = false,
-                         .run = swap_to_delaunay,
-                         .lineage = Lineage::told}),
-          unite_planar_row()};
+  return {
+      algorithm_row(
+          {"remesh", "Remesh", "リメッシュ",
+           "makes triangles of even edge lengths on the same surface; boundary and feature edges are only "
+           "divided, their points stay",
+           "同じ曲面上に稜線の長さのそろった三角形を作り直す（境界と特徴稜線は分割だけ、その頂点は固定）"},
+          {.parameters = {parameter_row({"length", "Length", "長さ", "of the edges", "稜線の長さ"},
+                                        {.kind = ParameterKind::length,
+                                         .is_required = true,
+                                         .smallest = 0,
+                                         .excludes_smallest = true,
+                                         .proposed = mean_edge_length_text}),
+                          parameter_row({"adaptive", "Adaptive", "曲率に適応",
+                                         "shorter edges where the surface bends, down to an eighth",
+                                         "曲がった所ほど短くする（最小で八分の一）"},
+                                        {.kind = ParameterKind::flag, .initial = "off"}),
+                          parameter_row(
+                              {"tolerance", "Tolerance", "許容誤差",
+                               "of adaptive lengths: about how far triangles leave the surface, no bound; else a "
+                               "twentieth of the length",
+                               "適応時に三角形が曲面から離れる距離の目安（上限ではない。省くと長さの二十分の一）"},
+                              {.kind = ParameterKind::length, .smallest = 0, .excludes_smallest = true}),
+                          parameter_row({"rounds", "Rounds", "回数",
+                                         "how often edges are split, collapsed and swapped and points moved",
+                                         "分割・削除・交換・移動を繰り返す回数"},
+                                        {.kind = ParameterKind::count, .initial = "5", .smallest = 1, .largest = 1000}),
+                          parameter_row({"feature_angle", "Feature angle", "特徴角",
+                                         "edges whose faces bend by at least this are features",
+                                         "両側の面がこの角度以上に曲がる稜線を特徴として保つ"},
+                                        {.kind = ParameterKind::angle, .initial = "45"})},
+           .keeps_geometry = false,
+           .run = remesh_mesh,
+           .lineage = Lineage::lost,
+           .has_goal = true}),
+      algorithm_row({"delaunay", "Delaunay swaps", "ドロネー交換",
+                     "swaps edges until the angles across from each are together at most 180 degrees; points stay",
+                     "各稜線の向かいの角の和が 180 度以下になるまで交換する（頂点は動かない）"},
+                    {.parameters = {parameter_row(
+                         {"most_turn", "Largest bend", "最大の曲がり", "edges whose faces bend by at least this stay",
+                          "両側の面がこの角度以上に曲がる稜線は交換しない"},
+                         {.kind = ParameterKind::angle, .initial = "10"})},
+                     .keeps_geometry = false,
+                     .run = swap_to_delaunay,
+                     .lineage = Lineage::told}),
+      algorithm_row(
+          {"unite_planar", "Unite planar regions", "平面領域の統合",
+           "makes one polygon, with rings, of neighbouring faces that lie in one plane",
+           "同じ平面上の隣り合う面を、リングを持つ一つの多角形にまとめる"},
+          {.parameters = {parameter_row(
+                              {"angle", "Angle", "角度", "by which normals may differ from that of the first face",
+                               "最初の面の法線との差の上限"},
+                              {.kind = ParameterKind::angle, .initial = "1"}),
+                          parameter_row({"distance", "Distance", "距離", "by which points may leave its plane",
+                                         "その平面からの距離の上限"},
+                                        {.kind = ParameterKind::length, .initial = "0.01%"}),
+                          parameter_row({"straight", "Corners on straight edges", "まっすぐな稜線上の角",
+                                         "whether vertices with two edges stay where these are straight",
+                                         "二本の稜線がまっすぐに続く頂点を残すか"},
+                                        {.kind = ParameterKind::choice,
+                                         .initial = "keep",
+                                         .choices = {{"keep", "keep", "残す"}, {"drop", "drop", "取り除く"}}})},
+           .keeps_geometry = false,
+           .run = unite_planar_regions})};
 }
 
 }  // namespace ryosen

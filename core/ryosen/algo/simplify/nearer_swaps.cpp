@@ -19,7 +19,7 @@ bool is_plain_triangle(const Mesh& mesh, Face f) {
   return !mesh.has_rings(f) && mesh.next(mesh.next(h)) == mesh.prev(h);
 }
 
-Primitive primitive_of(const Mesh& mesh, Face f) {
+Primitive triangle_primitive(const Mesh& mesh, Face f) {
   const Halfedge h = mesh.halfedge(f);
   return Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, f.index);
 }
@@ -38,7 +38,7 @@ std::vector<Primitive> triangles_of(const Mesh& mesh, std::span<const glm::dvec3
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     const Face f(i);
     if (!mesh.is_alive(f) || !is_plain_triangle(mesh, f)) continue;
-    const Primitive t = primitive_of(mesh, f);
+    const Primitive t = triangle_primitive(mesh, f);
     if (std::all_of(t.vertices.begin(), t.vertices.end(), [&](std::uint32_t v) { return is_finite(places[v]); }))
       triangles.push_back(t);
   }

@@ -19,15 +19,8 @@ struct Quadric {
   void add_plane(const glm::dvec3& normal, const glm::dvec3& through, double plane_weight) {
     const glm::dvec3 n = plane_weight * normal;
     const double d = -glm::dot(normal, through);
-    xx += n.x * normal.x;
-    xy += n.x * normal.y;
-    xz += n.x * normal.z;
-    yy += n.y * normal.y;
-    yz += n.y * normal.z;
-    zz += n.z * normal.z;
-    b += d * n;
-    c += plane_weight * d * d;
-    weight += plane_weight;
+    *this += {n.x * normal.x, n.x * normal.y, n.x * normal.z,       n.y * normal.y, n.y * normal.z,
+              n.z * normal.z, d * n,          plane_weight * d * d, plane_weight};
   }
 
   Quadric& operator+=(const Quadric& q) {

@@ -10,23 +10,6 @@
 
 namespace ryosen::smooth {
 
-namespace {
-
-using PointPair = std::pair<std::uint32_t, std::uint32_t>;
-
-std::vector<PointPair> joined_pairs(const Mesh& mesh) {
-  std::vector<PointPair> pairs;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
-    if (is_finite(mesh.position(a)) && is_finite(mesh.position(b)))
-      pairs.emplace_back(point(mesh, a).index, point(mesh, b).index);
-  }
-  return pairs;
-}
-
-}  // namespace
-
 void cut_scaled(const Mesh& mesh, double scale, FacePolygon& polygon, std::vector<CornerTriangle>& out) {
   if (polygon.corners().size() > 3)
     for (const Halfedge corner : polygon.corners()) polygon.move(corner, scale * mesh.position(mesh.from(corner)));
@@ -54,7 +37,13 @@ std::vector<Triangle> triangles_of(const Mesh& mesh, double scale) {
 
 Laplacian::Laplacian(const Mesh& mesh, WeightKind kind, std::span<const Triangle> triangles)
     : kind_(kind), begin_(std::size_t{mesh.vertex_slots()} + 1, 0), sums_(mesh.vertex_slots(), 0.0) {
-  std::vector<PointPair> pairs = joined_pairs(mesh);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // that are joined
+  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
+    const auto [a, b] = ends(mesh, Edge(i));
+    if (is_finite(mesh.position(a)) && is_finite(mesh.position(b)))
+      pairs.emplace_back(point(mesh, a).index, point(mesh, b).index);
+  }
   if (kind == WeightKind::cotangent)
     for (const Triangle& t : triangles)
       for (std::size_t k = 0; k < 3; ++k) pairs.emplace_back(t[k], t[(k + 1) % 3]);

@@ -1,5 +1,7 @@
 #include "ryosen/algo/algorithm_rows.h"
 
+#include <algorithm>
+
 #include "ryosen/algo/smooth/smooth.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/base/count_text.h"
@@ -10,27 +12,32 @@ namespace ryosen {
 
 namespace {
 
-constexpr smooth::Method methods[] = {smooth::Method::laplace, smooth::Method::implicit, smooth::Method::taubin};
-constexpr Choice method_choices[] = {
-    {"laplace", "Laplace", "ラプラシアン"}, {"implicit", "Implicit", "陰解法"}, {"taubin", "Taubin", "Taubin"}};
-constexpr smooth::WeightKind weight_kinds[] = {smooth::WeightKind::cotangent, smooth::WeightKind::uniform};
-constexpr Choice weight_choices[] = {{"cotangent", "Cotangent", "余接"}, {"uniform", "Uniform", "均一"}};
-constexpr smooth::BoundaryRule boundary_rules[] = {smooth::BoundaryRule::locked, smooth::BoundaryRule::sliding,
-                                                   smooth::BoundaryRule::free};
-constexpr Choice boundary_choices[] = {
-    {"locked", "Locked", "固定"}, {"sliding", "Sliding", "境界に沿う"}, {"free", "Free", "自由"}};
+// A choice and what it stands for.
+template <class Value>
+struct ChoiceOf {
+  Value value;
+  std::string_view id, en, ja;
+};
+constexpr ChoiceOf<smooth::Method> methods[] = {{smooth::Method::laplace, "laplace", "Laplace", "ラプラシアン"},
+                                                {smooth::Method::implicit, "implicit", "Implicit", "陰解法"},
+                                                {smooth::Method::taubin, "taubin", "Taubin", "Taubin"}};
+constexpr ChoiceOf<smooth::WeightKind> weight_kinds[] = {
+    {smooth::WeightKind::cotangent, "cotangent", "Cotangent", "余接"},
+    {smooth::WeightKind::uniform, "uniform", "Uniform", "均一"}};
+constexpr ChoiceOf<smooth::BoundaryRule> boundary_rules[] = {
+    {smooth::BoundaryRule::locked, "locked", "Locked", "固定"},
+    {smooth::BoundaryRule::sliding, "sliding", "Sliding", "境界に沿う"},
+    {smooth::BoundaryRule::free, "free", "Free", "自由"}};
 
 template <class Value, std::size_t n>
-Value chosen(const ParameterValues& values, std::string_view id, const Value (&of)[n], const Choice (&choices)[n]) {
-  for (std::size_t i = 0; i < n; ++i)
-    if (choices[i].id == values.choice(id)) return of[i];
-  return of[0];
+Value chosen(std::string_view id, const ChoiceOf<Value> (&choices)[n]) {
+  return std::find_if(choices, choices + n - 1, [&](const ChoiceOf<Value>& c) { return c.id == id; })->value;
 }
 
 smooth::Options options_of_smoothing(const ParameterValues& values) {
-  return {.method = chosen(values, "method", methods, method_choices),
-          .weights = chosen(values, "weights", weight_kinds, weight_choices),
-          .boundary = chosen(values, "boundary", boundary_rules, boundary_choices),
+  return {.method = chosen(values.choice("method"), methods),
+          .weights = chosen(values.choice("weights"), weight_kinds),
+          .boundary = chosen(values.choice("boundary"), boundary_rules),
           .steps = values.count("steps"),
           .strength = values.number("strength"),
           .pass_band = values.number("pass_band"),
@@ -94,11 +101,10 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   return result;
 }
 
-template <std::size_t n>
-ParameterRow choice_row(const RowWords& words, const Choice (&choices)[n]) {
-  return parameter_row(words, {.kind = ParameterKind::choice,
-                               .initial = choices[0].id,
-                               .choices = std::vector<Choice>(std::begin(choices), std::end(choices))});
+template <class Choices>
+ParameterRow choice_row(const RowWords& words, const Choices& choices) {
+  return parameter_row(words,
+                       {.kind = ParameterKind::choice, .initial = choices[0].id, .choices = choices_of(choices)});
 }
 
 std::vector<ParameterRow> smoothing_parameters() {
@@ -107,7 +113,7 @@ std::vector<ParameterRow> smoothing_parameters() {
           {"method", "Method", "方法",
            "laplace moves towards the neighbours, implicit takes large steps at once, taubin hardly shrinks or grows",
            "laplace は近傍へ動かし、implicit は大きな一歩を安定に進め、taubin はほとんど縮まない"},
-          method_choices),
+          methods),
       parameter_row({"steps", "Steps", "回数", "how often", "繰り返す回数"},
                     {.kind = ParameterKind::count, .initial = "10", .smallest = 1, .largest = 1000000}),
       parameter_row(
@@ -118,11 +124,11 @@ std::vector<ParameterRow> smoothing_parameters() {
       choice_row({"weights", "Weights", "重み",
                   "how much each neighbour counts: by the angles across from it (not below 0), or all alike",
                   "近傍の重み：向かいの角の余接（負は 0）、またはすべて等しく"},
-                 weight_choices),
+                 weight_kinds),
       choice_row({"boundary", "Boundary", "境界",
                   "boundary vertices stay, move along the boundary (its corners stay), or move as all others",
                   "境界の頂点を固定するか、境界に沿って動かす（角は固定）か、他と同じに動かす"},
-                 boundary_choices),
+                 boundary_rules),
       parameter_row(
           {"keep_volume", "Keep the volume", "体積を保つ", "gives each closed part its volume back, along the normals",
            "閉じた部分ごとに、法線方向へ動かして元の体積に戻す"},

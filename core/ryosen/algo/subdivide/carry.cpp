@@ -320,15 +320,15 @@ void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& 
   }
 }
 
-// Calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step, gives vertices
-// what the step makes of their values, and calls faces(column) for those of faces.
-template <class Corners, class Faces>
+// Gives vertices what the step makes of their values, faces those of the one in which they are the child(halfedge), and
+// calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step.
+template <class Corners, class Child>
 void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
-                   MeshColumns& out, const Corners& corners, const Faces& faces) {
+                   MeshColumns& out, const Corners& corners, const Child& child) {
   out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
   for (AttributeColumn& column : out.attributes) {
     if (column.element == ElementKind::vertex) carry_vertices(mesh, creases, step, added, column);
-    if (column.element == ElementKind::face) faces(column);
+    if (column.element == ElementKind::face) carry_faces(mesh, column, out.face_halfedge.size(), child);
   }
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
     const Charts charts(mesh, creases, attribute);
@@ -355,10 +355,7 @@ void carry_split(const Mesh& mesh, const Creases& creases, Scheme scheme, const 
   const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
     carry_split_corners(mesh, n, charts, to);
   };
-  const auto faces = [&](AttributeColumn& column) {
-    carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.at_corner(h); });
-  };
-  carry_columns(mesh, creases, step, added, out, corners, faces);
+  carry_columns(mesh, creases, step, added, out, corners, [&](Halfedge h) { return n.at_corner(h); });
 }
 
 void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, const Sqrt3Numbers& n, MeshColumns& out) {
@@ -377,10 +374,7 @@ void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, co
   const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
     carry_sqrt3_corners(mesh, n, charts, to);
   };
-  const auto faces = [&](AttributeColumn& column) {
-    carry_faces(mesh, column, n.face_slots(), [&](Halfedge h) { return n.triangle(h); });
-  };
-  carry_columns(mesh, creases, step, added, out, corners, faces);
+  carry_columns(mesh, creases, step, added, out, corners, [&](Halfedge h) { return n.triangle(h); });
 }
 
 void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, MeshColumns& out) {
@@ -391,7 +385,7 @@ void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, Mes
     for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
       if (!mesh.is_outside(h) && charts.of(h)) to[h.index] = charts.mesh().from(charts.of(h)).index;
   };
-  carry_columns(mesh, creases, step, {}, out, corners, [](AttributeColumn&) {});
+  carry_columns(mesh, creases, step, {}, out, corners, [&](Halfedge h) { return mesh.face(h); });
 }
 
 }  // namespace ryosen::subdivide

@@ -51,12 +51,10 @@ std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces, Scheme scheme, 
   return fault;
 }
 
-glm::dvec3 normal_of(const Mesh& mesh, Face f) { return polygon_normal(FacePolygon(mesh, f).keyhole_walk()); }
-
 void mark_bent_edges(const Mesh& mesh, double angle_rad, float sharpness, std::vector<float>& column) {
   std::vector<glm::dvec3> normals(mesh.face_slots(), glm::dvec3(0));
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) normals[i] = normal_of(mesh, Face(i));
+    if (mesh.is_alive(Face(i))) normals[i] = polygon_normal(FacePolygon(mesh, Face(i)).keyhole_walk());
   const double least = std::cos(angle_rad);
   for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
     if (!mesh.is_alive(Edge(i))) continue;

@@ -51,11 +51,6 @@ std::optional<Text> fault_of_size(const Mesh& mesh, const Options& options) {
   return std::nullopt;
 }
 
-// Whether an edge is sharp beside boundaries and wires.
-bool has_sharp_edges(const Creases& creases) {
-  return std::any_of(creases.sharpness.begin(), creases.sharpness.end(), [](float s) { return s > 0; });
-}
-
 bool has_outside(const Mesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i)
     if (mesh.is_alive(Halfedge(i)) && mesh.is_outside(Halfedge(i))) return true;
@@ -64,7 +59,8 @@ bool has_outside(const Mesh& mesh) {
 
 std::optional<Text> fault_of_limit(const Mesh& mesh, const Creases& creases, const Options& options) {
   if (!options.to_limit || options.scheme == Scheme::midpoint) return std::nullopt;
-  const bool is_sharp = has_sharp_edges(creases);
+  // Beside boundaries and wires.
+  const bool is_sharp = std::any_of(creases.sharpness.begin(), creases.sharpness.end(), [](float s) { return s > 0; });
   if (is_sharp && options.sharp_steps && *options.sharp_steps > static_cast<double>(options.steps))
     return Text{
         "the limit is known once no edge is sharp for a number of steps any more; take as many steps, or let the "

@@ -8,7 +8,6 @@
 #include "ryosen/mesh/append_mesh.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/mesh/rings.h"
 #include "ryosen/ops/euler/make_edge.h"
 
 namespace ryosen {
@@ -39,14 +38,10 @@ class Meant {
     if (faces_.contains(f.index)) return true;
     if (vertices_.empty() && edges_.empty()) return false;
     bool all_corners = true, all_sides = true;
-    for_each_loop(mesh_, f, [&](Halfedge start) {
-      Halfedge h = start;
-      do {
-        all_corners = all_corners && has_vertex(mesh_.from(h));
-        all_sides = all_sides && has_edge(edge(h));
-        h = mesh_.next(h);
-      } while (h != start);
-    });
+    for (const Halfedge h : halfedges_around(mesh_, f)) {
+      all_corners = all_corners && has_vertex(mesh_.from(h));
+      all_sides = all_sides && has_edge(edge(h));
+    }
     return all_corners || all_sides;
   }
 
@@ -142,11 +137,7 @@ Part part_of(const Mesh& mesh, std::span<const Element> elements, const FileTabl
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i)) || !meant.has_face(Face(i))) continue;
     faces[compact.face_number[i]] = true;
-    for_each_loop(mesh, Face(i), [&](Halfedge start) {
-      Halfedge h = start;
-      do take_point(mesh.from(h));
-      while ((h = mesh.next(h)) != start);
-    });
+    for (const Vertex v : vertices_around(mesh, Face(i))) take_point(v);
   }
   Part part;
   std::vector<Edge> wires;

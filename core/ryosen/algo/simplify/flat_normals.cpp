@@ -14,8 +14,7 @@ namespace {
 
 // The unit normal of a face; none where it has no area.
 std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
-  FacePolygon polygon;
-  polygon.read(mesh, f);
+  const FacePolygon polygon(mesh, f);
   if (!polygon.is_finite()) return std::nullopt;
   const glm::dvec3 normal = polygon_normal(polygon.keyhole_walk());
   const double length = glm::length(normal);

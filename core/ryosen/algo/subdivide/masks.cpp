@@ -91,20 +91,17 @@ Places limit_by(const Mesh& mesh, const Creases& creases, Scheme scheme, const S
   return places;
 }
 
-glm::dvec3 centre_of_corners(const Mesh& mesh, Face f) {
-  double n = 0;
-  for ([[maybe_unused]] const Halfedge h : loop(mesh, mesh.halfedge(f))) ++n;
-  glm::dvec3 sum(0);
-  for (const Halfedge h : loop(mesh, mesh.halfedge(f))) sum += mesh.position(mesh.from(h)) / n;
-  return sum;
-}
-
-// The centres behind the places of vertices and edges, in the order of the living faces.
+// The centres behind the places of vertices and edges, in the order of the living faces: the means of their corners.
 void place_centres(const Mesh& mesh, const std::vector<std::uint32_t>& centre_of, Places& places) {
   const std::size_t first = std::size_t{mesh.vertex_slots()} + mesh.edge_slots();
   for_each_slot(mesh.face_slots(), [&](std::uint32_t i) {
     const Face f(i);
-    if (mesh.is_alive(f)) places[first + (centre_of.empty() ? i : centre_of[i])] = centre_of_corners(mesh, f);
+    if (!mesh.is_alive(f)) return;
+    double n = 0;
+    for ([[maybe_unused]] const Halfedge h : loop(mesh, mesh.halfedge(f))) ++n;
+    glm::dvec3 sum(0);
+    for (const Halfedge h : loop(mesh, mesh.halfedge(f))) sum += mesh.position(mesh.from(h)) / n;
+    places[first + (centre_of.empty() ? i : centre_of[i])] = sum;
   });
 }
 

@@ -10,7 +10,7 @@
 #include "app/cli/contract/check.h"
 #include "app/editor/commands/expect.h"
 #include "ryosen/analysis/boundary_loops.h"
-#include "ryosen/analysis/surface_name.h"
+#include "ryosen/analysis/figures.h"
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/indexed/from_indexed.h"

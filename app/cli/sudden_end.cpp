@@ -16,7 +16,7 @@
 
 #include "app/cli/contract/json.h"
 #include "ryosen/algo/edge_rules.h"
-#include "ryosen/base/out_of_memory.h"
+#include "ryosen/base/resource_limits.h"
 #include "ryosen/base/uninterrupted.h"
 #include "ryosen/io/safe_write.h"
 

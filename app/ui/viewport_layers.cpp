@@ -14,7 +14,7 @@
 #include "app/ui/overlays.h"
 #include "app/ui/style.h"
 #include "render/palette.h"
-#include "ryosen/analysis/mean_edge.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/scene/view/packed_normal.h"

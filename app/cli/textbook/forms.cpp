@@ -10,7 +10,7 @@
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/comparison.h"
 #include "ryosen/textbook/forms/records.h"

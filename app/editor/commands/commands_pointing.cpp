@@ -13,8 +13,8 @@
 #include "app/editor/session/session.h"
 #include "app/editor/texts/remedy_text.h"
 #include "ryosen/base/count_text.h"
+#include "ryosen/base/index_set.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/scene/selection/element_set.h"
 
 namespace ryosen {
 

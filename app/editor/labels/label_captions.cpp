@@ -10,9 +10,9 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/mesh.h"
-#include "ryosen/mesh/middle.h"
 
 namespace ryosen {
 

@@ -11,7 +11,7 @@
 #include "app/editor/input/input.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/recovery/autosave.h"
-#include "ryosen/base/out_of_memory.h"
+#include "ryosen/base/resource_limits.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {

@@ -16,7 +16,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
-#include "ryosen/mesh/slot_ranges.h"
 
 namespace ryosen {
 

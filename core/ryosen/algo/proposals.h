@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "ryosen/analysis/mean_edge.h"
+#include "ryosen/analysis/measures.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/mesh.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ryosen/base/column_memory.h"
-#include "ryosen/geometry/place_hash.h"
+#include "ryosen/geometry/place_keys.h"
 #include "ryosen/io/stl.h"
 
 namespace ryosen {

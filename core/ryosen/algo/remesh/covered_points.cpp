@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ryosen/geometry/point_triangle.h"
+#include "ryosen/geometry/closest.h"
 
 namespace ryosen::remesh {
 

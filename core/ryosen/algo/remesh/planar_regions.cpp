@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "ryosen/algo/preparation.h"
-#include "ryosen/algo/repair/flat_faces.h"
+#include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/polygon_normal.h"
-#include "ryosen/geometry/trees/nearest.h"
+#include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"

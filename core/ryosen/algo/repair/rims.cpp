@@ -8,7 +8,6 @@
 #include <map>
 
 #include "ryosen/algo/unit_scale.h"
-#include "ryosen/geometry/decimal_of_single.h"
 #include "ryosen/geometry/exact_sum.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/geometry/single_precision.h"

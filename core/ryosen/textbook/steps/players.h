@@ -11,7 +11,7 @@
 
 #include "ryosen/base/result.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/name_failure.h"
+#include "ryosen/mesh/names.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/steps/all.h"

@@ -95,7 +95,7 @@ struct AlgorithmRow {
   std::vector<ParameterRow> parameters = {};
   // With its initial values it moves no finite place and removes no face, but may cut faces whose edges hold a place:
   // `ryosen repair` does it unless others are named.
-  bool keeps_geometry;
+  bool keeps_geometry = false;
   std::vector<ProblemKind> solves = {};  // not empty: a repair
   // Does it within an edit, which is one entry of the history; one that was cancelled is not to be committed.
   AlgorithmResult (*run)(Edit& edit, const AlgorithmInput& input, Progress& progress);

@@ -29,6 +29,14 @@ struct Choice {
   std::string_view id, en, ja;
 };
 
+// The rows of a table as choices.
+template <class Rows>
+std::vector<Choice> choices_of(const Rows& rows) {
+  std::vector<Choice> choices;
+  for (const auto& row : rows) choices.push_back({row.id, row.en, row.ja});
+  return choices;
+}
+
 // The words of a row of a table.
 struct RowWords {
   std::string_view id;                // snake_case

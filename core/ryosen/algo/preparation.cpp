@@ -3,6 +3,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "ryosen/base/count_text.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/poke.h"
@@ -61,16 +63,6 @@ std::vector<std::uint32_t> first_equals(const AttributeColumn& pool) {
 
 }  // namespace
 
-bool ends_a_wire_or_fan(const Mesh& mesh, Vertex v) {
-  if (!mesh.is_boundary(v)) return false;
-  std::uint32_t gaps = 0;
-  for (const Halfedge h : outgoing(mesh, v)) {
-    if (mesh.is_wire(edge(h))) return true;
-    gaps += mesh.is_outside(h) ? 1u : 0u;
-  }
-  return gaps > 1;
-}
-
 std::vector<Face> polygons_of_mesh(const Mesh& mesh) {
   std::vector<Face> found;
   for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
@@ -101,6 +93,12 @@ std::optional<Text> cut_faces(Edit& edit, std::span<const Face> faces) {
     }
   }
   return std::nullopt;
+}
+
+Text cut_text(std::size_t cut_faces) {
+  if (cut_faces == 0) return {};
+  return count_text(cut_faces, "; one face was cut into triangles first", "; # faces were cut into triangles first",
+                    "（先に面 # 個を三角形に分割）");
 }
 
 void share_equal_values(Edit& edit) {

@@ -99,12 +99,6 @@ AlgorithmResult hull(Edit& edit, const AlgorithmInput& input, Progress& progress
   return result;
 }
 
-std::vector<Choice> projection_choices() {
-  std::vector<Choice> choices;
-  for (const ProjectionRow& row : projections()) choices.push_back({row.id, row.en, row.ja});
-  return choices;
-}
-
 std::vector<ParameterRow> parameters() {
   return {parameter_row({"faces", "Faces", "面", "the facets as they are, or cut into triangles",
                          "面をそのまま出すか、三角形に分けるか"},
@@ -119,7 +113,7 @@ std::vector<ParameterRow> parameters() {
                         {.kind = ParameterKind::flag, .initial = "off"}),
           parameter_row({"project", "Projection", "投影", "the polygon around the points as seen along an axis",
                          "点を軸方向に投影した多角形"},
-                        {.kind = ParameterKind::choice, .initial = "none", .choices = projection_choices()}),
+                        {.kind = ParameterKind::choice, .initial = "none", .choices = choices_of(projections())}),
           parameter_row({"measure", "Measure", "計測", "also tells its farthest pair of points and its smallest width",
                          "最も遠い 2 点と最小の幅も示す"},
                         {.kind = ParameterKind::flag, .initial = "off"})};

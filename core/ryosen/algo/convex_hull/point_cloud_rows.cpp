@@ -28,15 +28,9 @@ AlgorithmResult add_points(Edit& edit, const AlgorithmInput& input, Progress& pr
   return result;
 }
 
-std::vector<Choice> family_choices() {
-  std::vector<Choice> choices;
-  for (const PointFamilyRow& row : point_families()) choices.push_back({row.id, row.en, row.ja});
-  return choices;
-}
-
 std::vector<ParameterRow> parameters_of_points() {
   return {parameter_row({"family", "Family", "種類", "where they lie", "点の分布"},
-                        {.kind = ParameterKind::choice, .initial = "ball", .choices = family_choices()}),
+                        {.kind = ParameterKind::choice, .initial = "ball", .choices = choices_of(point_families())}),
           parameter_row({"count", "Count", "個数", "how many points", "点の個数"},
                         {.kind = ParameterKind::count, .initial = "1000", .smallest = 1, .largest = 1e7}),
           parameter_row({"seed", "Seed", "乱数の種", "the same one gives the same points", "同じ値なら同じ点になる"},

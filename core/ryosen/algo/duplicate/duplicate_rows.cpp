@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ryosen/algo/duplicate/part.h"
-#include "ryosen/algo/preparation.h"
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/repair/point_merger.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/circulate.h"
@@ -144,7 +144,6 @@ std::vector<AlgorithmRow> duplicate_rows() {
                     {.parameters = {elements(), parameter_row({"by", "By", "移動量", "how far the copy lies from there",
                                                                "複製をずらす量"},
                                                               {.kind = ParameterKind::place, .initial = "0,0,0"})},
-                     .keeps_geometry = false,
                      .run = duplicate,
                      .selects_added = true}),
       algorithm_row(
@@ -162,7 +161,6 @@ std::vector<AlgorithmRow> duplicate_rows() {
                                          "面からこの距離以内の境界頂点を鏡像と共有する（省くと共有しない）"},
                                         {.kind = ParameterKind::length}),
                           elements()},
-           .keeps_geometry = false,
            .run = mirror,
            .selects_added = true}),
   };

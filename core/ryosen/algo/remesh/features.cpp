@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/preparation.h"
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/remesh/triangle_shape.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/attribute.h"

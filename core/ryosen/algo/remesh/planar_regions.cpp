@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "ryosen/algo/preparation.h"
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/repair/sound_changes.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/polygon_normal.h"
@@ -30,18 +30,19 @@ struct Border {
 class RegionUniter {
  public:
   RegionUniter(Edit& edit, const PlanarOptions& options)
-      : edit_(edit), mesh_(edit.mesh()), options_(options), region_(mesh_.face_slots(), no_index) {
+      : edit_(edit),
+        mesh_(edit.mesh()),
+        options_(options),
+        region_(mesh_.face_slots(), no_index),
+        normals_(mesh_.face_slots(), glm::dvec3(0)),
+        areas_(mesh_.face_slots(), 0) {
     for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
-      if (!mesh_.is_alive(Face(i))) {
-        normals_.emplace_back(0);
-        areas_.push_back(0);
-        continue;
-      }
+      if (!mesh_.is_alive(Face(i))) continue;
       const FacePolygon polygon(mesh_, Face(i));
-      const bool is_finite = polygon.is_finite();
+      if (!polygon.is_finite()) continue;
       const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
-      normals_.push_back(is_finite ? polygon_normal(walk) : glm::dvec3(0));
-      areas_.push_back(is_finite ? polygon_area(walk) : 0);
+      normals_[i] = polygon_normal(walk);
+      areas_[i] = polygon_area(walk);
     }
   }
 

@@ -168,24 +168,19 @@ MetPlaces places_of(const Mesh& mesh, std::span<const FacePair> pairs, double re
 }
 
 // What is known of a surface before it changes.
-class Start {
- public:
+struct Start {
+  std::optional<Target> target;
+  Features features;
+  std::optional<CoveredPoints> points;
+
   Start(const Mesh& triangles, const Sizing& sizing, const Options& options) {
-    do_beside([&] { target_.emplace(triangles, sizing); },
+    do_beside([&] { target.emplace(triangles, sizing); },
               [&] {
-                features_ = find_features(triangles, options.feature_angle_rad);
-                for (const Vertex v : options.on_lines) features_.vertices[v.index] = 1;
-                points_.emplace(triangles, features_, sizing.shortest());
+                features = find_features(triangles, options.feature_angle_rad);
+                for (const Vertex v : options.on_lines) features.vertices[v.index] = 1;
+                points.emplace(triangles, features, sizing.shortest());
               });
   }
-  const Target& target() const { return *target_; }
-  const Features& features() const { return features_; }
-  const CoveredPoints& points() const { return *points_; }
-
- private:
-  std::optional<Target> target_;
-  Features features_;
-  std::optional<CoveredPoints> points_;
 };
 
 // Remeshing in attempts, each of which watches more closely than the one before.
@@ -200,8 +195,8 @@ class Attempts {
     for (int attempt = 0; attempt < most; ++attempt) {
       Mesh work = start_;
       Edit edit(work, nullptr);
-      SurfaceKeeper keeper(work, known_.points(), watched_, met_);
-      Remesher remesher(edit, known_.features(), known_.target(), keeper);
+      SurfaceKeeper keeper(work, *known_.points, watched_, met_);
+      Remesher remesher(edit, known_.features, *known_.target, keeper);
       result.is_cancelled = !run_rounds(remesher, options_, progress);
       if (!result.is_cancelled) remesher.take_values(start_);
       edit.commit();

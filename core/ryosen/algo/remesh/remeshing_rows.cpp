@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/proposals.h"
 #include "ryosen/algo/remesh/planar_regions.h"
 #include "ryosen/algo/remesh/remesh.h"
@@ -11,12 +12,6 @@
 namespace ryosen {
 
 namespace {
-
-Text cut_text(std::size_t cut_faces) {
-  if (cut_faces == 0) return {};
-  return count_text(cut_faces, "; one face was cut into triangles first", "; # faces were cut into triangles first",
-                    "（先に面 # 個を三角形に分割）");
-}
 
 Text refused_text(std::size_t refused) {
   if (refused == 0) return {};
@@ -133,7 +128,6 @@ std::vector<AlgorithmRow> remeshing_rows() {
                                          "edges whose faces bend by at least this are features",
                                          "両側の面がこの角度以上に曲がる稜線を特徴として保つ"},
                                         {.kind = ParameterKind::angle, .initial = "45"})},
-           .keeps_geometry = false,
            .run = remesh_mesh,
            .lineage = Lineage::lost,
            .has_goal = true}),
@@ -144,7 +138,6 @@ std::vector<AlgorithmRow> remeshing_rows() {
                          {"most_turn", "Largest bend", "最大の曲がり", "edges whose faces bend by at least this stay",
                           "両側の面がこの角度以上に曲がる稜線は交換しない"},
                          {.kind = ParameterKind::angle, .initial = "10"})},
-                     .keeps_geometry = false,
                      .run = swap_to_delaunay,
                      .lineage = Lineage::told}),
       algorithm_row(
@@ -164,7 +157,6 @@ std::vector<AlgorithmRow> remeshing_rows() {
                                         {.kind = ParameterKind::choice,
                                          .initial = "keep",
                                          .choices = {{"keep", "keep", "残す"}, {"drop", "drop", "取り除く"}}})},
-           .keeps_geometry = false,
            .run = unite_planar_regions})};
 }
 

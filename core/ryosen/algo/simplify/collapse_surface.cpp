@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ryosen/algo/preparation.h"
+#include "ryosen/algo/features.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

@@ -21,10 +21,6 @@ std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
   return length > 0 ? std::optional(normal / length) : std::nullopt;
 }
 
-bool is_normal_column(const AttributeColumn& column) {
-  return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
-}
-
 // Whether all corners of a face have one normal, which files write with few digits.
 bool is_flat(const Mesh& mesh, Face f, const AttributeColumn& index, const AttributeColumn& pool) {
   constexpr double least_cosine = 0.9;
@@ -49,7 +45,9 @@ bool take_flat_normals(Mesh& mesh) {
   for (Face f(0); f.index < mesh.face_slots(); ++f.index)
     if (mesh.is_alive(f) && !is_flat(mesh, f, *index, *pool)) return false;
   MeshColumns columns = mesh.columns();
-  std::erase_if(columns.attributes, is_normal_column);
+  std::erase_if(columns.attributes, [](const AttributeColumn& column) {
+    return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
+  });
   mesh = Mesh(std::move(columns));
   return true;
 }

@@ -65,9 +65,33 @@ class NearerSwaps {
         square_at_middle_(mesh_.edge_slots(), unknown) {}
 
   // Gives each sample to the face that it is nearest to; false where it is cancelled.
-  bool assign(Progress& progress);
+  bool assign(Progress& progress) {
+    const TriangleTree tree(places_, triangles_of(mesh_, places_), 1);
+    const auto count = static_cast<std::uint32_t>(before_.samples.size());
+    std::vector<std::uint32_t> faces(count, no_index);
+    constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
+    for (std::uint32_t first = 0; first < count && !tree.is_empty(); first += piece) {
+      if (!progress.go_on()) return false;
+      const std::uint32_t here = std::min(piece, count - first);
+      for_each_part(here, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = first + begin; i < first + end; ++i)
+          faces[i] = tree.owner(tree.nearest(before_.samples[i].place).triangle);
+      });
+    }
+    first_.assign(mesh_.face_slots(), no_index);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (faces[i] != no_index) put(Face(faces[i]), i);
+    return true;
+  }
   // Whether it was swapped.
-  bool try_edge(Edge e);
+  bool try_edge(Edge e) {
+    const Halfedge h = halfedge(e), o = twin(h);
+    if (!surface_.may_swap(h)) return false;
+    const Quad quad{mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(o))};
+    if (!comes_nearer(h, quad) || surface_.swap_spoils_face(h) || !SwapEdge{h}.is_legal(mesh_)) return false;
+    swap(h, quad);
+    return true;
+  }
   // The sides of both faces of an edge.
   template <class Visit>
   void for_each_side(Edge e, Visit visit) const {
@@ -112,8 +136,40 @@ class NearerSwaps {
     if (square == unknown) square = square_between(mesh_.from(h), mesh_.to(h));
     return square;
   }
-  bool comes_nearer(Halfedge h, const Quad& quad);
-  void swap(Halfedge h, const Quad& quad);
+  // Whether the edge of two faces, swapped, makes both surfaces come nearer to each other.
+  bool comes_nearer(Halfedge h, const Quad& quad) {
+    const auto [a, b, c, d] = quad;
+    const Primitive was_left = triangle(a, b, c), was_right = triangle(b, a, d);
+    const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
+    double was = 0, is = 0;
+    for (Halfedge side : {h, twin(h)})
+      for_each_sample(mesh_.face(side), [&](std::uint32_t s) {
+        was += before_.samples[s].area * std::min(square(was_left, s), square(was_right, s));
+        is += before_.samples[s].area * std::min(square(new_a, s), square(new_b, s));
+      });
+    const double left = area(a, b, c) / 3, right = area(b, a, d) / 3, at_a = area(c, a, d) / 3,
+                 at_b = area(d, b, c) / 3;
+    const double bc = square_at_middle(mesh_.next(h)), ca = square_at_middle(mesh_.prev(h));
+    const double ad = square_at_middle(mesh_.next(twin(h))), db = square_at_middle(mesh_.prev(twin(h)));
+    was += left * (bc + ca) + right * (ad + db) + (left + right) * square_at_middle(h);
+    is += at_a * (ca + ad) + at_b * (bc + db);
+    const double wanted = was * (1 - least_gain);
+    return is < wanted && is + (at_a + at_b) * square_between(c, d) < wanted;
+  }
+  void swap(Halfedge h, const Quad& quad) {
+    const auto [a, b, c, d] = quad;
+    std::vector<std::uint32_t> samples;
+    for (Face f : {mesh_.face(h), mesh_.face(twin(h))}) {
+      for_each_sample(f, [&](std::uint32_t s) { samples.push_back(s); });
+      first_[f.index] = no_index;
+    }
+    SwapEdge{h}.apply(edit_);
+    square_at_middle_[edge(h).index] = unknown;
+    const bool is_first = mesh_.from(mesh_.prev(h)) == a;
+    const Face with_a = mesh_.face(is_first ? h : twin(h)), with_b = mesh_.face(is_first ? twin(h) : h);
+    const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
+    for (const std::uint32_t s : samples) put(square(new_a, s) <= square(new_b, s) ? with_a : with_b, s);
+  }
 
   Edit& edit_;
   const Mesh& mesh_;
@@ -124,69 +180,6 @@ class NearerSwaps {
   std::vector<std::uint32_t> next_;       // by sample, the next one of its face
   std::vector<double> square_at_middle_;  // by edge, or unknown
 };
-
-bool NearerSwaps::assign(Progress& progress) {
-  const TriangleTree tree(places_, triangles_of(mesh_, places_), 1);
-  const auto count = static_cast<std::uint32_t>(before_.samples.size());
-  std::vector<std::uint32_t> faces(count, no_index);
-  constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
-  for (std::uint32_t first = 0; first < count && !tree.is_empty(); first += piece) {
-    if (!progress.go_on()) return false;
-    const std::uint32_t here = std::min(piece, count - first);
-    for_each_part(here, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = first + begin; i < first + end; ++i)
-        faces[i] = tree.owner(tree.nearest(before_.samples[i].place).triangle);
-    });
-  }
-  first_.assign(mesh_.face_slots(), no_index);
-  for (std::uint32_t i = 0; i < count; ++i)
-    if (faces[i] != no_index) put(Face(faces[i]), i);
-  return true;
-}
-
-// Whether the edge of two faces, swapped, makes both surfaces come nearer to each other.
-bool NearerSwaps::comes_nearer(Halfedge h, const Quad& quad) {
-  const auto [a, b, c, d] = quad;
-  const Primitive was_left = triangle(a, b, c), was_right = triangle(b, a, d);
-  const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
-  double was = 0, is = 0;
-  for (Halfedge side : {h, twin(h)})
-    for_each_sample(mesh_.face(side), [&](std::uint32_t s) {
-      was += before_.samples[s].area * std::min(square(was_left, s), square(was_right, s));
-      is += before_.samples[s].area * std::min(square(new_a, s), square(new_b, s));
-    });
-  const double left = area(a, b, c) / 3, right = area(b, a, d) / 3, at_a = area(c, a, d) / 3, at_b = area(d, b, c) / 3;
-  const double bc = square_at_middle(mesh_.next(h)), ca = square_at_middle(mesh_.prev(h));
-  const double ad = square_at_middle(mesh_.next(twin(h))), db = square_at_middle(mesh_.prev(twin(h)));
-  was += left * (bc + ca) + right * (ad + db) + (left + right) * square_at_middle(h);
-  is += at_a * (ca + ad) + at_b * (bc + db);
-  const double wanted = was * (1 - least_gain);
-  return is < wanted && is + (at_a + at_b) * square_between(c, d) < wanted;
-}
-
-void NearerSwaps::swap(Halfedge h, const Quad& quad) {
-  const auto [a, b, c, d] = quad;
-  std::vector<std::uint32_t> samples;
-  for (Face f : {mesh_.face(h), mesh_.face(twin(h))}) {
-    for_each_sample(f, [&](std::uint32_t s) { samples.push_back(s); });
-    first_[f.index] = no_index;
-  }
-  SwapEdge{h}.apply(edit_);
-  square_at_middle_[edge(h).index] = unknown;
-  const bool is_first = mesh_.from(mesh_.prev(h)) == a;
-  const Face with_a = mesh_.face(is_first ? h : twin(h)), with_b = mesh_.face(is_first ? twin(h) : h);
-  const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
-  for (const std::uint32_t s : samples) put(square(new_a, s) <= square(new_b, s) ? with_a : with_b, s);
-}
-
-bool NearerSwaps::try_edge(Edge e) {
-  const Halfedge h = halfedge(e), o = twin(h);
-  if (!surface_.may_swap(h)) return false;
-  const Quad quad{mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(o))};
-  if (!comes_nearer(h, quad) || surface_.swap_spoils_face(h) || !SwapEdge{h}.is_legal(mesh_)) return false;
-  swap(h, quad);
-  return true;
-}
 
 }  // namespace
 

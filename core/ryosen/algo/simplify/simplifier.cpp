@@ -1,8 +1,9 @@
 #include "ryosen/algo/simplify/simplifier.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/simplify/nearer_swaps.h"
 #include "ryosen/algo/simplify/plain_collapse.h"
 #include "ryosen/algo/simplify/ring_values.h"
@@ -312,38 +313,6 @@ EdgeRule Simplifier::rule_of(Edge e) const {
   return last;
 }
 
-namespace {
-
-struct Sheet {
-  std::uint32_t a, b;  // its points
-  std::uint32_t edge;
-};
-
-// The sheets of edges whose points have several, those of an edge one after the other.
-std::vector<Sheet> sheets_of(const Mesh& mesh, std::span<const std::uint8_t> rules) {
-  std::vector<Sheet> sheets;
-  for (std::uint32_t i = 0; i < rules.size(); ++i) {
-    const Halfedge h = halfedge(Edge(i));
-    if (rules[i] == no_rule || !has_copies(mesh, mesh.from(h)) || !has_copies(mesh, mesh.to(h))) continue;
-    const std::uint32_t a = point(mesh, mesh.from(h)).index, b = point(mesh, mesh.to(h)).index;
-    sheets.push_back({std::min(a, b), std::max(a, b), i});
-  }
-  std::sort(sheets.begin(), sheets.end(),
-            [](const Sheet& x, const Sheet& y) { return std::tie(x.a, x.b, x.edge) < std::tie(y.a, y.b, y.edge); });
-  return sheets;
-}
-
-// Calls visit(sheets) for each edge of several.
-template <class Visit>
-void for_each_edge_of(std::span<const Sheet> sheets, Visit visit) {
-  for (std::size_t begin = 0, end = 0; begin < sheets.size(); begin = end) {
-    while (end < sheets.size() && sheets[end].a == sheets[begin].a && sheets[end].b == sheets[begin].b) ++end;
-    visit(sheets.subspan(begin, end - begin));
-  }
-}
-
-}  // namespace
-
 std::vector<std::uint8_t> find_remaining(const Mesh& mesh, const Simplifier& simplifier, Progress& progress) {
   std::vector<std::uint8_t> rules(mesh.edge_slots(), no_rule);
   const CollapseSurface::Standstill still = simplifier.standstill();
@@ -352,11 +321,11 @@ std::vector<std::uint8_t> find_remaining(const Mesh& mesh, const Simplifier& sim
     if (const Edge e(i); mesh.is_alive(e) && !mesh.is_wire(e) && !is_bridge(mesh, halfedge(e)))
       rules[i] = static_cast<std::uint8_t>(simplifier.rule_of(e));
   }
-  const std::vector<Sheet> sheets = sheets_of(mesh, rules);
-  for_each_edge_of(sheets, [&](std::span<const Sheet> edge) {
+  sheet_groups(mesh).for_each([&](std::span<const Edge> sheets) {
     std::uint8_t first = no_rule;
-    for (const Sheet& sheet : edge) first = std::min(first, rules[sheet.edge]);
-    for (const Sheet& sheet : edge) rules[sheet.edge] = first;
+    for (const Edge e : sheets) first = std::min(first, rules[e.index]);
+    for (const Edge e : sheets)
+      if (rules[e.index] != no_rule) rules[e.index] = first;
   });
   return rules;
 }
@@ -365,8 +334,11 @@ std::vector<std::size_t> count_remaining(const Mesh& mesh, std::span<const std::
   std::vector<std::size_t> counts(edge_rule_table().size());
   for (const std::uint8_t rule : rules)
     if (rule != no_rule) ++counts[rule];
-  const std::vector<Sheet> sheets = sheets_of(mesh, rules);
-  for_each_edge_of(sheets, [&](std::span<const Sheet> edge) { counts[rules[edge[0].edge]] -= edge.size() - 1; });
+  sheet_groups(mesh).for_each([&](std::span<const Edge> sheets) {
+    bool is_counted = false;
+    for (const Edge e : sheets)
+      if (const std::uint8_t rule = rules[e.index]; rule != no_rule && std::exchange(is_counted, true)) --counts[rule];
+  });
   return counts;
 }
 

@@ -54,7 +54,8 @@ class LevelQueue {
       std::vector<std::uint32_t>().swap(levels_[current_]);
       place_ = 0;
       if (current_ + 1 == levels_.size()) {
-        restart();
+        current_ = 0;
+        place_ = static_cast<std::size_t>(-1);
         return false;
       }
       ++current_;
@@ -78,10 +79,6 @@ class LevelQueue {
  private:
   static constexpr double smallest = 0x1p-120, largest = 0x1p40;
 
-  void restart() {
-    current_ = 0;
-    place_ = static_cast<std::size_t>(-1);
-  }
   std::uint64_t key_of(double cost) const { return std::bit_cast<std::uint64_t>(cost) >> shift_; }
 
   unsigned shift_;

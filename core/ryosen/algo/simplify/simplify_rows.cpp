@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view goals = "faces, ratio, error";
 
-std::vector<ParameterRow> goal_parameters() {
+std::vector<ParameterRow> simplify_parameters() {
   return {
       parameter_row({"faces", "Faces", "面の数", "so many faces are left at most", "残す面の数の上限"},
                     {.kind = ParameterKind::count, .one_of = goals}),
@@ -23,11 +23,7 @@ std::vector<ParameterRow> goal_parameters() {
       parameter_row({"relative", "Relative", "相対値",
                      "the error is a share of the diagonal of the mesh's bounding box, as one with % is anyway",
                      "誤差をメッシュの境界箱の対角線に対する割合とする（% 付きの値は常にそうなる）"},
-                    {.kind = ParameterKind::flag, .initial = "off"})};
-}
-
-std::vector<ParameterRow> limit_parameters() {
-  return {
+                    {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row(
           {"boundary", "Boundary", "境界", "weighted keeps its line, free does not, locked keeps its every vertex",
            "weighted は線を保ち、free は保たず、locked は頂点もすべて保つ"},
@@ -56,37 +52,30 @@ std::vector<ParameterRow> limit_parameters() {
                     {.kind = ParameterKind::elements, .is_worked_on = true}),
       parameter_row({"lock", "Locked", "固定", "vertices of these elements stay where they are",
                      "これらの要素の頂点を動かさない"},
-                    {.kind = ParameterKind::elements})};
-}
-
-std::vector<ParameterRow> way_parameters() {
-  return {parameter_row({"triangulate", "Triangulate", "三角形分割", "polygons are cut into triangles first",
-                         "先に多角形を三角形に分割する"},
-                        {.kind = ParameterKind::flag, .initial = "off"}),
-          parameter_row({"remove_small", "Remove small parts", "小さな部分の削除",
-                         "parts smaller than the error go, where the goal is not reached otherwise",
-                         "目標に達しないとき、誤差より小さい部分を丸ごと取り除く"},
-                        {.kind = ParameterKind::flag, .initial = "off"}),
-          parameter_row({"no_self_intersections", "No self-intersections", "自己交差の防止",
-                         "faces of a mesh of triangles that does not meet itself do not come to meet",
-                         "自己交差のない三角形メッシュで、面を新たに交わらせない"},
-                        {.kind = ParameterKind::flag, .initial = "off"}),
-          parameter_row({"effort", "Effort", "手間",
-                         "more takes longer and loses less; 2 also swaps edges where the surface comes nearer",
-                         "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もする）"},
-                        {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
+                    {.kind = ParameterKind::elements}),
+      parameter_row({"triangulate", "Triangulate", "三角形分割", "polygons are cut into triangles first",
+                     "先に多角形を三角形に分割する"},
+                    {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row({"remove_small", "Remove small parts", "小さな部分の削除",
+                     "parts smaller than the error go, where the goal is not reached otherwise",
+                     "目標に達しないとき、誤差より小さい部分を丸ごと取り除く"},
+                    {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row({"no_self_intersections", "No self-intersections", "自己交差の防止",
+                     "faces of a mesh of triangles that does not meet itself do not come to meet",
+                     "自己交差のない三角形メッシュで、面を新たに交わらせない"},
+                    {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row({"effort", "Effort", "手間",
+                     "more takes longer and loses less; 2 also swaps edges where the surface comes nearer",
+                     "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もする）"},
+                    {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
 }
 
 }  // namespace
 
 std::vector<AlgorithmRow> simplify_rows() {
-  std::vector<ParameterRow> parameters = goal_parameters();
-  for (const std::vector<ParameterRow>& more : {limit_parameters(), way_parameters()})
-    parameters.insert(parameters.end(), more.begin(), more.end());
   return {algorithm_row({"simplify", "Simplify", "簡略化", "takes faces away while the surface stays nearly the same",
                          "形をほとんど変えずに面を減らす"},
-                        {.parameters = std::move(parameters),
-                         .keeps_geometry = false,
+                        {.parameters = simplify_parameters(),
                          .run = simplify,
                          .lineage = Lineage::told,
                          .has_goal = true,

@@ -4,8 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "ryosen/algo/preparation.h"
-#include "ryosen/algo/smooth/keep_volume.h"
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/is_finite.h"
@@ -214,12 +213,7 @@ class Smoother {
       result.is_cancelled = true;
       return result;
     }
-    if (options_.keeps_volume) {
-      const KeptVolume kept = keep_volume(mesh_, scale_, shares_, start, places_);
-      result.kept_parts = kept.parts;
-      result.open_parts = kept.open_parts;
-      result.failed_parts = kept.failed_parts;
-    }
+    if (options_.keeps_volume) result.volume = keep_volume(mesh_, scale_, shares_, start, places_);
     result.places = std::move(places_);
     for (std::uint32_t i = 0; i < result.places.size(); ++i) {
       const bool stays = result.places[i] == start[i] || !is_finite(result.places[i]);

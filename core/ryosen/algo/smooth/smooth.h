@@ -12,7 +12,7 @@
 
 #include <optional>
 
-#include "ryosen/algo/smooth/laplacian.h"
+#include "ryosen/algo/smooth/keep_volume.h"
 #include "ryosen/base/progress.h"
 
 namespace ryosen::smooth {
@@ -34,7 +34,7 @@ struct Options {
 
 struct Smoothed {
   Places places;  // per vertex slot; that of a point stands for its copies
-  std::size_t kept_parts = 0, open_parts = 0, failed_parts = 0;  // as in KeptVolume
+  KeptVolume volume;
   bool is_cancelled = false;
 };
 

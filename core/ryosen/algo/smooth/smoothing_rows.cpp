@@ -63,15 +63,15 @@ std::optional<Text> fault_of_smoothing(const smooth::Options& options) {
   return std::nullopt;
 }
 
-Text volume_text(const smooth::Smoothed& made) {
-  Text text = count_text(made.kept_parts, "; one part kept its volume", "; # parts kept their volume",
-                         "（部分 # 個の体積を保持）");
-  if (made.open_parts > 0)
-    text = text + count_text(made.open_parts, "; one part has no volume, since it is not closed",
+Text volume_text(const smooth::KeptVolume& kept) {
+  Text text =
+      count_text(kept.parts, "; one part kept its volume", "; # parts kept their volume", "（部分 # 個の体積を保持）");
+  if (kept.open_parts > 0)
+    text = text + count_text(kept.open_parts, "; one part has no volume, since it is not closed",
                              "; # parts have no volume, since they are not closed",
                              "（閉じていない部分 # 個には体積がない）");
-  if (made.failed_parts > 0)
-    text = text + count_text(made.failed_parts, "; one part could not get its volume back",
+  if (kept.failed_parts > 0)
+    text = text + count_text(kept.failed_parts, "; one part could not get its volume back",
                              "; # parts could not get their volume back", "（部分 # 個の体積は元に戻せない）");
   return text;
 }
@@ -96,7 +96,7 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
     ++result.changed;
   }
   result.text = count_text(result.changed, "One vertex was moved", "# vertices were moved", "頂点 # 個を動かしました");
-  if (options.keeps_volume) result.text = result.text + volume_text(made);
+  if (options.keeps_volume) result.text = result.text + volume_text(made.volume);
   result.text = result.text + Text{".", "。"};
   return result;
 }
@@ -153,7 +153,7 @@ std::vector<AlgorithmRow> smoothing_rows() {
   return {algorithm_row(
       {"smooth", "Smooth", "平滑化", "moves vertices towards their neighbours, so that the surface becomes smooth",
        "頂点を近傍へ動かし、曲面を滑らかにする"},
-      {.parameters = smoothing_parameters(), .keeps_geometry = false, .run = smooth_mesh, .has_goal = true})};
+      {.parameters = smoothing_parameters(), .run = smooth_mesh, .has_goal = true})};
 }
 
 }  // namespace ryosen

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
 
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/preparation.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/attribute.h"
@@ -171,31 +171,6 @@ std::vector<Edge> edges_to_open(const Mesh& mesh) {
 }
 
 }  // namespace
-
-SheetGroups sheet_groups(const Mesh& mesh) {
-  SheetGroups groups;
-  if (!mesh.has_copies()) return groups;
-  using Sheet = std::tuple<Vertex, Vertex, Edge>;
-  std::vector<Sheet> sheets;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
-    if (!has_copies(mesh, a) || !has_copies(mesh, b)) continue;
-    const auto [low, high] = std::minmax({point(mesh, a), point(mesh, b)});
-    sheets.emplace_back(low, high, Edge(i));
-  }
-  std::sort(sheets.begin(), sheets.end());
-  for (std::size_t i = 0, k = 0; i < sheets.size(); i = k) {
-    const auto is_same = [&](const Sheet& s) {
-      return std::get<0>(s) == std::get<0>(sheets[i]) && std::get<1>(s) == std::get<1>(sheets[i]);
-    };
-    for (k = i; k < sheets.size() && is_same(sheets[k]);) ++k;
-    if (k - i < 2) continue;
-    for (std::size_t s = i; s < k; ++s) groups.edges.push_back(std::get<2>(sheets[s]));
-    groups.ends.push_back(static_cast<std::uint32_t>(groups.edges.size()));
-  }
-  return groups;
-}
 
 std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases) {
   const std::vector<Edge> shut = edges_to_open(mesh);

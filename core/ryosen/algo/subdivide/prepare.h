@@ -20,14 +20,6 @@ struct Prepared {
 
 Prepared prepare(const Mesh& mesh, const Options& options);
 
-// The edges that lie on one non-manifold or misoriented edge of points, group after group; `ends` holds one past the
-// last of each. Empty on a mesh without copies. O(edges at copies), sorted.
-struct SheetGroups {
-  std::vector<Edge> edges;
-  std::vector<std::uint32_t> ends;
-};
-SheetGroups sheet_groups(const Mesh& mesh);
-
 // Before an edge is cut in two: a non-manifold edge gets an edge of its own for each of its faces, as reading the
 // points of the result will give; sheets that were joined there are joined no more. None where there is no such edge.
 std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include "ryosen/algo/features.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/subdivide/carry.h"
 #include "ryosen/algo/subdivide/limit_normals.h"
 #include "ryosen/algo/subdivide/masks.h"
@@ -72,14 +74,6 @@ std::optional<Text> fault_of_limit(const Mesh& mesh, const Creases& creases, con
   return std::nullopt;
 }
 
-// Writes the cycle of one point; `copies` are ascending.
-void link_cycle(MeshColumns& c, const std::vector<Vertex>& copies) {
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    c.next_copy[copies[i].index] = copies[(i + 1) % copies.size()];
-    c.copy_point[copies[i].index] = copies[0];
-  }
-}
-
 // Old copies stay what they are; new vertices on the sheets of one edge become copies. `on_sheet(h, i)` is the i-th of
 // `count` new vertices on a halfedge, in its direction.
 template <class OnSheet>
@@ -91,21 +85,21 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
     out.next_copy.emplace_back(i);
     out.copy_point.emplace_back(i);
   }
-  const SheetGroups groups = sheet_groups(mesh);
-  std::size_t begin = 0;
-  for (const std::uint32_t end : groups.ends) {
+  sheet_groups(mesh).for_each([&](std::span<const Edge> sheets) {
     for (unsigned i = 0; i < count; ++i) {
       std::vector<Vertex> copies;
-      for (std::size_t k = begin; k < end; ++k) {
-        Halfedge h = halfedge(groups.edges[k]);
+      for (const Edge e : sheets) {
+        Halfedge h = halfedge(e);
         if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
         copies.push_back(on_sheet(h, i));
       }
       std::sort(copies.begin(), copies.end());
-      link_cycle(out, copies);
+      for (std::size_t k = 0; k < copies.size(); ++k) {
+        out.next_copy[copies[k].index] = copies[(k + 1) % copies.size()];
+        out.copy_point[copies[k].index] = copies[0];
+      }
     }
-    begin = end;
-  }
+  });
 }
 
 // What is known of edges on the next level: `parts(e)` calls a function with each edge that is a part of an edge.
@@ -178,12 +172,6 @@ MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
   return next;
 }
 
-bool has_polygons(const Mesh& mesh) {
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i)) && !is_triangle(mesh, mesh.halfedge(Face(i)))) return true;
-  return false;
-}
-
 // Where sums of coordinates may overflow, which they do nowhere else.
 bool is_huge(std::span<const glm::dvec3> places) {
   const auto is_so = [](const glm::dvec3& p) {
@@ -214,7 +202,7 @@ Subdivided subdivided(const Mesh& given, const Options& options, Progress& progr
   const Mesh* at = prepared.changed ? &*prepared.changed : &mesh;
   if ((result.fault = fault_of_limit(*at, creases, options))) return result;
   const bool into_quads =
-      options.scheme == Scheme::catmull_clark || (options.scheme == Scheme::midpoint && has_polygons(*at));
+      options.scheme == Scheme::catmull_clark || (options.scheme == Scheme::midpoint && !polygons_of_mesh(*at).empty());
   Mesh level;
   for (std::size_t step = 0; step < options.steps; ++step) {
     if (is_cancelled(step)) return result;

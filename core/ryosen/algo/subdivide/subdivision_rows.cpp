@@ -13,14 +13,13 @@ namespace {
 
 struct SchemeRow {
   subdivide::Scheme scheme;
-  Choice choice;
+  std::string_view id, en, ja;
 };
 constexpr std::array schemes{
-    SchemeRow{subdivide::Scheme::loop, {"loop", "Loop (triangles)", "Loop（三角形）"}},
-    SchemeRow{subdivide::Scheme::catmull_clark,
-              {"catmull_clark", "Catmull-Clark (polygons)", "Catmull-Clark（多角形）"}},
-    SchemeRow{subdivide::Scheme::midpoint, {"midpoint", "Midpoint (shape stays)", "中点（形状は不変）"}},
-    SchemeRow{subdivide::Scheme::sqrt3, {"sqrt3", "sqrt(3) (triangles)", "√3（三角形）"}},
+    SchemeRow{subdivide::Scheme::loop, "loop", "Loop (triangles)", "Loop（三角形）"},
+    SchemeRow{subdivide::Scheme::catmull_clark, "catmull_clark", "Catmull-Clark (polygons)", "Catmull-Clark（多角形）"},
+    SchemeRow{subdivide::Scheme::midpoint, "midpoint", "Midpoint (shape stays)", "中点（形状は不変）"},
+    SchemeRow{subdivide::Scheme::sqrt3, "sqrt3", "sqrt(3) (triangles)", "√3（三角形）"},
 };
 
 // By which most of the faces stay of the kind that they are: loop cuts polygons first.
@@ -32,7 +31,7 @@ std::string scheme_for(const Mesh& mesh) {
 subdivide::Options options_of(const ParameterValues& values) {
   subdivide::Options options;
   for (const SchemeRow& row : schemes)
-    if (row.choice.id == values.choice("scheme")) options.scheme = row.scheme;
+    if (row.id == values.choice("scheme")) options.scheme = row.scheme;
   options.steps = values.count("steps");
   if (values.has("crease_angle")) options.crease_angle_rad = values.angle_rad("crease_angle");
   if (values.has("sharp")) options.sharp = values.elements("sharp");
@@ -70,10 +69,8 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
   const std::string count = std::to_string(made.columns.live.faces);
   result.text = count_text(before, "One face became " + count, "# faces became " + count,
-                           "面 # 個が " + count + " 個になりました");
-  if (made.cut_faces > 0)
-    result.text = result.text + count_text(made.cut_faces, "; one face was cut into triangles first",
-                                           "; # faces were cut into triangles first", "（先に面 # 個を三角形に分割）");
+                           "面 # 個が " + count + " 個になりました") +
+                cut_text(made.cut_faces);
   if (made.seams > 0)
     result.text = result.text + count_text(made.seams, "; one edge where the texture is torn stayed a crease",
                                            "; # edges where the texture is torn stayed creases",
@@ -90,15 +87,13 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
 }  // namespace
 
 std::vector<AlgorithmRow> subdivision_rows() {
-  ParameterRow scheme =
-      parameter_row({"scheme", "Scheme", "方式",
-                     "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
-                     "triangles first, all cut faces with rings",
-                     "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する"},
-                    {.kind = ParameterKind::choice, .initial = "loop", .proposed = scheme_for});
-  for (const SchemeRow& row : schemes) scheme.choices.push_back(row.choice);
   const std::vector<ParameterRow> parameters{
-      scheme,
+      parameter_row(
+          {"scheme", "Scheme", "方式",
+           "what divides a face, and where vertices come to; Loop and sqrt(3) cut polygons into "
+           "triangles first, all cut faces with rings",
+           "面の分け方と頂点の位置。Loop と √3 は多角形を、どの方式もリングのある面を先に三角形に分割する"},
+          {.kind = ParameterKind::choice, .initial = "loop", .choices = choices_of(schemes), .proposed = scheme_for}),
       parameter_row(
           {"steps", "Steps", "回数", "how often; each makes about four times as many faces, sqrt(3) three times",
            "繰り返す回数。一回で面は約 4 倍、√3 では 3 倍になる"},
@@ -122,11 +117,7 @@ std::vector<AlgorithmRow> subdivision_rows() {
   return {algorithm_row({"subdivide", "Subdivide", "細分割曲面",
                          "divides all faces and smooths the surface, but for its boundary curves, creases and corners",
                          "すべての面を分割し、境界・折り目・角を保ちながら曲面を滑らかにする"},
-                        {.parameters = parameters,
-                         .keeps_geometry = false,
-                         .run = subdivide_mesh,
-                         .lineage = Lineage::told,
-                         .has_goal = true})};
+                        {.parameters = parameters, .run = subdivide_mesh, .lineage = Lineage::told, .has_goal = true})};
 }
 
 }  // namespace ryosen

@@ -7,7 +7,7 @@
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/document/findings.h"
-#include "app/editor/session/session.h"
+#include "app/editor/session/selecting.h"
 #include "app/editor/views/mesh_view.h"
 #include "app/ui/viewport.h"
 #include "render/colour.h"

@@ -33,7 +33,7 @@ double loop_limit_weight(std::uint32_t n) { return 1 / (n + 3 / (8 * loop_weight
 double sqrt3_weight(std::uint32_t n) { return (4 - 2 * cosine_of_share(n)) / (9.0 * n); }
 double sqrt3_limit_weight(std::uint32_t n) { return 3 * sqrt3_weight(n) / (1 + 3 * n * sqrt3_weight(n)); }
 
-std::uint32_t valence(const Mesh& mesh, Vertex v) {
+std::uint32_t neighbour_count(const Mesh& mesh, Vertex v) {
   std::uint32_t n = 0;
   for ([[maybe_unused]] const Halfedge h : outgoing(mesh, v)) ++n;
   return n;
@@ -154,7 +154,7 @@ Places catmull_clark_places(const Mesh& mesh, const Creases& creases, const std:
   });
   // Q / n + 2 R / n + (n - 3) v / n, where R is the mean of (v + w) / 2: v weighs (n - 2) / n in all.
   const auto smooth_vertex = [&](Vertex v) {
-    const double n = valence(mesh, v), share = 1 / (n * n);
+    const double n = neighbour_count(mesh, v), share = 1 / (n * n);
     glm::dvec3 sum = ((n - 2) / n) * mesh.position(v);
     for (const Halfedge h : outgoing(mesh, v)) sum += share * centre(h) + share * mesh.position(mesh.to(h));
     return sum;
@@ -165,7 +165,7 @@ Places catmull_clark_places(const Mesh& mesh, const Creases& creases, const std:
 
 Places catmull_clark_limit(const Mesh& mesh, const Creases& creases) {
   return limit_by(mesh, creases, Scheme::catmull_clark, [&](Vertex v) {
-    const double n = valence(mesh, v), share = 1 / (n * (n + 5));
+    const double n = neighbour_count(mesh, v), share = 1 / (n * (n + 5));
     glm::dvec3 sum = (n / (n + 5)) * mesh.position(v);
     for (const Halfedge h : outgoing(mesh, v)) {
       const Vertex across = mesh.to(mesh.next(h));

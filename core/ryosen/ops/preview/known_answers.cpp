@@ -11,7 +11,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::size_t most_looked_at = 400;
+constexpr std::size_t most_faces_looked_at = 400;
 
 bool name(const std::vector<Reason>& reasons, Edge e) {
   return std::any_of(reasons.begin(), reasons.end(), [&](const Reason& reason) {
@@ -84,7 +84,7 @@ Answer KnownAnswers::ask(const Mesh& mesh, const AnyOp& op, const Warn& add_warn
 Answer KnownAnswers::ask(Mesh& mesh, const AnyOp& op, bool geometry) {
   return ask(mesh, op, [&](Answer& answer, bool is_shared) {
     if (!geometry) return;
-    answer.warnings = !is_shared && reaches_further(mesh, op, most_looked_at)
+    answer.warnings = !is_shared && reaches_further(mesh, op, most_faces_looked_at)
                           ? std::vector<Reason>{{Rule::shape_unseen, {}}}
                           : preview(mesh, journal_, op).warnings;
   });

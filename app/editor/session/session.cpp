@@ -264,12 +264,4 @@ void Session::log_line(Outcome& outcome, std::string line) {
   }
 }
 
-std::optional<Element> asked_element(const Document& document, const Layout& layout,
-                                     const std::optional<AskedQuestion>& asked_question) {
-  if (!asked_question || !layout.is_shown(panel_opened_by(PanelOpener::practised))) return std::nullopt;
-  if (asked_question->serial != document.serial() || asked_question->revision != document.revision())
-    return std::nullopt;
-  return asked_question->about;
-}
-
 }  // namespace ryosen

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "app/editor/preferences/layout.h"
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/recovery/recovery.h"
+#include "app/editor/session/asked_question.h"
 #include "app/editor/session/frontend.h"
 #include "app/editor/session/pointing.h"
 #include "app/editor/session/selecting.h"
@@ -27,23 +27,11 @@
 #include "app/editor/shown/gesturing.h"
 #include "app/editor/shown/shown.h"
 #include "app/editor/views/mesh_view.h"
-#include "ryosen/base/element.h"
 #include "ryosen/document/document.h"
 
 namespace ryosen {
 
 class Input;
-
-// The question of practice that is open: what the view and Escape need of it.
-struct AskedQuestion {
-  Element about;
-  std::uint64_t serial, revision;  // of the document
-  friend bool operator==(const AskedQuestion&, const AskedQuestion&) = default;
-};
-
-// What it names, to be marked; none where its panel is not shown or the mesh is another.
-std::optional<Element> asked_element(const Document& document, const Layout& layout,
-                                     const std::optional<AskedQuestion>& asked_question);
 
 class Session {
  public:

@@ -227,8 +227,6 @@ class StlTextReader {
   bool is_stopped_ = false;
 };
 
-Result<MeshFile> read_stl_text(std::string_view bytes) { return StlTextReader(bytes).read(); }
-
 constexpr std::size_t facets_begin = stl_head_bytes + 4;
 
 class StlBinaryReader {

@@ -10,8 +10,8 @@
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
-#include "ryosen/ops/rules/plain_check.h"
 #include "ryosen/ops/rules/local_facts.h"
+#include "ryosen/ops/rules/plain_check.h"
 
 namespace ryosen {
 

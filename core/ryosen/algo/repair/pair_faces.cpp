@@ -15,7 +15,6 @@
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/analysis/measures.h"
-#include "ryosen/geometry/predicates.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/circulate.h"

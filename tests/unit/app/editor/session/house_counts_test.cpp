@@ -130,7 +130,7 @@ TEST(house_counts, no_struct_of_the_program_has_over_20_data_members) {
   EXPECT_GT(structs, 80u);
 }
 
-TEST(house_counts, lines_of_the_header_of_the_session) { EXPECT_EQ(lines_of(std::string(session_header)), 130u); }
+TEST(house_counts, lines_of_the_header_of_the_session) { EXPECT_EQ(lines_of(std::string(session_header)), 129u); }
 
 // `Session& name` before a comma or the end of the list.
 TEST(house_counts, parameters_of_the_type_session) {
@@ -145,14 +145,14 @@ TEST(house_counts, parameters_of_the_type_session) {
         if (!is_longer && end > at + type.size() && (text[end] == ',' || text[end] == ')')) ++parameters;
       }
     }
-  EXPECT_EQ(parameters, 143u);
+  EXPECT_EQ(parameters, 142u);
 }
 
 TEST(house_counts, lines_of_sources_that_reach_the_session) {
   std::size_t lines = 0;
   for (const std::string& file : files_of_app(".cpp"))
     if (included_by(file).contains(std::string(session_header))) lines += lines_of(file);
-  EXPECT_EQ(lines, 9116u);
+  EXPECT_EQ(lines, 9108u);
 }
 
 // Other files ask it (shown.h).

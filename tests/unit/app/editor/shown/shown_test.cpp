@@ -68,12 +68,18 @@ TEST(shown, answers_each_effect_as_the_table_says) {
       const std::string what = std::to_string(int(owner)) + " x " + std::to_string(int(effect));
       EXPECT_EQ(was_run, response != Response::refuse && response != Response::instead) << what;
       EXPECT_EQ(outcome.done(), response != Response::refuse) << what;
-      if (was_run) EXPECT_EQ(meanwhile, response == Response::keep ? owner : ShownBy::document) << what;
+      if (was_run) {
+        EXPECT_EQ(meanwhile, response == Response::keep ? owner : ShownBy::document) << what;
+      }
       const bool stays = response == Response::keep || response == Response::again || response == Response::refuse ||
                          response == Response::anew;  // anew: where nothing has changed it is as it was
       EXPECT_EQ(session->shown.by(), stays ? owner : ShownBy::document) << what;
-      if (stays) EXPECT_EQ(session->mesh().hash(), before) << what;
-      if (owner == ShownBy::step && response != Response::refuse) EXPECT_TRUE(session->shown.player()) << what;
+      if (stays) {
+        EXPECT_EQ(session->mesh().hash(), before) << what;
+      }
+      if (owner == ShownBy::step && response != Response::refuse) {
+        EXPECT_TRUE(session->shown.player()) << what;
+      }
       EXPECT_EQ(session->document().position(), 1u) << what;
     }
 }

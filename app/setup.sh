@@ -3,7 +3,7 @@
 build_packages="g++ cmake ninja-build pkg-config python3-glad libglfw3-dev libimgui-dev libglm-dev libtinyobjloader-dev
   libosmesa6-dev libegl-dev libstb-dev zlib1g-dev libfreetype-dev nlohmann-json3-dev libgl1-mesa-dri
   fonts-dejavu-core fonts-ipaexfont-gothic"
-test_packages="libgtest-dev libboost-dev xvfb xauth xdotool clang libclang-rt-14-dev clang-format"
+test_packages="libgtest-dev libboost-dev xvfb xauth xdotool clang libclang-rt-14-dev clang-format clang-tidy"
 peer_packages="libglu1-mesa-dev libcgal-dev libeigen3-dev libqhull-dev"  # what is compared with
 
 # missing_packages NAME... prints those that are not installed.

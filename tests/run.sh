@@ -44,6 +44,13 @@ fi
 # Some tests wait for windows and processes, so one more runs than there are cores.
 TMPDIR=$folder ctest --test-dir "$root/build/tests" --output-on-failure -j "$(($(nproc) + 1))" --timeout "$seconds"
 
+# Names, and mistakes that a reader overlooks: a short run looks at what changed.
+if [ -n "${RYOSEN_LONG:-}" ]; then
+  "$root/tests/tidy.sh"
+else
+  "$root/tests/tidy.sh" --changed
+fi
+
 # The walks again (in a long run also the tests of each class), built by another compiler and under the sanitizers, with
 # the mesh checked after every edit. The oracles and what goes over whole tables or real meshes are slow there and touch
 # nothing that the walks do not. A short run does not optimise, which builds in half the time, tries one seed of 16,

@@ -14,8 +14,7 @@
 namespace ryosen {
 
 // What the surface drawn so far hides for certain, from the depths that it left. Keeps the farthest depth of small
-// squares of pixels. Where something farther would be drawn, nothing would be seen of
-// it.
+// squares of pixels. Where something farther would be drawn, nothing would be seen of it.
 class Occlusion {
  public:
   // Reads the depths of a rectangle; waits for what is being drawn.

@@ -1,6 +1,7 @@
 #include "render/image.h"
 
 #include <zlib.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>

@@ -22,8 +22,8 @@ constexpr RoleRow role_rows[] = {
 };
 static_assert(rows_are_in_order(role_rows, &RoleRow::role));
 
-// The first of two in the dark theme, the other in the light one.
 constexpr Palette palette_of(bool is_dark) {
+  // The first of two in the dark theme, the other in the light one.
   const auto either = [&](Rgba dark, Rgba light) { return is_dark ? dark : light; };
   return {
       .background_top = either(rgb(0x323A46), rgb(0xFAFBFC)),

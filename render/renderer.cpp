@@ -77,7 +77,7 @@ Renderer::Renderer(std::optional<Failure>& failure)
       resolved_("resolved", picture_formats, false),
       fine_("fine", picture_formats, true) {
   is_shown_.fill(true);
-  resize(size_);
+  if (!failure) resize(size_);
 }
 
 void Renderer::all_changed() {

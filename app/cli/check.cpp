@@ -1,5 +1,6 @@
 // `check`: figures and problems of files and folders.
 #include <sys/stat.h>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>

@@ -1,6 +1,7 @@
 #include "app/cli/console.h"
 
 #include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/console.h"
 #include "ryosen/base/message.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/base/result.h"

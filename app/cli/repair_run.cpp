@@ -128,7 +128,7 @@ std::optional<Failure> RepairRun::run(std::vector<Call>& calls) {
 
 RecipeEvents RepairRun::events_of(std::span<const RecipeStep> steps, const std::vector<std::string>& names) {
   const auto name_in = [this, steps, &names](const RecipeStep& step, std::size_t round) {
-    const std::string name = names[static_cast<std::size_t>(&step - steps.data())];
+    const std::string& name = names[static_cast<std::size_t>(&step - steps.data())];
     if (rounds_ + round == 1) return name;
     return std::string(console_.text("round ", "")) + std::to_string(rounds_ + round) +
            console_.text(", ", " 巡目、").data() + name;

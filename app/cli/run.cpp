@@ -1,6 +1,5 @@
 #include "app/cli/run.h"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -30,8 +29,7 @@ struct CommandLine {
 std::string in_quotes(std::string_view word) { return "'" + std::string(word) + "'"; }
 
 // Parses the program's arguments by the table of commands. Common flags may precede the command, all flags may occur
-// anywhere after it; `--` ends them. `--flag=value` and
-// `--flag value` are the same.
+// anywhere after it; `--` ends them. `--flag=value` and `--flag value` are the same.
 class Reader {
  public:
   explicit Reader(const std::vector<std::string>& words) : words_(words) {

@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <sys/time.h>
 #include <unistd.h>
+
 #include <array>
 #include <atomic>
 #include <cerrno>

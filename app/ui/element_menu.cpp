@@ -146,9 +146,9 @@ void draw_element_menu(PanelContext& context) {
   ImGui::TextColored(context.colours().dim, "%s", title(context).c_str());
   ImGui::Separator();
   if (!context.selecting.selection.empty()) gesture_items(context);
-  for (const OpGroupRow& group : op_groups)
+  for (const OpGroupRow& group : op_groups())
     if (!group.is_apart) operator_items(context, group);
-  for (const OpGroupRow& group : op_groups)
+  for (const OpGroupRow& group : op_groups())
     if (group.is_apart) group_menu(context, group);
   ImGui::Separator();
   selector_menu(context);

@@ -4,7 +4,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 #include "app/editor/camera/view_state.h"
 #include "app/editor/input/gizmo.h"

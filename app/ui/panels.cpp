@@ -142,10 +142,10 @@ Outcome PanelContext::run(const Command& command, const std::string& panel_id) {
 }
 
 Outcome PanelContext::run_from(const Command& command, const std::string& panel_id) {
-  const std::string own = panel_id;  // it may be session.layout.open_panel itself
+  std::string own = panel_id;  // it may be session.layout.open_panel itself
   if (!own.empty()) session.layout.open_panel.clear();
   if (const auto frames = state.is_laying_out ? frames_to_wait(command) : std::nullopt) {
-    state.waiting.push_back({command, *frames, own});
+    state.waiting.push_back({command, *frames, std::move(own)});
     return {};
   }
   Outcome outcome = keep(session.run(command));
@@ -193,6 +193,7 @@ void PanelContext::leave(PendingLeave where) {
   go(std::move(where));
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): it may be the pending one itself.
 void PanelContext::go(PendingLeave where) {
   state.pending.reset();
   state.unsettle();

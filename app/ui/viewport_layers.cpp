@@ -180,9 +180,9 @@ void NormalLines::follow(const SeenMesh& seen, Renderer& renderer) {
 
 namespace {
 
-constexpr std::uint32_t in_block = 512, most_blocks = no_index / in_block / 2;
+constexpr std::uint32_t most_blocks = no_index / block_slots / 2;
 
-std::uint32_t blocks_for(std::uint32_t slots) { return (slots + in_block - 1) / in_block; }
+std::uint32_t blocks_for(std::uint32_t slots) { return (slots + block_slots - 1) / block_slots; }
 
 std::uint32_t elements_of(const ToolVerdicts& verdicts) { return static_cast<std::uint32_t>(verdicts.all().size()); }
 
@@ -208,7 +208,7 @@ void VerdictLayer::begin(Session& session, Renderer& renderer, const ToolVerdict
 // The refused ones on top, where elements lie dense.
 void VerdictLayer::draw_block(Findings& findings, const Gesturing& gesturing, Renderer& renderer,
                               const ToolVerdicts& verdicts, std::uint32_t block) const {
-  const std::uint32_t first = block * in_block, end = std::min(first + in_block, slots_);
+  const std::uint32_t first = block * block_slots, end = std::min(first + block_slots, slots_);
   const auto draw = [&](ElementVerdict which, std::uint32_t part) {
     renderer.set_overlay_part(
         Layer::verdicts, part,
@@ -223,7 +223,7 @@ void VerdictLayer::follow_slots(Renderer& renderer, std::uint32_t slots) {
   for (; drawn_ > blocks_for(slots); --drawn_)
     for (const std::uint32_t part : {drawn_ - 1, most_blocks + drawn_ - 1})
       renderer.set_overlay_part(Layer::verdicts, part, {});
-  drawn_ = std::min(drawn_, std::min(slots, slots_) / in_block);
+  drawn_ = std::min(drawn_, std::min(slots, slots_) / block_slots);
   slots_ = slots;
 }
 
@@ -237,13 +237,13 @@ void VerdictLayer::follow(Session& session, Renderer& renderer) {
   follow_slots(renderer, elements_of(*verdicts));
   std::uint32_t last = no_index;
   for (const std::uint32_t slot : verdicts->take_asked_again()) {
-    const std::uint32_t block = slot / in_block;
+    const std::uint32_t block = slot / block_slots;
     if (block < drawn_ && block != last) draw_block(session.findings(), session.gesturing, renderer, *verdicts, block);
     last = block;
   }
   const std::uint32_t blocks = blocks_for(slots_), before = drawn_;
   const auto is_asked = [&](std::uint32_t block) {
-    return verdicts->asked() >= std::min(slots_, (block + 1) * in_block);
+    return verdicts->asked() >= std::min(slots_, (block + 1) * block_slots);
   };
   while (drawn_ < blocks && is_asked(drawn_) && (!session.frontend.asks_in_slices || drawn_ < before + most_at_once))
     draw_block(session.findings(), session.gesturing, renderer, *verdicts, drawn_++);

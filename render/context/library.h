@@ -20,10 +20,10 @@ struct LoadedFunction {
 };
 
 struct LoadedLibrary {
-  void* handle = nullptr;
-  std::string file;   // which was loaded
+  void* handle = nullptr;  // null if none could be loaded
+  std::string file;        // which was loaded
   std::string error;  // of the loader, about the first that is there and could not be loaded; empty where none is there
-  bool lacks = false;  // a function that was looked for, or itself
+  bool lacks = false;  // itself, or one of the functions that were looked for so far
 
   LoadedFunction find(const char* name) {
     const LoadedFunction found{handle ? dlsym(handle, name) : nullptr};

@@ -8,7 +8,6 @@
 #include <span>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 #include "render/gl/object.h"
 #include "ryosen/base/column_memory.h"

@@ -79,15 +79,11 @@ void Framebuffer::read_depth(const PixelRect& rect, float* depths) const {
 }
 
 void Framebuffer::read_top_down(const PixelRect& rect, GLenum format, GLenum type, void* pixels) const {
-  constexpr std::size_t bytes_each = 4;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(rect.x0, size_.height - rect.y1, rect.width(), rect.height(), format, type, pixels);
-  const std::size_t row_bytes = bytes_each * static_cast<std::size_t>(rect.width());
-  auto* const bytes = static_cast<unsigned char*>(pixels);
-  for (int y = 0; y < rect.height() / 2; ++y) {
-    unsigned char* const upper = bytes + row_bytes * static_cast<std::size_t>(y);
-    std::swap_ranges(upper, upper + row_bytes, bytes + row_bytes * static_cast<std::size_t>(rect.height() - 1 - y));
-  }
+  const std::size_t width = static_cast<std::size_t>(rect.width());
+  const auto row = [&](int y) { return static_cast<std::uint32_t*>(pixels) + width * static_cast<std::size_t>(y); };
+  for (int y = 0; y < rect.height() / 2; ++y) std::swap_ranges(row(y), row(y) + width, row(rect.height() - 1 - y));
 }
 
 }  // namespace ryosen

@@ -6,7 +6,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
-
 #include <string_view>
 
 #include "render/gl/object.h"

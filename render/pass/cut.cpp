@@ -19,6 +19,7 @@ bool meets(const glm::vec4& plane, const DrawBox& box) {
 }  // namespace
 
 CutPass::CutPass(std::optional<Failure>& failure) : program_(failure, "cut.vert", "cut.frag") {
+  if (failure) return;
   MeshBuffers::set_units(program_);
 }
 

@@ -1,4 +1,4 @@
-// The parameters shared by all passes of one frame, and how a pass begins.
+// The parameters shared by all passes of one frame, how a pass begins, and colours as shaders take them.
 #pragma once
 
 #include <cstdint>

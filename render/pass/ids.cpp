@@ -11,6 +11,7 @@ constexpr PixelFormat id_formats[] = {PixelFormat::r32ui, PixelFormat::r32f};
 
 IdsPass::IdsPass(std::optional<Failure>& failure)
     : program_(failure, "ids.vert", "ids.frag"), target_("ids", id_formats, true) {
+  if (failure) return;
   MeshBuffers::set_units(program_);
 }
 

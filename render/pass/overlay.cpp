@@ -256,6 +256,7 @@ void OverlayBuffer::forget_places() {
 }
 
 OverlayPass::OverlayPass(std::optional<Failure>& failure) : program_(failure, "overlay.vert", "overlay.frag") {
+  if (failure) return;
   program_.use();
   program_.set("elements", 0);
   program_.set("element_numbers", 1);

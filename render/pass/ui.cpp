@@ -11,6 +11,7 @@
 namespace ryosen {
 
 UiPass::UiPass(std::optional<Failure>& failure) : program_(failure, "ui.vert", "ui.frag") {
+  if (failure) return;
   program_.use();
   program_.set("image", 0);
 }

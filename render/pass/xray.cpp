@@ -1,8 +1,5 @@
 #include "render/pass/xray.h"
 
-#include <algorithm>
-#include <string>
-
 #include "render/palette.h"
 #include "render/pass/surface.h"
 
@@ -10,6 +7,7 @@ namespace ryosen {
 
 XrayPass::XrayPass(std::optional<Failure>& failure)
     : plain_(failure, "xray.vert", "xray.frag"), painted_(failure, "xray.vert", "xray.frag", "#define PAINTED\n") {
+  if (failure) return;
   MeshBuffers::set_units(plain_);
   MeshBuffers::set_units(painted_);
 }

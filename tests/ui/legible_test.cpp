@@ -342,13 +342,13 @@ TEST(legible, thumbs_are_wide_long_and_seen_on_their_ground) {
 
 TEST(tools, stand_in_the_group_that_their_rows_say_and_tell_what_a_press_does) {
   Laid laid("cube.obj", test::tall_window);
-  for (const OpGroupRow& group : op_groups) {
+  for (const OpGroupRow& group : op_groups()) {
     EXPECT_EQ(DrawnText(laid.gui).count(group.en), 1u) << group.en;
     laid.click(DrawnText(laid.gui).place(group.en));
   }
   const DrawnText text(laid.gui);
   double y = 0;
-  for (const OpGroupRow& group : op_groups) {
+  for (const OpGroupRow& group : op_groups()) {
     EXPECT_GT(text.place(group.en).y, y) << group.en;
     y = text.place(group.en).y;
     for (const OpInfo& op : all_ops()) {

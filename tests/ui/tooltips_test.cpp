@@ -73,7 +73,7 @@ TEST(tooltips, have_a_sentence_in_every_row_of_the_tables) {
   for (const HighlightRow& row : highlight_table()) tells(row.id, row.legend_en, row.legend_ja);
   for (const PickModeRow& row : pick_modes) tells(row.id, row.help_en, row.help_ja);
   for (const OpInfo& op : all_ops()) tells(op.id, op.help_en, op.help_ja);
-  for (const OpGroupRow& group : op_groups) tells(group.en, group.help_en, group.help_ja);
+  for (const OpGroupRow& group : op_groups()) tells(group.en, group.help_en, group.help_ja);
   for (const PanelRow& row : panel_list()) tells(row.id, row.help_en, row.help_ja);
   for (const ViewSwitch& row : view_switches()) tells(row.id, row.help_en, row.help_ja);
   for (const PreferenceRow& row : preference_table()) tells(row.field.id, row.field.help_en, row.field.help_ja);

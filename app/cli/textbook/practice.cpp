@@ -46,15 +46,15 @@ Result<Mesh> mesh_at(const std::string& path, const Console& console) {
 
 std::string json_line_of(const Asked& asked, std::uint64_t seed, const Question& question, const Solution& solution,
                          const std::string* given) {
-  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  const auto null_if_empty = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
   Record<practice_shape> json;
   json["seed"] = seed;
   json["kind"] = question_kinds()[static_cast<std::size_t>(question.kind)].id;
   json["mesh"] = asked.name;
   json["about"] = slot_name(question.about);
-  json["form"] = or_null(question.form);
-  json["field"] = or_null(question.field);
-  json["command"] = or_null(question.line);
+  json["form"] = null_if_empty(question.form);
+  json["field"] = null_if_empty(question.field);
+  json["command"] = null_if_empty(question.line);
   json["question"] = cli::to_json(question.asks);
   json["answers"] = solution.answers;
   json["why"] = cli::to_json(solution.why);

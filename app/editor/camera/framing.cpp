@@ -1,7 +1,6 @@
 #include "app/editor/camera/framing.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>

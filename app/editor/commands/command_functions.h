@@ -3,6 +3,7 @@
 // and all of the text behind it.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "app/editor/commands/commands.h"
@@ -30,7 +31,7 @@ using FaultOfCommand = std::optional<Text>(Words arguments, const std::string& l
 // Operators, and commands of commands: commands_operator.cpp
 CommandRow row_of(const OpInfo& op, std::string_view called);
 RunCommand run_either;
-FaultOfCommand fault_of_either, fault_of_ask;
+FaultOfCommand fault_of_either;
 // Files and the history: commands_document.cpp
 RunCommand run_start, run_new, run_open, run_reload, run_keep_mine, run_save, run_recover;
 RunOn<Document, Framing, Selecting, RunFiles> run_append;
@@ -49,7 +50,7 @@ RunCommand run_ask, run_remedy;
 RunOn<Findings, ViewState, Framing, Selecting> run_walk;
 RunOn<Selecting, Pointing> run_tool, run_mode;
 RunOn<const Selecting, Pointing> run_click;
-FaultOfCommand fault_of_remedy;
+FaultOfCommand fault_of_ask, fault_of_remedy;
 // Another mesh beside this one: commands_document.cpp
 RunCommand run_compare;
 // Selecting: commands_selecting.cpp

@@ -1,5 +1,4 @@
 // The commands of the user interface, of the preferences and of the user's own keys.
-#include <algorithm>
 
 #include "app/editor/commands/command_functions.h"
 #include "app/editor/commands/command_syntax.h"

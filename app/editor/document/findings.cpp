@@ -303,7 +303,7 @@ void Findings::finish_preparation() {
   highlights_ = std::move(found.highlights);
   if (after_search) after_search();
   boundary_loops_ = std::move(found.boundary_loops);
-  euler_ = std::move(found.euler);
+  euler_ = found.euler;
   kind_ = std::move(found.kind);
   kind_revision_ = document_.revision();
   changes_.note_search();

@@ -27,8 +27,8 @@
 
 namespace ryosen {
 
-// The reasons why an algorithm with a goal left edges: under which rule each edge stands; means nothing after the next
-// change.
+// The reasons why an algorithm with a goal left edges: under which rule each edge stands that it left. It means nothing
+// after the next change.
 struct LeftEdges {
   std::uint64_t serial, revision;   // of the document
   std::vector<std::uint8_t> rules;  // by edge slot, as EdgeRule, or no_rule

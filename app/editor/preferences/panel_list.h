@@ -2,7 +2,6 @@
 // is the window's.
 #pragma once
 
-#include <algorithm>
 #include <iterator>
 #include <span>
 #include <string>

@@ -158,7 +158,7 @@ void draw_tools(PanelContext& context) {
   ImGui::EndDisabled();
   const std::vector<KeyRow> keys =
       key_table(input_presets()[context.preferences.input_preset], context.preferences.bindings);
-  for (const OpGroupRow& group : op_groups) draw_group(context, group, keys);
+  for (const OpGroupRow& group : op_groups()) draw_group(context, group, keys);
   ImGui::PopStyleVar();
 }
 

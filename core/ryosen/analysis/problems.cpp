@@ -70,7 +70,7 @@ std::vector<Problem> find_problems(const Mesh& mesh, const ProblemSets& sets, co
     Problem problem{row.kind, elements_of(row, around, sets, file.quarantine), {}, {}, 0, {}};
     if (row.kind == ProblemKind::self_intersection) {
       problem.elements.assign(intersections.faces.begin(), intersections.faces.end());
-      problem.intersections = std::move(intersections);
+      problem.intersections = std::exchange(intersections, {});
     }
     if (problem.elements.empty()) continue;
     problem.where = place_of(mesh, problem.elements.front(), file);

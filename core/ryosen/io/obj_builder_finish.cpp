@@ -73,11 +73,13 @@ MaterialLibraries look_for_libraries(std::string_view text, const std::filesyste
   std::vector<std::string> names = split(text);
   if (names.size() > most_names) names.resize(most_names);
   for (std::string& name : names) {
-    const Library library = look_for(name, folder);
-    if (library == Library::missing) out.missing.push_back(std::move(name));
-    if (library == Library::no_file) out.no_files.push_back(std::move(name));
-    if (library == Library::unknown) out.unknown.push_back(std::move(name));
-    if (library == Library::outside) out.outside.push_back(std::move(name));
+    switch (look_for(name, folder)) {
+      case Library::found: break;
+      case Library::missing: out.missing.push_back(std::move(name)); break;
+      case Library::no_file: out.no_files.push_back(std::move(name)); break;
+      case Library::unknown: out.unknown.push_back(std::move(name)); break;
+      case Library::outside: out.outside.push_back(std::move(name)); break;
+    }
   }
   return out;
 }

@@ -161,7 +161,7 @@ void PlyColumns::add_layout() {
                                                  : table.rows;
     for (const Property& property : table.properties) {
       if (!has_data(property.role, property.component)) continue;
-      PlyColumn& column = out.columns.emplace_back(property);
+      PlyColumn& column = out.columns.emplace_back(PlyColumn{property});
       column.is_of_layout = true;
       if (is_colour(property.role)) column.scale = colour_scale(property.type);
       if (property.is_kept()) column.kept = &property;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ryosen/base/enum_table.h"
+
 namespace ryosen {
 
 namespace {
@@ -29,7 +31,23 @@ std::vector<OpInfo> collect(std::index_sequence<I...>) {
   return {std::variant_alternative_t<I, AnyOp>::info...};
 }
 
+constexpr OpGroupRow group_rows[] = {
+    {OpGroup::refine, "Refine", "細分", "Put in vertices and edges.", "頂点や稜線を加えます。"},
+    {OpGroup::join, "Join and cut", "結合と切断", "Make one of several elements, or several of one.",
+     "いくつかの要素を一つにしたり、一つを分けたりします。"},
+    {OpGroup::fill, "Delete and fill", "削除と穴埋め", "Take elements away, or put faces into holes.",
+     "要素を取り除いたり、穴に面を張ったりします。"},
+    {OpGroup::orient, "Orient and reconnect", "向きと接続", "Turn faces over, weld and detach.",
+     "面を裏返したり、頂点をつないだり離したりします。"},
+    {OpGroup::euler, "Euler operators", "オイラー操作",
+     "Single steps that keep V − E + F + B − H = 2(S − G), by which any mesh can be built.",
+     "V − E + F + B − H = 2(S − G) を保つ一歩ずつの操作で、どんなメッシュも作れます。", true},
+};
+static_assert(rows_are_in_order(group_rows, &OpGroupRow::group));
+
 }  // namespace
+
+std::span<const OpGroupRow> op_groups() { return group_rows; }
 
 const std::vector<OpInfo>& all_ops() {
   static const std::vector<OpInfo> ops = collect(indices);

@@ -270,7 +270,9 @@ std::vector<std::optional<EqualRim>> find_equal_rims(std::span<const std::vector
       found[i] = at->second.second.match(rim, tolerance);
       if (found[i]) found[i]->as = at->second.first;
     }
-    if (!found[i]) by_length.emplace(rim.length(), Known(i, std::move(rim)));
+    if (found[i]) continue;
+    const double length = rim.length();
+    by_length.emplace(length, Known(i, std::move(rim)));
   }
   return found;
 }

@@ -1,5 +1,4 @@
-// Triangles of a surface that is measured: cut into equal ones, how far each is at most from another surface, and cut
-// into parts of which that is known better.
+// Triangles of a surface that is measured, cut into equal ones, and how far each is at most from another surface.
 #pragma once
 
 #include <array>
@@ -59,21 +58,5 @@ struct FarthestCell {
 
 // No point of the cell is farther from `to` than this. It tries harder the longer it is not at most `wanted`.
 double bound_of(const TriangleTree& to, const FarthestCell& cell, double wanted);
-
-// Parts of a triangle whose distance from a surface is known better.
-struct CellParts {
-  std::array<FarthestCell, 3> cells;
-  std::size_t count = 0;
-  // Corners that the cell did not have, and how far they are.
-  std::array<glm::dvec3, 2> places;
-  std::array<double, 2> distances;
-  std::size_t new_places = 0;
-};
-
-// Cuts a cell through a side of a triangle that lies below one of its corners and ends before another, at a right angle
-// to the triangle: so what lies along one triangle is parted from what does not, and where two surfaces lie along each
-// other, cut in any way, no more parts come of it than there are pairs of triangles above each other. Where there is no
-// such side the cell is halved.
-CellParts cut_cell(const TriangleTree& to, const FarthestCell& cell);
 
 }  // namespace ryosen

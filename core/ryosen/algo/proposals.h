@@ -11,6 +11,7 @@
 
 namespace ryosen {
 
+// A length to three digits; empty if it is not positive and finite.
 inline std::string to_three_digits(double length) {
   if (!std::isfinite(length) || length <= 0) return {};
   char text[32];

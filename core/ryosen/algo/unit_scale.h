@@ -1,4 +1,5 @@
-// A power of two that brings coordinates near 1, so that squares of lengths neither overflow nor vanish.
+// A power of two that brings coordinates near 1, so that squares of lengths neither overflow nor vanish, and the
+// largest coordinate.
 #pragma once
 
 #include <algorithm>

@@ -121,11 +121,12 @@ std::vector<Element> with_faces(Element element, std::vector<Face> faces) {
 std::vector<Element> loop_of_edge(Neighbourhood& around, const IndexSet& boundary, Element element) {
   const BoundaryLoops loops = find_boundary_loops(around, boundary);
   for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto loop = loops[i];
+    const auto at = std::find_if(loop.begin(), loop.end(), [&](Halfedge h) { return Element(edge(h)) == element; });
+    if (at == loop.end()) continue;
     std::vector<Element> found;
-    for (Halfedge h : loops[i]) found.emplace_back(edge(h));
-    const auto at = std::find(found.begin(), found.end(), element);
-    if (at == found.end()) continue;
-    std::rotate(found.begin(), at, found.end());
+    for (Halfedge h : loop) found.emplace_back(edge(h));
+    std::rotate(found.begin(), found.begin() + (at - loop.begin()), found.end());
     return found;
   }
   return {element};

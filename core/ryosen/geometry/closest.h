@@ -1,7 +1,6 @@
 // The shortest ways between points, segments and triangles in space.
 #pragma once
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>

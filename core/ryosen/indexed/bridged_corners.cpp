@@ -1,7 +1,6 @@
 #include "ryosen/indexed/bridged_corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>

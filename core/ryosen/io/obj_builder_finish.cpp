@@ -74,11 +74,20 @@ MaterialLibraries look_for_libraries(std::string_view text, const std::filesyste
   if (names.size() > most_names) names.resize(most_names);
   for (std::string& name : names) {
     switch (look_for(name, folder)) {
-      case Library::found: break;
-      case Library::missing: out.missing.push_back(std::move(name)); break;
-      case Library::no_file: out.no_files.push_back(std::move(name)); break;
-      case Library::unknown: out.unknown.push_back(std::move(name)); break;
-      case Library::outside: out.outside.push_back(std::move(name)); break;
+      case Library::found:
+        break;
+      case Library::missing:
+        out.missing.push_back(std::move(name));
+        break;
+      case Library::no_file:
+        out.no_files.push_back(std::move(name));
+        break;
+      case Library::unknown:
+        out.unknown.push_back(std::move(name));
+        break;
+      case Library::outside:
+        out.outside.push_back(std::move(name));
+        break;
     }
   }
   return out;

@@ -91,12 +91,12 @@ void leave_copies(Edit& edit, Vertex v);
 ElementCounts counts_on_points(const Mesh& mesh);
 
 // Hubs: vertices of so many edges that not all of them can be looked at whenever something changes at one.
-inline constexpr int most_looked_at = 64;
+inline constexpr int most_edges_looked_at = 64;
 
 // Counts on by the edges of a vertex, or by one if it has none, and tells whether there are many.
 inline bool are_many_with(const Mesh& mesh, Vertex v, int& count) {
-  if (mesh.is_isolated(v)) return ++count > most_looked_at;
-  for (Halfedge h = mesh.halfedge(v); ++count <= most_looked_at;) {
+  if (mesh.is_isolated(v)) return ++count > most_edges_looked_at;
+  for (Halfedge h = mesh.halfedge(v); ++count <= most_edges_looked_at;) {
     h = mesh.counter_clockwise(h);
     if (h == mesh.halfedge(v)) return false;
   }

@@ -1,4 +1,5 @@
-// The polygon of a face, loop by loop: the one source of corner positions for drawing, picking and measuring.
+// The polygon of a face, loop by loop: the one source of corner positions for drawing, picking and measuring;
+// and the middle of any element.
 #pragma once
 
 #include <cstdint>

@@ -187,8 +187,6 @@ bool DissolveSeries::finish() {
   return renumbers;
 }
 
-// Vertices inside the surface, each of which unites the faces around it.
-
 // The chains from the vertex, each between two faces of a simple kind, none of which comes twice; else none.
 std::vector<std::vector<Halfedge>> DissolveSeries::plain_chains(Vertex v) {
   const Mesh& m = mesh();

@@ -1,4 +1,4 @@
-// Repair: cuts the surface apart at non-manifold points.
+// Repair: cuts the surface apart at non-manifold points; what it asks and does at one point serves other repairs too.
 #pragma once
 
 #include "ryosen/algo/algorithm.h"

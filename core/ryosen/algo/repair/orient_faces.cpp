@@ -1,7 +1,6 @@
 #include "ryosen/algo/repair/orient_faces.h"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>

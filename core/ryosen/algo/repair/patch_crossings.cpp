@@ -83,8 +83,8 @@ NumberedSurface surface_of(const HolePatch& patch) {
   return NumberedSurface(patch.places, std::move(corners));
 }
 
-// Exact, with corners at one place as one (choose_patches). The patch must have no degenerate triangles. O(n log
-// n + pairs of overlapping boxes, of which fans have few); O(n log n) for one that covers its projection once.
+// Exact, with corners at one place as one (choose_patches). The patch must have no degenerate triangles.
+// O(n log n + pairs of overlapping boxes, of which fans have few); O(n log n) for one that covers its projection once.
 bool crosses_itself(const HolePatch& patch) {
   if (covers_once_in_projection(patch)) return false;
   const NumberedSurface surface = surface_of(patch);

@@ -78,8 +78,8 @@ struct RecipeResult {
 // for (RecipeGoal): it lowers the number of problems of their kinds; or keeps it and lowers the number of boundary
 // edges where boundary loops are among these; or keeps both and lowers the number of faces that look inwards where
 // `orient` is a step. So every recipe ends, and repeating it on its result changes nothing. Each step runs guarded.
-// None if it was cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh per
-// round; a recipe has few rounds, at most one per finding.
+// None if it was cancelled. The mesh is not touched. Cost: that of the steps and a copy of the mesh per round;
+// a recipe has few rounds, at most one per finding.
 std::optional<RecipeResult> run_recipe(const Mesh& mesh, std::span<const RecipeStep> steps, const RecipeInput& input,
                                        const RecipeEvents& events = {});
 

@@ -1,8 +1,6 @@
 // What a repair has done beside its task: pieces that came off the surface, and faces that cross.
 #pragma once
 
-#include <vector>
-
 #include "ryosen/algo/algorithm.h"
 #include "ryosen/analysis/components.h"
 #include "ryosen/mesh/mesh.h"

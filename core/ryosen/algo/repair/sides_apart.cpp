@@ -27,10 +27,12 @@ std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<V
 
 std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex>& place) {
   std::vector<bool> is_shared(m.vertex_slots(), false);
+  bool is_any = false;
   for (std::uint32_t i = 0; i < place.size(); ++i)
     if (const Vertex v(i); m.is_alive(v) && place[i] != point(m, v))
-      is_shared[point(m, v).index] = is_shared[place[i].index] = true;
+      is_any = is_shared[point(m, v).index] = is_shared[place[i].index] = true;
   std::vector<SidePair> pairs;
+  if (!is_any) return pairs;
   for_each_edge(sides_between_places(m, place, is_shared), [&](std::span<const SideBetween> sides) {
     if (sides.size() != 2) return;
     const Halfedge h = sides[0].halfedge, other = sides[1].halfedge;

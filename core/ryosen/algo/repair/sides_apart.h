@@ -10,7 +10,7 @@
 
 namespace ryosen {
 
-// Calls visit(side) with each halfedge that has a face.
+// Calls visit(side) with each halfedge that has a face. May be interrupted (base/interruption.h).
 template <class Visit>
 void for_each_side(const Mesh& mesh, Visit visit) {
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {

@@ -31,7 +31,8 @@ constexpr ChoiceOf<smooth::BoundaryRule> boundary_rules[] = {
 
 template <class Value, std::size_t n>
 Value chosen(std::string_view id, const ChoiceOf<Value> (&choices)[n]) {
-  return std::find_if(choices, choices + n - 1, [&](const ChoiceOf<Value>& c) { return c.id == id; })->value;
+  const auto* const row = std::find_if(choices, choices + n, [&](const ChoiceOf<Value>& c) { return c.id == id; });
+  return row == choices + n ? choices[0].value : row->value;
 }
 
 smooth::Options options_of_smoothing(const ParameterValues& values) {

@@ -320,8 +320,8 @@ void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& 
   }
 }
 
-// Gives vertices what the step makes of their values, faces those of the one in which they are the child(halfedge), and
-// calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step.
+// Gives vertices what the step makes of their values, each new face, child(halfedge), those of the face that it comes
+// of, and calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step.
 template <class Corners, class Child>
 void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
                    MeshColumns& out, const Corners& corners, const Child& child) {

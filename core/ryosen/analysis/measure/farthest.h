@@ -33,9 +33,9 @@ struct FarCells {
   std::function<FarthestCell(std::size_t)> cell;
 };
 
-// Cuts cells, those with the largest bounds first, until no bound is more than enough, or after so many
-// steps: then the bound is the largest of those that are left. The answer is the same for any number of threads. False
-// where `progress` cancels.
+// Cuts cells, those with the largest bounds first, until no bound is more than enough, or after so many steps: then
+// the bound is the largest of those that are left. The answer is the same for any number of threads. False where
+// `progress` cancels.
 bool search_farthest(Farthest& farthest, const TriangleTree& to, const FarCells& cells, FarEnough enough,
                      std::uint64_t most_steps, unsigned threads, Progress& progress);
 

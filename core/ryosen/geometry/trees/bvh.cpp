@@ -133,7 +133,7 @@ void Bvh::cast_leaf(std::span<const glm::dvec3> positions, const RayCaster& cast
   }
 }
 
-// Calls visit for the slots of the leaves such that they and all nodes above them meet what is asked about.
+// Calls visit for the slots of each leaf that meets(node), as do all nodes above it.
 template <class Meets, class Visit>
 void Bvh::visit_where(const Meets& meets, const Visit& visit) const {
   SmallStack<std::uint32_t> stack;

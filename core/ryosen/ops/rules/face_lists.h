@@ -1,5 +1,5 @@
 // Faces as lists of points, for rules about the resulting corner list: does it split at its bridges, is there a
-// duplicate face.
+// duplicate face; and an index of equal faces.
 #pragma once
 
 #include <cstdint>

@@ -42,9 +42,6 @@ class LocalFacts {
   std::unordered_map<Face, std::unordered_set<Vertex>> points_;  // of large faces
 };
 
-// Quick answers: true where the operator is legal beyond doubt. Between questions the corners of large faces are
-// remembered, so that one costs what is near the edge, not the size of the faces.
-//
 // What is known of two different faces along a chain of edges that lie between them, through vertices with two edges.
 enum class Union {
   plain,     // simple loops that touch at this chain alone, each the only one on its points, and no third face lies on
@@ -55,7 +52,8 @@ enum class Union {
 // `looks` is added the corners that were looked at. Cost: those of the smaller face and the valence of one of its
 // points, at most.
 Union judge_union(const Mesh& mesh, std::span<const Halfedge> chain, LocalFacts& known, std::uint64_t* looks = nullptr);
-// Whether the two faces at an edge may be united.
+// Whether the two faces at an edge may be united beyond doubt; a quick answer, as the one below: the corners of large
+// faces are remembered between questions, so that one costs what is near the edge.
 bool unite_plainly(const Mesh& mesh, Halfedge h, LocalFacts& known);
 
 // One face of a swap: it loses one corner and gains another one.

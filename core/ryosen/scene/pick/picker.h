@@ -1,4 +1,5 @@
-// Picking: the front-most vertex, edge or face at a pixel, by a BVH over the drawn triangles.
+// Picking: the front-most vertex, edge or face at a pixel, or all in a region of the screen, by a BVH over the drawn
+// triangles.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <limits>
 #include <random>
 
 #include "ryosen/base/stopwatch.h"

@@ -65,7 +65,7 @@ struct ComparedClaim {
 // The claims about forms that both hold the mesh; none without faces.
 std::vector<ComparedClaim> compare_claims(const Comparison& comparison);
 
-// The seconds of the fastest of several runs, fewer where they have taken enough.
+// The seconds of the fastest of several runs, fewer where they have taken enough; freeing what is made does not count.
 template <class Work>
 double fastest_of(int runs, double enough_seconds, Work work) {
   double best = std::numeric_limits<double>::infinity(), spent = 0;

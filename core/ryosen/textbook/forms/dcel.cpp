@@ -1,7 +1,5 @@
 #include "ryosen/textbook/forms/dcel.h"
 
-#include <utility>
-
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
 

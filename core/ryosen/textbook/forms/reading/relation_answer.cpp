@@ -10,8 +10,6 @@ namespace ryosen::forms {
 
 namespace {
 
-// Forms that are lists of faces: by a search through all of them, or from face to face.
-
 using Corners = std::vector<std::uint32_t>;
 
 std::uint32_t behind(const Corners& corners, std::size_t i) { return corners[i + 1 < corners.size() ? i + 1 : 0]; }
@@ -126,8 +124,6 @@ void answer_by_faces(RecordReader& reader, const Asked& asked, Answer& out) {
     add_own_sides(asked, corners_of(reader, asked.element.face()), out);
   }
 }
-
-// Forms that are linked: along the wings of edges, or by halfedges.
 
 // Table 4: along the wings.
 class Wings {

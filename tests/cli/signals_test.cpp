@@ -129,7 +129,8 @@ TEST(signals, end_every_long_command_soon_and_leave_nothing) {
   std::sort(times.begin(), times.end());
   std::printf("%zu signals: half within %.0f ms, the slowest %.0f ms\n", times.size(),
               1000 * times[times.size() / 2].count(), 1000 * times.back().count());
-  EXPECT_LT(times[times.size() * 9 / 10], Seconds(0.2));
+  const std::size_t late = is_long_run() ? times.size() / 10 : 1;
+  EXPECT_LT(times[times.size() - 1 - late], Seconds(0.2));
   EXPECT_LT(times.back(), Seconds(1)) << "a busy machine may take its time to end a process";
 }
 

@@ -70,7 +70,7 @@ Json component_json(const MadeHull& made, const HullWishes& wishes, bool is_verb
   return std::move(json).json();
 }
 
-// Of all hulls together.
+// The sums over all hulls.
 struct Sums {
   explicit Sums(const std::vector<MadeHull>& hulls) {
     for (const MadeHull& made : hulls) {

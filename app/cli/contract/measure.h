@@ -65,7 +65,7 @@ inline constexpr Contract measure_contract{
     .lines = {&map_shape, &measurement_shape},
     .exits = {ExitCode::input_missing, ExitCode::input_malformed, ExitCode::refused}};
 
-// Of one direction or of both.
+// The figures of one direction, or of both.
 inline constexpr JsonKey distance_figure_keys[] = {
     {"rms", "number or null",
      "The root of the mean square distance over the area, in the unit of the files; null where it is too large for a "

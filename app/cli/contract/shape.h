@@ -160,7 +160,7 @@ inline constexpr JsonKey sentence_keys[] = {
 };
 inline constexpr Shape sentence_shape{"sentence", "A sentence or name.", "文または名前。", sentence_keys};
 
-// What every command may print and end with.
+// The lines and exit codes that every command may have.
 inline constexpr Contract shared_contract{
     .lines = {&failure_shape},
     .exits = {ExitCode::done, ExitCode::usage, ExitCode::output_not_writable, ExitCode::cancelled,

@@ -34,7 +34,7 @@ class FlatSides {
       if (const Face f(i); mesh.is_alive(f)) add(vector_area(FacePolygon(mesh, f).keyhole_walk()));
   }
 
-  // What a direction sees of them: the area in all, and the share of it that the largest one has.
+  // The part of them that a direction sees: its area, and the share of it that the largest one has.
   struct Seen {
     double area = 0, largest_share = 0;
   };

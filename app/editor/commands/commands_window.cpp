@@ -175,7 +175,7 @@ bool is_all_initial(Words arguments) {
   return arguments.size() == 2 && arguments[0] == "all" && arguments[1] == "initial";
 }
 
-// What stands behind the chord.
+// The command behind the chord.
 std::string command_behind(std::string_view whole) { return std::string(behind_word(without_blanks(whole))); }
 
 }  // namespace

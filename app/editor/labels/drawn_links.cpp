@@ -142,7 +142,7 @@ class LinksOf {
     const bool turns = n == p, back = n == t;
     arrow(h, LinkRole::itself, "halfedge", "半稜線");
     arrow(t, LinkRole::twin, back ? "twin, next" : "twin", back ? "対・次" : "対");
-    // What comes first is labelled first: there is no other place for the face's label.
+    // The first arrow is labelled first: there is no other place for the face's label.
     const Face f = m_.face(h);
     if (f) {
       const glm::dvec3 middle = 0.5 * (place(m_.from(h)) + place(m_.to(h)));

@@ -1,5 +1,5 @@
-// What the editor knows of the window's panels and menus: their ids and titles, and where panels lie. What is in them
-// is the window's.
+// The panels and menus of the window, as far as the editor knows them: their ids and titles, and where panels lie. The
+// window owns their content.
 #pragma once
 
 #include <iterator>

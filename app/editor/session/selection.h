@@ -1,5 +1,5 @@
-// What is selected, with a stamp by which those who follow it see at once whether it may have changed; what was
-// selected around each entry of the history, or once and kept under a name; and what a command has added.
+// The selection, with a stamp by which those who follow it see at once whether it may have changed; selections around
+// each entry of the history or kept under a name; and the elements that a command has added.
 #pragma once
 
 #include <array>
@@ -74,8 +74,8 @@ class Selection {
 // their numbers.
 void drop_lost(Elements& elements, const Mesh& mesh, bool is_renumbered);
 
-// What was selected around each entry of the history, and what was selected once and kept under a name. Pass the mesh
-// as it is behind the change. A selection that stays the same from entry to entry is held once.
+// Selections around each entry of the history, and those kept under a name. Pass the mesh as it is behind the change.
+// A selection that stays the same from entry to entry is held once.
 class SelectionMemory {
  public:
   // A selection by its name. Members may be deleted; undo may bring them back.
@@ -92,7 +92,7 @@ class SelectionMemory {
   // and kept in their place. A name under which nothing is left goes. No passage: elements keep their numbers.
   void made(std::size_t entry, Elements& selection, const Mesh& mesh, const std::optional<Passage>& passage,
             const ColumnLengths& before);
-  // What was selected when the entry was made is selected again; what is selected now, when it is redone.
+  // Undoing selects again the elements that were selected before the entry; redoing, those selected now.
   void undone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
   void redone(std::size_t entry, Elements& selection, const Mesh& mesh, bool is_renumbered);
   void clear() { *this = SelectionMemory(); }
@@ -110,7 +110,7 @@ class SelectionMemory {
   Shared last_;
 };
 
-// What a command adds to a mesh, to be selected: by the slots that were free before it.
+// The elements that a command adds to a mesh, to be selected: by the slots that were free before it.
 class FirstSlots {
  public:
   explicit FirstSlots(const Mesh& mesh)

@@ -216,7 +216,7 @@ Outcome Session::run_command(const Command& command) {
   [[maybe_unused]] const std::size_t entries = open_.document->history().size();
   [[maybe_unused]] const std::size_t logged = lines_logged_;
   [[maybe_unused]] const bool was_on_trial = open_.document->is_on_trial();
-  // What is needed once the command is done is made before.
+  // Memory for the log is reserved first, so that nothing fails once the command is done.
   if (log_.size() + 2 > log_.capacity()) log_.reserve(2 * log_.size() + 2);
   std::string entry, usual = is_logged(effect) ? std::string(without_blanks(line)) : std::string();
   entry.reserve(2 * line.size() + 256);

@@ -142,6 +142,7 @@ std::vector<Json> places_of(const OpLine& line) {
   for (std::size_t i = 0; i < line.all_lists().size(); ++i)
     for (const OpParameter& parameter : line.lists[i]) {
       Record<place_shape> place;
+      place["id"] = parameter.id;
       place["list"] = i;
       place["need"] = needs[static_cast<std::size_t>(parameter.need)];
       place["values"] = Json::array();
@@ -151,6 +152,7 @@ std::vector<Json> places_of(const OpLine& line) {
         json["called"] = value.called;
         place["values"].push_back(std::move(json).json());
       }
+      place.put(parameter.help_en, parameter.help_ja);
       places.push_back(std::move(place).json());
     }
   return places;

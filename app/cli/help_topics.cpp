@@ -14,7 +14,18 @@ namespace ryosen::cli {
 
 namespace {
 
-std::string_view help_of(const OpInfo& op, Language language) { return choose(language, op.help_en, op.help_ja); }
+// With what its line may tell it besides elements.
+std::string help_of(const OpInfo& op, Language language) {
+  std::string help(choose(language, op.help_en, op.help_ja));
+  for (const OpParameters& list : op.line.all_lists())
+    for (const OpParameter& place : list)
+      if (place.is_told())
+        help.append("; ")
+            .append(syntax_of(place))
+            .append(choose(language, ": ", "："))
+            .append(choose(language, place.help_en, place.help_ja));
+  return help;
+}
 
 std::string syntax_of(const OpInfo& op) { return ryosen::syntax_of(op.line); }
 const std::string& syntax_of(const CommandRow& row) { return row.syntax; }

@@ -72,11 +72,14 @@ inline constexpr JsonKey value_keys[] = {
 inline constexpr Shape value_shape{"value", "A value that an operator takes.", "操作が取る値。", value_keys};
 
 inline constexpr JsonKey place_keys[] = {
+    {"id", "string", "Its name, unique within the list.", "名前。並びの中で一意。"},
     {"list", "integer", "Which of the operator's alternative lists it belongs to, from 0.",
      "操作の選べる並びのうち何番目に属するか（0 から）。"},
     {"need", "string", "Whether a line needs it; a list takes one value or more.",
      "必要か省略できるか。list は一つ以上の値を取る。", words("required optional list")},
     {"values", "array of object", "What it may be: one of these.", "取りうる値（いずれか）。", objects(value_shape)},
+    {"en", "string", "What it is for, in English.", "用途（英語）。"},
+    {"ja", "string", "What it is for, in Japanese.", "用途（日本語）。"},
 };
 inline constexpr Shape place_shape{"place", "A place in the line of an operator.", "操作の行の一か所。", place_keys};
 

@@ -68,8 +68,9 @@ Outcome Gesturing::begin_copy() {
 // The operator is on trial meanwhile; in the end it is done once with the value, or not at all.
 Outcome Gesturing::begin(const AnyOp& op) {
   const OpInfo& info = info_of(op);
-  assert(info.drag);
-  const OpDrag& drag = *info.drag;
+  const OpParameter* const place = dragged_place(info.line);
+  assert(place);
+  const OpDrag& drag = *place->drag;
   const void* const values = std::visit([](const auto& o) -> const void* { return &o; }, op);
   const ColumnLengths before = mesh().lengths();
   const std::optional<glm::dvec3> from = drag.from ? std::optional(drag.from(mesh(), values)) : std::nullopt;

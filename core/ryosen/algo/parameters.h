@@ -19,6 +19,7 @@
 
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
+#include "ryosen/base/row_words.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen {
@@ -35,24 +36,6 @@ std::vector<Choice> choices_of(const Rows& rows) {
   std::vector<Choice> choices;
   for (const auto& row : rows) choices.push_back({row.id, row.en, row.ja});
   return choices;
-}
-
-// The words of a row of a table.
-struct RowWords {
-  std::string_view id;                // snake_case
-  std::string_view name_en, name_ja;  // of its field or command
-  std::string_view help_en, help_ja;
-};
-
-// Gives a row its words.
-template <class Row>
-Row with_words(const RowWords& words, Row row) {
-  row.id = words.id;
-  row.name_en = words.name_en;
-  row.name_ja = words.name_ja;
-  row.help_en = words.help_en;
-  row.help_ja = words.help_ja;
-  return row;
 }
 
 struct ParameterRow {

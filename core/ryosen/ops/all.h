@@ -107,9 +107,9 @@ inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
 inline OpEffect apply(Edit& edit, const AnyOp& op) {
   return std::visit([&](const auto& o) { return o.apply(edit); }, op);
 }
-// The operator with the value that is dragged (OpDrag); it must have one.
-inline AnyOp dragged(AnyOp op, const glm::dvec3& value) {
-  std::visit([&](auto& o) { o.info.drag->set(&o, value); }, op);
+// The operator with the position that is dragged (OpDrag); it must have one.
+inline AnyOp dragged(AnyOp op, const glm::dvec3& position) {
+  std::visit([&](auto& o) { set_dragged(o.info.line, &o, position); }, op);
   return op;
 }
 // The halfedge that an operator on one edge is about; none for others.

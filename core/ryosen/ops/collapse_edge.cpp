@@ -26,12 +26,20 @@ namespace {
 using namespace parameters;
 
 constexpr OpParameter collapse_parameters[] = {
-    missing(required(edge<&CollapseEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません"),
-    expecting(optional(word<&CollapseEdge::place, CollapseEdge::Place::start>("start"),
-                       word<&CollapseEdge::place, CollapseEdge::Place::end>("end"),
-                       word<&CollapseEdge::place, CollapseEdge::Place::middle>("mid"),
-                       position_if<&CollapseEdge::target, &CollapseEdge::place, CollapseEdge::Place::point>()),
-              "start, end, mid or X,Y,Z", "start、end、mid、X,Y,Z のいずれかを")};
+    with_words(
+        {"edge", "Edge", "稜線", "the edge that is collapsed: A goes, B stays", "縮約する稜線。A が消え、B が残る"},
+        missing(required(edge<&CollapseEdge::halfedge>("A-B")), "an edge A-B is missing",
+                "稜線 A-B の指定がありません")),
+    with_words(
+        {"at", "Place", "位置", "where B comes to lie; it stays at the end if it is left out",
+         "B の位置。省くと終点のまま"},
+        expecting(
+            optional(named("At the start", "始点", word<&CollapseEdge::place, CollapseEdge::Place::start>("start")),
+                     named("At the end", "終点", word<&CollapseEdge::place, CollapseEdge::Place::end>("end")),
+                     named("In the middle", "中央", word<&CollapseEdge::place, CollapseEdge::Place::middle>("mid")),
+                     named("At a position", "座標",
+                           position_if<&CollapseEdge::target, &CollapseEdge::place, CollapseEdge::Place::point>())),
+            "start, end, mid or X,Y,Z", "start、end、mid、X,Y,Z のいずれかを"))};
 
 }  // namespace
 

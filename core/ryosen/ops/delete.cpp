@@ -34,9 +34,16 @@ Named<Halfedge> find_any_sheet(const Mesh& mesh, std::string_view name) {
   return {sheets_between(mesh, a.element, b.element).front(), NameError::none, {}};
 }
 
-constexpr OpParameter delete_vertex[] = {required(vertex<&Delete::element>("vN"))},
-                      delete_edge[] = {required(edge<&Delete::element, find_any_sheet>("A-B"))},
-                      delete_face[] = {required(face<&Delete::element>("fN"))};
+constexpr OpParameter delete_vertex[] = {with_words(
+    {"vertex", "Vertex", "頂点", "the vertex that is deleted, with all faces and wires there",
+     "削除する頂点（そこの面と、面のない稜線も）"},
+    required(vertex<&Delete::element>("vN")))},
+                      delete_edge[] = {with_words(
+                          {"edge", "Edge", "稜線", "the edge whose faces are deleted, or the wire",
+                           "面を削除する稜線、または面のない稜線"},
+                          required(edge<&Delete::element, find_any_sheet>("A-B")))},
+                      delete_face[] = {with_words({"face", "Face", "面", "the face that is deleted", "削除する面"},
+                                                  required(face<&Delete::element>("fN")))};
 
 }  // namespace
 

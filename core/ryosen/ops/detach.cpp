@@ -17,7 +17,10 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter detach_parameters[] = {list(face<&Detach::faces>("fN"), "fM")};
+constexpr OpParameter detach_parameters[] = {
+    with_words({"faces", "Faces", "面", "a face of the sheet, or all faces that are separated",
+                "シートの一つの面、または切り離すすべての面"},
+               list(face<&Detach::faces>("fN"), "fM"))};
 
 }  // namespace
 

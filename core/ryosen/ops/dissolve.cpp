@@ -20,7 +20,9 @@ namespace {
 using namespace parameters;
 
 constexpr OpParameter dissolve_parameters[] = {
-    required(edge<&Dissolve::halfedge>("A-B"), one_copy<&Dissolve::vertex>("vN"))};
+    with_words({"element", "Edge or vertex", "稜線または頂点",
+                "the edge between the faces, or the vertex that they surround", "面の間の稜線、または面に囲まれた頂点"},
+               required(edge<&Dissolve::halfedge>("A-B"), one_copy<&Dissolve::vertex>("vN")))};
 
 }  // namespace
 

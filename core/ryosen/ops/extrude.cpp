@@ -20,10 +20,6 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter extrude_parameters[] = {
-    list(face<&Extrude::faces>("fN"), "fM"),
-    optional(number<&Extrude::distance>("DISTANCE"), position<&Extrude::offset>())};
-
 std::optional<Text> fault_of_extrusion(const Mesh& mesh, const void* op) {
   const Extrude& extrude = *static_cast<const Extrude*>(op);
   if (!extrude.offset && !extrude.distance) return std::nullopt;
@@ -35,8 +31,7 @@ std::optional<Text> fault_of_extrusion(const Mesh& mesh, const void* op) {
   return std::nullopt;
 }
 
-constexpr OpDrag drag_of_extrusion{.set = set_way<Extrude>,
-                                   .moved =
+constexpr OpDrag drag_of_extrusion{.moved =
                                        [](const Mesh&, const void* op, const ColumnLengths&) {
                                          const std::vector<Face>& faces = static_cast<const Extrude*>(op)->faces;
                                          return std::vector<Element>(faces.begin(), faces.end());
@@ -45,6 +40,14 @@ constexpr OpDrag drag_of_extrusion{.set = set_way<Extrude>,
                                    .along_normal = true,
                                    .unmoved_en = extruded_by_nothing_en,
                                    .unmoved_ja = extruded_by_nothing_ja};
+
+constexpr OpParameter extrude_parameters[] = {
+    with_words({"faces", "Faces", "面", "the faces that are moved together", "まとめて動かす面"},
+               list(face<&Extrude::faces>("fN"), "fM")),
+    with_words({"by", "Movement", "移動量", "how far they move: a distance along their mean normal, or X,Y,Z",
+                "移動量：平均の法線方向の距離、または X,Y,Z"},
+               dragged(drag_of_extrusion, optional(named("Distance", "距離", number<&Extrude::distance>("DISTANCE")),
+                                                   named("Offset", "移動量", position<&Extrude::offset>()))))};
 
 }  // namespace
 
@@ -58,8 +61,7 @@ constinit const OpInfo Extrude::info{
     .help_ja = "面をまとめて平均の法線方向または X,Y,Z だけ動かし、まとまりの境界の稜線を元の位置と側面でつなぐ",
     .target = OpTargetKind::face,
     .group = OpGroup::refine,
-    .on_selection = OnSelection::all,
-    .drag = &drag_of_extrusion};
+    .on_selection = OnSelection::all};
 
 namespace {
 

@@ -32,13 +32,6 @@ inline constexpr std::string_view
         "移動量ゼロで押し出しました。新しい面は、動かすか拡大縮小するまで広がりがありません。"
         "「元に戻す」で取り消せます。";
 
-// Sets the way of an extrusion, whose distance then counts no more.
-template <class Op>
-void set_way(void* op, const glm::dvec3& by) {
-  static_cast<Op*>(op)->distance.reset();
-  static_cast<Op*>(op)->offset = by;
-}
-
 struct Extrude {
   std::vector<Face> faces;
   std::optional<double> distance = {};  // along their normal; default: the square root of their mean area

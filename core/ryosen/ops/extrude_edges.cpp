@@ -31,10 +31,6 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter extrude_edges_parameters[] = {
-    list(edge<&ExtrudeEdges::edges>("A-B"), "C-D"),
-    optional(number<&ExtrudeEdges::distance>("DISTANCE"), position<&ExtrudeEdges::offset>())};
-
 std::optional<Text> fault_of_edge_extrusion(const Mesh& mesh, const void* op) {
   const ExtrudeEdges& extrude = *static_cast<const ExtrudeEdges*>(op);
   if (!extrude.offset && !extrude.distance) return std::nullopt;
@@ -58,12 +54,20 @@ std::vector<Element> far_edges(const Mesh& mesh, const void*, const ColumnLength
   return found;
 }
 
-constexpr OpDrag drag_of_edge_extrusion{.set = set_way<ExtrudeEdges>,
-                                        .moved = far_edges,
+constexpr OpDrag drag_of_edge_extrusion{.moved = far_edges,
                                         .begins_flat = true,
                                         .selects_moved = true,
                                         .unmoved_en = extruded_by_nothing_en,
                                         .unmoved_ja = extruded_by_nothing_ja};
+
+constexpr OpParameter extrude_edges_parameters[] = {
+    with_words({"edges", "Edges", "稜線", "the edges whose copies are moved together", "複製をまとめて動かす稜線"},
+               list(edge<&ExtrudeEdges::edges>("A-B"), "C-D")),
+    with_words(
+        {"by", "Movement", "移動量", "how far the copies move: a distance away from their faces, or X,Y,Z",
+         "複製の移動量：面から離れる方向の距離、または X,Y,Z"},
+        dragged(drag_of_edge_extrusion, optional(named("Distance", "距離", number<&ExtrudeEdges::distance>("DISTANCE")),
+                                                 named("Offset", "移動量", position<&ExtrudeEdges::offset>()))))};
 
 }  // namespace
 
@@ -77,8 +81,7 @@ constinit const OpInfo ExtrudeEdges::info{
     .help_ja = "稜線の複製をまとめて面から離れる方向または X,Y,Z だけ動かし、元の稜線と面でつなぐ",
     .target = OpTargetKind::edge,
     .group = OpGroup::refine,
-    .on_selection = OnSelection::all,
-    .drag = &drag_of_edge_extrusion};
+    .on_selection = OnSelection::all};
 
 namespace {
 

@@ -17,7 +17,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter fill_parameters[] = {required(edge<&Fill::halfedge>("A-B"))};
+constexpr OpParameter fill_parameters[] = {
+    with_words({"edge", "Edge", "稜線", "an edge of the hole", "穴の稜線"}, required(edge<&Fill::halfedge>("A-B")))};
 
 void turn_to_hole(const Mesh& mesh, void* op) {
   Fill& fill = *static_cast<Fill*>(op);

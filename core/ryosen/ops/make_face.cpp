@@ -18,9 +18,15 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter make_face_parameters[] = {required(unprinted(copy<&MakeFace::corners>("A"))),
-                                                required(unprinted(copy<&MakeFace::corners>("B"))),
-                                                list(copy<&MakeFace::corners>("C"))};
+constexpr OpParameter make_face_parameters[] = {
+    with_words({"first", "First corner", "最初の角", "the vertex at which the face begins", "面の最初の頂点"},
+               required(unprinted(copy<&MakeFace::corners>("A")))),
+    with_words({"second", "Second corner", "二番目の角", "the vertex counter-clockwise from the first",
+                "最初の頂点から反時計回りに次の頂点"},
+               required(unprinted(copy<&MakeFace::corners>("B")))),
+    with_words(
+        {"others", "Other corners", "残りの角", "the other vertices, counter-clockwise", "残りの頂点（反時計回り）"},
+        list(copy<&MakeFace::corners>("C")))};
 
 }  // namespace
 

@@ -61,21 +61,6 @@ struct InPlaceOf {
   std::string_view en, ja;  // what may be selected for that: "faces side by side"
 };
 
-// A value of an operator that is dragged by hand: a gesture does the operator on trial and moves what it made; its end
-// gives the operator the value.
-struct OpDrag {
-  // Gives the operator how far that has moved or, where there is `from`, the place at which it ends.
-  void (*set)(void* op, const glm::dvec3& value);
-  // The elements that move, on a mesh that had so many elements before the operator was applied.
-  std::vector<Element> (*moved)(const Mesh& mesh, const void* op, const ColumnLengths& before);
-  // The place at which it begins; on the mesh before.
-  glm::dvec3 (*from)(const Mesh& mesh, const void* op) = nullptr;
-  bool begins_flat = false;                           // what is new has no extent until it has moved
-  bool along_normal = false;                          // begins along the normal of what moves
-  bool selects_moved = false;                         // selects what moves, in place of what the operator was done to
-  std::string_view unmoved_en = "", unmoved_ja = "";  // said where it ends without a movement
-};
-
 class OpSeries;
 
 struct OpInfo {
@@ -90,7 +75,6 @@ struct OpInfo {
   Topology topology = Topology::may_change;
   Subject subject = Subject::edge;
   OnSelection on_selection = OnSelection::each;
-  const OpDrag* drag = nullptr;
   const InPlaceOf* in_place_of = nullptr;
   // With into_last: the operator that does the same where an edge joins the two.
   std::string_view along_edge = "";

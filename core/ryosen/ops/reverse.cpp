@@ -14,7 +14,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter reverse_parameters[] = {list(face<&Reverse::faces>("fN"), "fM")};
+constexpr OpParameter reverse_parameters[] = {
+    with_words({"faces", "Faces", "面", "the faces whose components are flipped", "裏返す連結成分の面"},
+               list(face<&Reverse::faces>("fN"), "fM"))};
 
 }  // namespace
 

@@ -12,7 +12,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter separate_fans_parameters[] = {required(vertex<&SeparateFans::vertex>("vN"))};
+constexpr OpParameter separate_fans_parameters[] = {
+    with_words({"vertex", "Vertex", "頂点", "the vertex with several fans of faces", "面の扇が複数ある頂点"},
+               required(vertex<&SeparateFans::vertex>("vN")))};
 
 }  // namespace
 

@@ -18,11 +18,6 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter split_parameters[] = {
-    missing(required(edge<&SplitEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません"),
-    expecting(optional(number<&SplitEdge::along>("t"), position<&SplitEdge::place>()), "a number t or X,Y,Z",
-              "数 t または X,Y,Z を")};
-
 std::optional<Text> fault_of_split(const Mesh& mesh, const void* op) {
   const auto& [h, along, place] = *static_cast<const SplitEdge*>(op);
   if (place && !is_finite(*place)) return Text{"X,Y,Z with finite coordinates", "有限の座標 X,Y,Z を"};
@@ -32,15 +27,22 @@ std::optional<Text> fault_of_split(const Mesh& mesh, const void* op) {
 }
 
 constexpr OpDrag drag_of_split{
-    .set =
-        [](void* op, const glm::dvec3& place) {
-          *static_cast<SplitEdge*>(op) = {static_cast<SplitEdge*>(op)->halfedge, 0.5, place};
-        },
     .moved = [](const Mesh& mesh, const void* op, const ColumnLengths& before) -> std::vector<Element> {
       const Halfedge h = static_cast<const SplitEdge*>(op)->halfedge;
       return {mesh.to(h).index >= before.vertices ? mesh.to(h) : mesh.from(h)};
     },
     .from = [](const Mesh& mesh, const void* op) { return static_cast<const SplitEdge*>(op)->position(mesh); }};
+
+constexpr OpParameter split_parameters[] = {
+    with_words(
+        {"edge", "Edge", "稜線", "the edge that is split", "分割する稜線"},
+        missing(required(edge<&SplitEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません")),
+    with_words(
+        {"at", "Place", "位置", "where the new vertex lies: the share of the way from A to B, or a position",
+         "新しい頂点の位置：A から B までの割合、または座標"},
+        dragged(drag_of_split, expecting(optional(named("Share of the way", "割合", number<&SplitEdge::along>("t")),
+                                                  named("Position", "座標", position<&SplitEdge::place>())),
+                                         "a number t or X,Y,Z", "数 t または X,Y,Z を")))};
 
 }  // namespace
 
@@ -54,8 +56,7 @@ constinit const OpInfo SplitEdge::info{.id = "split",
                                        .target = OpTargetKind::edge,
                                        .group = OpGroup::refine,
                                        .topology = Topology::kept,
-                                       .subject = Subject::points,
-                                       .drag = &drag_of_split};
+                                       .subject = Subject::points};
 
 Verdict SplitEdge::check(const Mesh& m) const {
   Verdict verdict;

@@ -111,10 +111,20 @@ void check_end(const Mesh& m, Halfedge end, bool has_face, Verdict& verdict) {
 using namespace parameters;
 
 constexpr OpParameter vertex_split_parameters[] = {
-    required(one_copy<&VertexSplit::vertex>("v")),
-    required(element(OpValueKind::vertex, "L"), element(OpValueKind::edge, "v-L"), element(OpValueKind::word, "-")),
-    required(element(OpValueKind::vertex, "R"), element(OpValueKind::edge, "v-R"), element(OpValueKind::word, "-")),
-    optional(position<&VertexSplit::target>())};
+    with_words({"vertex", "Vertex", "頂点", "the vertex that becomes an edge", "稜線にする頂点"},
+               required(one_copy<&VertexSplit::vertex>("v"))),
+    with_words({"left", "Left neighbour", "左の隣接頂点",
+                "from where the new end gets the faces, counter-clockwise; - for none",
+                "新しい端点が受け持つ面の始まり（反時計回り）。ないときは -"},
+               required(element(OpValueKind::vertex, "L"), element(OpValueKind::edge, "v-L"),
+                        named("None", "なし", element(OpValueKind::word, "-")))),
+    with_words({"right", "Right neighbour", "右の隣接頂点", "up to where the new end gets the faces; - for none",
+                "新しい端点が受け持つ面の終わり。ないときは -"},
+               required(element(OpValueKind::vertex, "R"), element(OpValueKind::edge, "v-R"),
+                        named("None", "なし", element(OpValueKind::word, "-")))),
+    with_words({"at", "Position", "座標", "where the new end lies; on the way to its neighbours if it is left out",
+                "新しい端点の座標。省くと隣接頂点への途中"},
+               optional(position<&VertexSplit::target>()))};
 
 // The outgoing halfedge named by an argument: by its end, or as an edge if several lead to one point. `-` gives none.
 Halfedge read_end(const Mesh& mesh, Vertex v, ArgumentReader& in) {

@@ -11,7 +11,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter delete_edge_parameters[] = {required(edge<&DeleteEdge::halfedge>("A-B"))};
+constexpr OpParameter delete_edge_parameters[] = {with_words(
+    {"edge", "Edge", "稜線", "the edge without a face", "面のない稜線"}, required(edge<&DeleteEdge::halfedge>("A-B")))};
 
 }  // namespace
 

@@ -12,7 +12,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter delete_loop_parameters[] = {required(face<&DeleteLoop::face>("fN"))};
+constexpr OpParameter delete_loop_parameters[] = {with_words(
+    {"face", "Face", "面", "the face that is deleted", "取り除く面"}, required(face<&DeleteLoop::face>("fN")))};
 
 }  // namespace
 

@@ -14,7 +14,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter make_loop_parameters[] = {required(edge<&MakeLoop::halfedge>("A-B"))};
+constexpr OpParameter make_loop_parameters[] = {with_words(
+    {"edge", "Edge", "稜線", "a halfedge of the cycle, with the outside on its left", "閉路の半稜線。左側が外側"},
+    required(edge<&MakeLoop::halfedge>("A-B")))};
 
 }  // namespace
 

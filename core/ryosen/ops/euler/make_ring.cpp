@@ -17,7 +17,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter make_ring_parameters[] = {required(edge<&MakeRing::halfedge>("A-B"))};
+constexpr OpParameter make_ring_parameters[] = {
+    with_words({"edge", "Edge", "稜線", "the bridge that is taken away", "取り除く橋の稜線"},
+               required(edge<&MakeRing::halfedge>("A-B")))};
 
 }  // namespace
 

@@ -10,7 +10,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter make_vertex_parameters[] = {required(position<&MakeVertex::position>())};
+constexpr OpParameter make_vertex_parameters[] = {with_words(
+    {"at", "Position", "座標", "where the vertex lies", "頂点の座標"}, required(position<&MakeVertex::position>()))};
 
 }  // namespace
 

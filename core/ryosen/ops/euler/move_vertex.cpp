@@ -13,8 +13,11 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter move_vertex_parameters[] = {required(vertex<&MoveVertex::vertex>("vN")),
-                                                  required(position<&MoveVertex::position>())};
+constexpr OpParameter move_vertex_parameters[] = {
+    with_words({"vertex", "Vertex", "頂点", "the vertex that is moved, with its copies", "複製とともに動かす頂点"},
+               required(vertex<&MoveVertex::vertex>("vN"))),
+    with_words({"to", "Position", "座標", "where it moves", "移動先の座標"},
+               required(position<&MoveVertex::position>()))};
 
 }  // namespace
 

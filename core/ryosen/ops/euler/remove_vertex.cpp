@@ -11,7 +11,8 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter remove_vertex_parameters[] = {required(copy<&RemoveVertex::vertex>("vN"))};
+constexpr OpParameter remove_vertex_parameters[] = {with_words(
+    {"vertex", "Vertex", "頂点", "the isolated vertex", "孤立頂点"}, required(copy<&RemoveVertex::vertex>("vN")))};
 
 }  // namespace
 

@@ -12,8 +12,13 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter separate_edge_parameters[] = {required(edge<&SeparateEdge::halfedge>("A-B")),
-                                                    optional(number<&SeparateEdge::along>("t"))};
+constexpr OpParameter separate_edge_parameters[] = {
+    with_words({"edge", "Edge", "稜線", "the edge that gets a vertex", "頂点を入れる稜線"},
+               required(edge<&SeparateEdge::halfedge>("A-B"))),
+    with_words({"at", "Share of the way", "割合",
+                "where the vertex lies, as a share of the way from A to B; 0.5 if it is left out",
+                "頂点の位置：A から B までの割合。省くと 0.5"},
+               optional(number<&SeparateEdge::along>("t")))};
 
 }  // namespace
 

@@ -16,7 +16,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter unite_edge_parameters[] = {required(vertex<&UniteEdge::vertex>("vN"))};
+constexpr OpParameter unite_edge_parameters[] = {
+    with_words({"vertex", "Vertex", "頂点", "the vertex between the two edges", "二本の稜線の間の頂点"},
+               required(vertex<&UniteEdge::vertex>("vN")))};
 
 }  // namespace
 

@@ -16,7 +16,9 @@ namespace {
 
 using namespace parameters;
 
-constexpr OpParameter unite_loop_parameters[] = {required(edge<&UniteLoop::halfedge>("A-B"))};
+constexpr OpParameter unite_loop_parameters[] = {
+    with_words({"edge", "Edge", "稜線", "the edge between the two faces", "二つの面の間の稜線"},
+               required(edge<&UniteLoop::halfedge>("A-B")))};
 
 }  // namespace
 

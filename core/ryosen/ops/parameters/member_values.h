@@ -1,7 +1,7 @@
 // Values of an operator's line that a member of the operator keeps.
 //
-//   constexpr OpParameter parameters[] = {required(edge<&SwapEdge::halfedge>("A-B")),
-//                                         optional(word<&SwapEdge::back, true>("back"))};
+//   with_words({"edge", "Edge", "稜線", "the edge that is turned", "回す稜線"},
+//              required(edge<&SwapEdge::halfedge>("A-B")))
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -32,6 +32,12 @@ inline void keep(Element& member, Element value) { member = value; }
 template <class Value>
 void keep(std::vector<Value>& member, const Value& value) {
   member.push_back(value);
+}
+
+// Gives a member what it holds in an operator that was told nothing.
+template <auto Member>
+void clear(void* op) {
+  Access<Member>::of(op) = (typename Access<Member>::Op{}).*Member;
 }
 
 // Whether a member holds a value; an Element one of this kind.
@@ -165,7 +171,8 @@ constexpr OpValue number(std::string_view called) {
                   return Kept::of(op).has_value();
               },
           .print = [](const Mesh&, const void* op,
-                      std::string& line) { line += " " + format_double(value_of(Kept::of(op))); }};
+                      std::string& line) { line += " " + format_double(value_of(Kept::of(op))); },
+          .clear = clear<Member>};
 }
 
 template <auto Member>
@@ -182,7 +189,9 @@ constexpr OpValue position(std::string_view called = "X,Y,Z") {
                   return Kept::of(op).has_value();
               },
           .print = [](const Mesh&, const void* op,
-                      std::string& line) { line += " " + format_place(value_of(Kept::of(op))); }};
+                      std::string& line) { line += " " + format_place(value_of(Kept::of(op))); },
+          .clear = clear<Member>,
+          .set = [](void* op, const glm::dvec3& position) { Kept::of(op) = position; }};
 }
 // A position that also gives member `Told` a value, and is printed only if it has that value.
 template <auto Member, auto Told, auto Value>
@@ -193,6 +202,11 @@ constexpr OpValue position_if(std::string_view called = "X,Y,Z") {
     Access<Member>::of(op) = in.place();
   };
   value.is_held = [](const void* op) { return Access<Told>::of(op) == Value; };
+  value.clear = clear<Told>;
+  value.set = [](void* op, const glm::dvec3& position) {
+    Access<Told>::of(op) = Value;
+    Access<Member>::of(op) = position;
+  };
   return value;
 }
 
@@ -207,7 +221,15 @@ constexpr OpValue word(std::string_view called) {
                 in.skip();
                 Kept::of(op) = Value;
               },
-          .is_held = [](const void* op) { return Kept::of(op) == Value; }};
+          .is_held = [](const void* op) { return Kept::of(op) == Value; },
+          .clear = clear<Member>};
+}
+
+// A value as a list of choices calls it.
+constexpr OpValue named(std::string_view en, std::string_view ja, OpValue value) {
+  value.name_en = en;
+  value.name_ja = ja;
+  return value;
 }
 
 template <class... Values>
@@ -224,6 +246,10 @@ constexpr OpParameter list(OpValue value, std::string_view more = "") {
 constexpr OpParameter expecting(OpParameter parameter, std::string_view en, std::string_view ja) {
   parameter.expected_en = en;
   parameter.expected_ja = ja;
+  return parameter;
+}
+constexpr OpParameter dragged(const OpDrag& drag, OpParameter parameter) {
+  parameter.drag = &drag;
   return parameter;
 }
 constexpr OpParameter missing(OpParameter parameter, std::string_view en, std::string_view ja) {

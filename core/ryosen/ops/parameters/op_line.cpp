@@ -263,14 +263,19 @@ class Matcher {
 
 }  // namespace
 
+std::string syntax_of(const OpParameter& parameter) {
+  std::string values;
+  for (const OpValue& value : values_of(parameter)) values.append(values.empty() ? "" : "|").append(value.called);
+  return values;
+}
+
 std::string syntax_of(const OpLine& line) {
   std::string text;
   for (const OpParameters& list : line.all_lists()) {
     if (!text.empty()) text += " | ";
     for (const OpParameter& parameter : list) {
       if (&parameter != &list.front()) text += " ";
-      std::string values;
-      for (const OpValue& value : values_of(parameter)) values.append(values.empty() ? "" : "|").append(value.called);
+      const std::string values = syntax_of(parameter);
       text += parameter.is_optional() ? "[" + values + "]" : values;
       if (parameter.is_list()) text += parameter.more.empty() ? " ..." : " [" + std::string(parameter.more) + " ...]";
     }
@@ -308,6 +313,21 @@ Halfedge halfedge_of(const OpLine& line, const void* op) {
   if (line.lists[0].empty()) return Halfedge();
   const OpValue& first = line.lists[0][0].values[0];
   return first.halfedge ? first.halfedge(op) : Halfedge();
+}
+
+const OpParameter* dragged_place(const OpLine& line) {
+  for (const OpParameters& list : line.all_lists())
+    for (const OpParameter& parameter : list)
+      if (parameter.drag) return &parameter;
+  return nullptr;
+}
+
+void set_dragged(const OpLine& line, void* op, const glm::dvec3& position) {
+  const auto values = values_of(*dragged_place(line));
+  for (const OpValue& value : values)
+    if (value.clear) value.clear(op);
+  for (const OpValue& value : values)
+    if (value.set) value.set(op, position);
 }
 
 std::vector<OpWord> op_words(std::span<const std::string_view> words) { return {words.begin(), words.end()}; }

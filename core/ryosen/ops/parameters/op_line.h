@@ -81,12 +81,20 @@ class ArgumentReader {
 // ` | ` between whole lists; `...` repeats.
 std::string syntax_of(const OpLine& line);
 
+// "start|end|mid|X,Y,Z": what may be in a place.
+std::string syntax_of(const OpParameter& parameter);
+
 // Reads the arguments into the operator. The first error stays in the reader.
 void read_line(const OpLine& line, const Mesh& mesh, ArgumentReader& in, void* op);
 // Prints the arguments, each behind a blank. Inverse of read_line() on the mesh where it was printed.
 std::string print_line(const OpLine& line, const Mesh& mesh, const void* op);
 // The halfedge of an operator on one edge; none of others.
 Halfedge halfedge_of(const OpLine& line, const void* op);
+
+// The place of a line whose position is dragged by hand; null where there is none.
+const OpParameter* dragged_place(const OpLine& line);
+// Puts a position into that place, which must be there, and takes other values out of it.
+void set_dragged(const OpLine& line, void* op, const glm::dvec3& position);
 
 // An argument of a line whose elements need not exist: a word, or any element of a kind.
 struct OpWord {

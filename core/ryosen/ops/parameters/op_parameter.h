@@ -1,23 +1,28 @@
 // The parameters of operators: the values that may be in each place of a line, and the members that keep them.
 //
-// An operator's row lists them (OpInfo::line); reading and printing its line, its syntax, and the kind of element that
-// a line lacks follow from that list (op_line.h). member_values.h makes the values from members.
+// An operator's row lists them (OpInfo::line); reading and printing its line, its syntax, its fields in the window, its
+// part of `help json`, what a hand drags, and the kind of element that a line lacks follow from that list (op_line.h).
+// member_values.h makes the values from members.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "ryosen/base/handle.h"
+#include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
+#include "ryosen/base/row_words.h"
 
 namespace ryosen {
 
 class ArgumentReader;
 class Mesh;
+struct ColumnLengths;
 
 enum class OpValueKind { vertex, edge, face, number, position, word };
 
@@ -32,15 +37,36 @@ struct OpValue {
   // Appends a blank and the value; a list all its values, each behind a blank. A word has none, since it is printed as
   // it is called; neither has a value that another one of the same list prints.
   void (*print)(const Mesh& mesh, const void* op, std::string& line) = nullptr;
-  Halfedge (*halfedge)(const void* op) = nullptr;  // of an edge; of a list with one
+  Halfedge (*halfedge)(const void* op) = nullptr;               // of an edge; of a list with one
+  void (*clear)(void* op) = nullptr;                            // takes it out, where its place may be empty
+  void (*set)(void* op, const glm::dvec3& position) = nullptr;  // of a position
+  std::string_view name_en = "", name_ja = "";                  // where one of several values is chosen
+};
+
+// How the position in a place of a line is dragged by hand: a gesture does the operator on trial and moves what it
+// made; its end gives the operator the position.
+struct OpDrag {
+  // The elements that move, on a mesh that had so many elements before the operator was applied.
+  std::vector<Element> (*moved)(const Mesh& mesh, const void* op, const ColumnLengths& before);
+  // The place at which it begins, on the mesh before; the position is then that at which it ends. Without it the
+  // position is how far it has moved.
+  glm::dvec3 (*from)(const Mesh& mesh, const void* op) = nullptr;
+  bool begins_flat = false;                           // what is new has no extent until it has moved
+  bool along_normal = false;                          // begins along the normal of what moves
+  bool selects_moved = false;                         // selects what moves, in place of what the operator was done to
+  std::string_view unmoved_en = "", unmoved_ja = "";  // said where it ends without a movement
 };
 
 // A place of a line: one of up to four values.
 struct OpParameter {
+  std::string_view id = "";  // these five as in RowWords; an id is unique within its list
+  std::string_view name_en = "", name_ja = "";
+  std::string_view help_en = "", help_ja = "";
   enum class Need { required, optional, list };  // a list takes one value or more
   Need need = Need::required;
   std::array<OpValue, 4> values = {};
   std::string_view more = "";  // how the syntax calls further values of a list; empty where `...` does
+  const OpDrag* drag = nullptr;
   // Words that replace the syntax where a word is not understood, or missing.
   std::string_view expected_en = "", expected_ja = "", missing_en = "", missing_ja = "";
 
@@ -48,6 +74,12 @@ struct OpParameter {
     std::size_t n = 0;
     while (n < values.size() && !values[n].called.empty()) ++n;
     return n;
+  }
+  // Whether it takes no element: a number, a position or a word.
+  constexpr bool is_told() const {
+    for (std::size_t i = 0; i < count(); ++i)
+      if (values[i].kind < OpValueKind::number) return false;
+    return true;
   }
   constexpr bool is_optional() const { return need == Need::optional; }
   constexpr bool is_list() const { return need == Need::list; }

@@ -14,11 +14,21 @@ struct FaceCorners {
 };
 
 inline constexpr OpParameter face_corner_parameters[] = {
-    parameters::required(parameters::element(OpValueKind::vertex, "A")),
-    parameters::required(parameters::element(OpValueKind::vertex, "B")),
-    parameters::optional(parameters::element(OpValueKind::face, "fN")),
-    parameters::optional(parameters::element(OpValueKind::edge, "P-A")),
-    parameters::optional(parameters::element(OpValueKind::edge, "Q-B"))};
+    with_words({"first", "First corner", "最初の角", "the vertex of the first corner", "最初の角の頂点"},
+               parameters::required(parameters::element(OpValueKind::vertex, "A"))),
+    with_words({"second", "Second corner", "二番目の角", "the vertex of the second corner", "二番目の角の頂点"},
+               parameters::required(parameters::element(OpValueKind::vertex, "B"))),
+    with_words(
+        {"face", "Face", "面", "the face, where several have both corners", "両方の角を持つ面が複数あるときの面"},
+        parameters::optional(parameters::element(OpValueKind::face, "fN"))),
+    with_words({"into_first", "Side into the first", "最初の角への半稜線",
+                "the halfedge that ends at A, where the face visits it several times",
+                "面が A を複数回通るとき、A に着く半稜線"},
+               parameters::optional(parameters::element(OpValueKind::edge, "P-A"))),
+    with_words({"into_second", "Side into the second", "二番目の角への半稜線",
+                "the halfedge that ends at B, where the face visits it several times",
+                "面が B を複数回通るとき、B に着く半稜線"},
+               parameters::optional(parameters::element(OpValueKind::edge, "Q-B")))};
 
 // The face may be omitted if only one has both corners, the incoming sides if the face visits each point once.
 FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in);

@@ -16,7 +16,7 @@ std::vector<AnyOp> dragged_ops(const Mesh& cube) {
   std::vector<AnyOp> ops;
   const OpTarget target{.halfedge = cube.halfedge(Face(0)), .vertex = Vertex(0), .face = Face(0)};
   for (const OpInfo& info : all_ops())
-    if (info.drag) ops.push_back(op_at(cube, info.id, target));
+    if (dragged_place(info.line)) ops.push_back(op_at(cube, info.id, target));
   return ops;
 }
 
@@ -42,7 +42,7 @@ TEST(drag, of_a_value_gives_the_operator_that_its_line_says) {
 TEST(drag, moves_what_the_operator_makes) {
   for (const AnyOp& op : dragged_ops(asset_mesh("cube.obj"))) {
     const std::string line = command_of(asset_mesh("cube.obj"), op);
-    const OpDrag& drag = *info_of(op).drag;
+    const OpDrag& drag = *dragged_place(info_of(op).line)->drag;
     const auto middle_of_moved = [&](const AnyOp& done, const glm::dvec3& from) {
       Mesh mesh = asset_mesh("cube.obj");
       const ColumnLengths before = mesh.lengths();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
@@ -161,6 +163,31 @@ TEST(OpLine, what_is_expected_is_said_in_each_language) {
     EXPECT_EQ(fault->ja.find("expected"), std::string::npos) << fault->ja;
     EXPECT_EQ(fault->ja.find(" or "), std::string::npos) << fault->ja;
   }
+}
+
+TEST(OpLine, tells_of_each_place_what_it_is_for) {
+  const auto is_id = [](std::string_view id) {
+    return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == id.npos;
+  };
+  std::set<std::string> all;
+  for (const OpInfo& op : all_ops())
+    for (const OpParameters& list : op.line.all_lists()) {
+      std::set<std::string_view> ids;
+      for (const OpParameter& place : list) {
+        const std::string where = std::string(op.id) + " " + std::string(place.id);
+        EXPECT_TRUE(is_id(place.id)) << where;
+        EXPECT_TRUE(ids.insert(place.id).second) << where << " is there twice";
+        for (const std::string_view words : {place.name_en, place.name_ja, place.help_en, place.help_ja})
+          EXPECT_FALSE(words.empty()) << where;
+        EXPECT_FALSE(place.help_en.ends_with('.')) << where << ": a clause, no sentence";
+        for (const OpValue& value : std::span(place.values).first(place.count())) {
+          const bool is_element = value.kind < OpValueKind::number;
+          EXPECT_FALSE(!is_element && place.count() > 1 && (value.name_en.empty() || value.name_ja.empty())) << where;
+          if (place.drag && place.is_told()) all.insert(where);
+        }
+      }
+    }
+  EXPECT_EQ(all, (std::set<std::string>{"extrude by", "extrude_edges by", "split at"})) << "what is dragged";
 }
 
 }  // namespace

@@ -9,14 +9,12 @@
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
+#include "app/editor/shown/asked_values.h"
 #include "app/ui/menu.h"
 #include "app/ui/panels.h"
 #include "app/ui/widgets.h"
-#include "ryosen/base/number_text.h"
-#include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/ops/all.h"
-#include "ryosen/ops/parameters/op_line.h"
 
 namespace ryosen {
 
@@ -31,21 +29,14 @@ void operator_item(PanelContext& context, const OpInfo& op) {
   tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
-// What takes a place as well: the line is begun with the middle of the element, for the user to change.
-void place_item(PanelContext& context, const OpInfo& op) {
-  const Elements& selection = context.selecting.selection;
-  if (selection.size() != 1 || op.on_selection != OnSelection::each ||
-      !offer_on_selection(context.findings(), context.selecting, op).may_be)
-    return;
-  const std::string name = context.selecting.selected_names()[0];
-  const std::string_view words[] = {name, "0,0,0"};
-  if (first_misfit(op.line, op_words(words))) return;
-  const std::string label =
-      std::string(context.text(op.name_en, op.name_ja)) + context.text(" at X,Y,Z...", "（座標を指定）...");
-  const glm::dvec3 middle = middle_of(context.mesh(), selection[0]);
-  if (ImGui::MenuItem(label.c_str()))
-    context.begin_command(std::string(op.id) + " " + name + " " + format_place(middle));
-  tip(context.text(op.help_en, op.help_ja));
+// What may be told a number or a position as well: its fields.
+void values_item(PanelContext& context, const OpInfo& op) {
+  if (!has_values(op, true)) return;
+  const std::string line = "values " + std::string(op.id), chord = chord_of(context.preferences, line),
+                    name = std::string(context.text(op.name_en, op.name_ja)) + "...";
+  const Offer offer = offer_on_selection(context.findings(), context.selecting, op);
+  if (ImGui::MenuItem(name.c_str(), chord.c_str(), false, offer.may_be)) context.run(line);
+  tip(context.text("Asks for the values first.", "先に値を入力します。"), ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 // What unites several may do so in their middle too.
@@ -64,7 +55,7 @@ void operator_items(PanelContext& context, const OpGroupRow& group) {
   for (const OpInfo& op : all_ops()) {
     if (op.group != group.group || !fits_selection(context.findings(), context.selecting, op)) continue;
     operator_item(context, op);
-    place_item(context, op);
+    values_item(context, op);
     middle_item(context, op);
   }
 }

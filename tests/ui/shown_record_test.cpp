@@ -14,7 +14,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
-#include "app/editor/shown/algorithm_preview.h"
+#include "app/editor/shown/values_preview.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/textbook/playing.h"
 #include "ryosen/algo/algorithm_table.h"
@@ -211,7 +211,7 @@ class Stage {
 
   bool is_preview_;
   std::unique_ptr<Session> session_;
-  AlgorithmPreview preview_;
+  ValuesPreview preview_;
   std::string first_;
 };
 

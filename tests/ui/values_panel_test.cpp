@@ -240,6 +240,46 @@ TEST_F(ValuesPanel, begins_with_what_is_selected_where_that_is_worked_on) {
   EXPECT_EQ(test::DrawnText(gui).count("selectedSelection"), 0u) << "what stays sharp is not what is worked on";
 }
 
+// Of an operator: where the new vertex lies, seen before it is run.
+TEST_F(ValuesPanel, asks_what_an_operator_may_be_told) {
+  ASSERT_TRUE(session.run("select f0").done());
+  ASSERT_TRUE(gui.run(session, "values poke").done());
+  frames(6);
+  ASSERT_TRUE(session.document().is_on_trial());
+  ASSERT_EQ(session.mesh().live().vertices, 9u);
+  press(ImGuiKey_Backspace);
+  type("9,9,9");
+  frames(3);
+  ASSERT_EQ(session.mesh().live().vertices, 9u);
+  EXPECT_EQ(session.mesh().position(Vertex(8)), glm::dvec3(9)) << "the preview follows what is written";
+  EXPECT_EQ(session.document().position(), 0u);
+  press(ImGuiKey_Enter);
+  frames(3);
+  EXPECT_FALSE(session.document().is_on_trial());
+  EXPECT_EQ(session.document().position(), 1u);
+  EXPECT_EQ(session.mesh().position(Vertex(8)), glm::dvec3(9));
+  EXPECT_EQ(session.layout.open_panel, "") << gui.said().en;
+  ASSERT_TRUE(session.run("undo").done());
+  EXPECT_EQ(session.mesh().live().vertices, 8u);
+}
+
+TEST_F(ValuesPanel, waits_for_what_an_operator_works_on) {
+  ASSERT_TRUE(session.run("select none").done());
+  ASSERT_TRUE(gui.run(session, "values extrude").done());
+  frames(4);
+  EXPECT_FALSE(session.document().is_on_trial());
+  EXPECT_EQ(test::DrawnText(gui).count("Nothingisselectedthatitworkson."), 1u);
+  press_button("Run");
+  EXPECT_EQ(session.document().position(), 0u) << "the button is dead";
+  ASSERT_TRUE(session.run("select f0 f2").done());
+  frames(4);
+  EXPECT_TRUE(session.document().is_on_trial()) << "shown as soon as something is selected";
+  press_button("Run");
+  frames(3);
+  EXPECT_EQ(session.document().position(), 1u) << gui.said().en;
+  EXPECT_EQ(session.mesh().live().faces, 12u) << "six walls around two faces side by side";
+}
+
 TEST_F(ValuesPanel, tells_the_copies_of_a_point_apart) {
   open("fin.obj");
   AlgorithmRow lift = test::scatter_row();

@@ -7,9 +7,11 @@
 #include "app/editor/preferences/panel_list.h"
 #include "app/editor/preferences/preferences.h"
 #include "app/editor/session/session.h"
+#include "app/editor/shown/asked_values.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/player.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 
@@ -93,12 +95,19 @@ Outcome run_columns(Layout& layout, Words arguments, std::string_view) {
 Outcome run_values(Layout& layout, Words arguments, std::string_view) {
   if (arguments.size() != 1) return wrong_arguments("values");
   const AlgorithmRow* const row = find_algorithm(arguments[0]);
-  if (!row) {
-    const std::string wrong(arguments[0]);
-    return usage_error(Text{"there is no algorithm '" + wrong + "'", "アルゴリズム「" + wrong + "」はありません"} +
-                       did_you_mean(wrong, ids_of_rows(algorithm_table())));
+  const OpInfo* const op = row ? nullptr : find_op(arguments[0]);
+  const std::string called(arguments[0]);
+  if (!row && !op) {
+    std::vector<std::string> ids = ids_of_rows(algorithm_table());
+    for (const OpInfo& other : all_ops())
+      if (has_values(other)) ids.emplace_back(other.id);
+    return usage_error(Text{"there is no algorithm '" + called + "'", "アルゴリズム「" + called + "」はありません"} +
+                       did_you_mean(called, ids));
   }
-  layout.asked_algorithm = row->id;
+  if (op && !has_values(*op))
+    return usage_error("'" + called + "' takes nothing but elements", "「" + called + "」が取るのは要素だけです");
+  layout.asked_algorithm = row ? row->id : "";
+  layout.asked_operator = op ? op->id : "";
   layout.show(panel_opened_by(PanelOpener::asked_values), true);
   return {};
 }

@@ -13,6 +13,7 @@
 #include "app/editor/session/asking.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
+#include "app/editor/shown/asked_values.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/scene/highlights/colour_maps.h"
 #include "ryosen/scene/view/named_views.h"
@@ -91,6 +92,10 @@ std::vector<PaletteEntry> palette_entries() {
   };
   for (const OpInfo& op : all_ops())
     add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), syntax_of(op.line)});
+  for (const OpInfo& op : all_ops())
+    if (has_values(op, true))
+      add({"values " + std::string(op.id), name_in(std::string(op.name_en) + "...", std::string(op.name_ja) + "..."),
+           name_in(op.help_en, op.help_ja), ""});
   for (const AlgorithmRow& row : algorithm_table())
     if (!find_op(row.id))
       add({std::string(row.id), name_in(row.name_en, row.name_ja), name_in(row.help_en, row.help_ja), ""});

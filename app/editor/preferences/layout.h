@@ -24,7 +24,8 @@ struct Layout {
   int left_px = 240, right_px = 292;
   std::string open_panel = first_open_panel();  // the one that lies over the view; empty for none
   const MenuRow* asked_menu = nullptr;          // the window opens it for the keyboard in its next frame
-  std::string asked_algorithm;                  // whose values the panel of values asks for
+  // The ids of the algorithm or the operator whose values the panel of values asks for: one of them is empty.
+  std::string asked_algorithm, asked_operator;
 
   bool is_shown(const PanelRow& panel) const;
   // One over the view takes the place of the one that was open.

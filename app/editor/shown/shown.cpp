@@ -117,6 +117,14 @@ Outcome Shown::try_out(ShownBy owner, const AnyOp& op) {
   return outcome;
 }
 
+std::optional<EachResult> Shown::try_out(ShownBy owner, const OpInfo& op, std::span<const Element> elements,
+                                         std::span<const std::string_view> arguments, Progress::Report progress) {
+  end();
+  auto result = document().try_out(op, elements, arguments, std::move(progress));
+  note(owner);
+  return result;
+}
+
 std::optional<AlgorithmResult> Shown::try_out(ShownBy owner, const AlgorithmRow& row, const ParameterValues& values,
                                               Progress::Report progress) {
   end();

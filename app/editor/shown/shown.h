@@ -94,6 +94,8 @@ class Shown {
   // Shows the result of an operator or an algorithm for an owner, in place of what is on trial. None where it is
   // cancelled.
   Outcome try_out(ShownBy owner, const AnyOp& op);
+  std::optional<EachResult> try_out(ShownBy owner, const OpInfo& op, std::span<const Element> elements,
+                                    std::span<const std::string_view> arguments, Progress::Report progress = {});
   std::optional<AlgorithmResult> try_out(ShownBy owner, const AlgorithmRow& row, const ParameterValues& values,
                                          Progress::Report progress = {});
   // Ends what is on trial: the view shows the mesh of the document, with what of it was selected, hidden, measured and

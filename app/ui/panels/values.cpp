@@ -1,4 +1,4 @@
-// The values of an algorithm: one field per parameter, as its row describes it.
+// The values of an algorithm or an operator: one field per parameter, as its row describes it.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,8 +12,9 @@
 #include "app/editor/document/repair_trials.h"
 #include "app/editor/preferences/layout.h"
 #include "app/editor/session/selecting.h"
-#include "app/editor/shown/algorithm_preview.h"
+#include "app/editor/shown/asked_values.h"
 #include "app/editor/shown/shown.h"
+#include "app/editor/shown/values_preview.h"
 #include "app/ui/panels.h"
 #include "app/ui/whole_rows.h"
 #include "app/ui/widgets.h"
@@ -36,34 +37,23 @@ std::string hint_of(const PanelContext& context, const ParameterRow& row) {
   return expected_value(row).in(context.language()) + (may_lack ? context.text("; may be left out", "、省略可") : "");
 }
 
-// The first field that must be filled in and is empty.
-std::optional<std::size_t> lacking(std::span<const ParameterRow> rows, std::span<const std::string> texts) {
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (texts[i].empty() && must_be_given(rows, rows[i])) return i;
-  return std::nullopt;
-}
-
-// With these names in place of the word for the selection.
-ParameterValues with_names(ParameterValues values, const std::vector<std::string>& names) {
-  for (const ParameterRow& row : values.rows())
-    if (means_selection(row, values.text(row.id))) values.set_names(row.id, names);
-  return values;
-}
-
-// One field per parameter of the algorithm that is asked for; without one, all of them to choose from.
+// One field per parameter of what is asked for; without that, all algorithms to choose from.
 class ValuesPanel : public Panel {
  public:
   void draw(PanelContext& context) override {
-    const AlgorithmRow* const row = find_algorithm(context.layout.asked_algorithm);
-    if (!row) return draw_algorithms(context);
-    const bool has_failed = algorithm_ == row->id && has_run_ && context.state.last.kind != Outcome::Kind::done;
-    const bool begins = algorithm_ != row->id || ImGui::IsWindowAppearing();
-    if (begins && !has_failed) begin(context, *row);
-    bold_text(context, context.text(row->name_en, row->name_ja));
-    dim_text(context, context.text(row->help_en, row->help_ja));
+    const Layout& layout = context.layout;
+    const bool is_new = algorithm_ != layout.asked_algorithm || operator_ != layout.asked_operator;
+    const bool has_failed = !is_new && has_run_ && context.state.last.kind != Outcome::Kind::done;
+    const bool begins = is_new || ImGui::IsWindowAppearing();
+    if (begins && !has_failed) begin(context, is_new);
+    if (!asked_) return draw_algorithms(context);
+    if (context.shown.by() == ShownBy::document) asked_->look_at_selection(context.findings(), context.selecting);
+    const RowWords& words = asked_->words();
+    bold_text(context, context.text(words.name_en, words.name_ja));
+    dim_text(context, context.text(words.help_en, words.help_ja));
     ImGui::Separator();
-    ReadValues read = this->read(*row);
-    const std::string fault = !read.values ? read.sentence.in(context.language())
+    std::optional<Text> wrong = asked_->fault();
+    const std::string fault = wrong        ? wrong->in(context.language())
                               : has_failed ? context.state.last.sentence.in(context.language())
                                            : "";
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -71,20 +61,20 @@ class ValuesPanel : public Panel {
     const float lines = wrapped_size(told, ImGui::GetContentRegionAvail().x).y + style.ItemSpacing.y;
     const float below = ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y + (told.empty() ? 0 : lines);
     if (begins) to_keys_ = 0;
-    const std::optional<std::size_t> entered = draw_fields(context, *row, below);
-    read = this->read(*row);  // with what was just written
+    const std::optional<std::size_t> entered = draw_fields(context, below);
+    wrong = asked_->fault();  // with what was just written
     ImGui::Separator();
     if (!told.empty()) coloured_text(fault.empty() ? context.colours().dim : context.colours().warning, told.c_str());
-    ImGui::BeginDisabled(!read.values);
+    ImGui::BeginDisabled(wrong.has_value());
     const bool pressed = ImGui::Button(context.text("Run", "実行"), {120 * context.scale, 0});
     ImGui::EndDisabled();
-    draw_preview(context, *row, read);
-    if (!read.values && entered) to_keys_ = lacking(row->parameters, texts_).value_or(*entered);
-    if (!read.values || !(pressed || entered)) return;
+    draw_preview(context, !wrong);
+    if (wrong && entered) to_keys_ = asked_->lacking().value_or(*entered);
+    if (wrong || !(pressed || entered)) return;
     has_run_ = true;
     to_keys_ = 0;
     preview_.hand_over(context.session);
-    context.run_from(AlgorithmCall{row, *read.values}, context.layout.open_panel);
+    context.run_from(asked_->command(), context.layout.open_panel);
   }
 
   void closed(PanelContext& context) override {
@@ -93,43 +83,30 @@ class ValuesPanel : public Panel {
   bool leaves_view() const override { return true; }
 
   ImVec2 size() const override {
-    const AlgorithmRow* const row = find_algorithm(algorithm_);
-    if (!row) return {410, 420};
+    if (!asked_) return {410, 420};
     if (height_ > 0) return {410, height_};
     float height = 190;
-    for (const ParameterRow& parameter : row->parameters) height += shows_what_it_takes(parameter) ? 32.f : 60.f;
+    for (const ValueField& field : asked_->fields())
+      if (field.is_shown) height += shows_what_it_takes(field.row) ? 32.f : 60.f;
     return {410, height};
   }
 
  private:
-  // The number of the field in which Enter was pressed. `below` is what stands behind them. Between what the algorithm
-  // does and what runs it, which stay in sight.
-  std::optional<std::size_t> draw_fields(PanelContext& context, const AlgorithmRow& row, float below) {
+  // The number of the field in which Enter was pressed. `below` is the height of what is drawn behind them. They lie
+  // between what it does and what runs it, which stay in sight.
+  std::optional<std::size_t> draw_fields(PanelContext& context, float below) {
     std::optional<std::size_t> entered;
     const float top = ImGui::GetCursorPosY();
     rows_.begin("fields", std::max(1.f, ImGui::GetContentRegionAvail().y - below));
     if (ImGui::BeginTable("parameters", 2)) {
       ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.3f);
       ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 2.4f);
-      for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-        const ParameterRow& parameter = row.parameters[i];
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        rows_.row();
-        ImGui::AlignTextToFramePadding();
-        wrapped_text(context.text(parameter.name_en, parameter.name_ja));
-        tip(context.text(parameter.help_en, parameter.help_ja));
-        ImGui::TableNextColumn();
-        if (to_keys_ == i) {
-          ImGui::SetKeyboardFocusHere();
-          to_keys_.reset();
-        }
-        if (draw_parameter_field(context, parameter, texts_[i], EnterAt::runs)) entered = i;
-        tip(context.text(parameter.help_en, parameter.help_ja));
-        if (const std::string hint = hint_of(context, parameter); !hint.empty()) dim_text(context, hint.c_str());
-      }
+      std::vector<ValueField>& fields = asked_->fields();
+      for (std::size_t i = 0; i < fields.size(); ++i)
+        if (fields[i].is_shown && draw_field(context, fields[i], to_keys_ == i)) entered = i;
       ImGui::EndTable();
     }
+    asked_->follow();
     rows_.end();
     // With room for a sentence of two lines, so that the height stays when one comes.
     const float least = 2 * ImGui::GetFrameHeightWithSpacing() + 2 * ImGui::GetTextLineHeightWithSpacing();
@@ -137,27 +114,40 @@ class ValuesPanel : public Panel {
     return entered;
   }
 
-  // What is selected is what it is first asked for, where its row works on elements; what else fields begin with may
-  // depend on the mesh.
-  void begin(PanelContext& context, const AlgorithmRow& row) {
-    has_run_ = false;
-    if (algorithm_ != row.id) height_ = 0;
-    algorithm_ = row.id;
-    const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
-    selected_.clear();
-    context.shown.end();  // what another one shows has no selection, and is another mesh
-    if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
-      selected_ = context.selecting.selected_names();
-    texts_.clear();
-    for (const ParameterRow& parameter : row.parameters)
-      texts_.push_back(parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)
-                                                                    : first_text(parameter, context.mesh()));
+  // Whether Enter was pressed in it.
+  bool draw_field(PanelContext& context, ValueField& field, bool has_keys) {
+    const ParameterRow& row = field.row;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    rows_.row();
+    ImGui::AlignTextToFramePadding();
+    wrapped_text(context.text(row.name_en, row.name_ja));
+    tip(context.text(row.help_en, row.help_ja));
+    ImGui::TableNextColumn();
+    if (has_keys) {
+      ImGui::SetKeyboardFocusHere();
+      to_keys_.reset();
+    }
+    const bool entered = draw_parameter_field(context, row, field.text, EnterAt::runs);
+    tip(context.text(row.help_en, row.help_ja));
+    if (const std::string hint = hint_of(context, row); !hint.empty()) dim_text(context, hint.c_str());
+    return entered;
   }
 
-  // What the fields say; the word for the selection stays a word, however much is selected.
-  ReadValues read(const AlgorithmRow& row) const {
-    const std::vector<std::string> word{std::string(selection_word)};
-    return read_fields(row.parameters, texts_, &word);
+  // What fields begin with may depend on the mesh and on what is selected.
+  void begin(PanelContext& context, bool is_new) {
+    const Layout& layout = context.layout;
+    has_run_ = false;
+    if (is_new) height_ = 0;
+    algorithm_ = layout.asked_algorithm;
+    operator_ = layout.asked_operator;
+    const AlgorithmRow* const row = find_algorithm(algorithm_);
+    const OpInfo* const op = find_op(operator_);
+    asked_.reset();
+    if (!row && !op) return;
+    context.shown.end();  // what another one shows has no selection, and is another mesh
+    asked_ = op ? ask_values(*op, context.findings(), context.selecting)
+                : ask_values(*row, context.mesh(), context.selecting);
   }
 
   void fit_height(PanelContext& context, float height_px) {
@@ -171,7 +161,7 @@ class ValuesPanel : public Panel {
   }
 
   // Whether what the fields say is shown in the view, and what it would come to.
-  void draw_preview(PanelContext& context, const AlgorithmRow& row, const ReadValues& read) {
+  void draw_preview(PanelContext& context, bool is_complete) {
     const bool is_offered = preview_.is_offered(context.findings(), context.shown);
     bool none = false;
     ImGui::BeginDisabled(!is_offered);
@@ -184,20 +174,19 @@ class ValuesPanel : public Panel {
     tip(context.text("Shows in the view what it would do, where that is quick: on meshes of at most 20,000 faces.",
                      "実行結果をビューに示します（20,000 面までの、すぐ終わるものだけ）。"),
         ImGuiHoveredFlags_AllowWhenDisabled);
-    if (has_preview_ && read.values && is_offered)
-      preview_.show(context.session, row, with_names(*read.values, selected_));
+    if (has_preview_ && is_complete && is_offered)
+      asked_->show_in(preview_, context.session);
     else
       preview_.end(context.document(), context.view, context.framing, context.shown);
   }
 
-  std::string algorithm_;  // its id
+  std::string algorithm_, operator_;  // the id of the one that is asked for; both empty for none
+  std::unique_ptr<AskedValues> asked_;
   WholeRows rows_;
   float height_ = 0;                    // that all of its fields take, at scale 1; 0 as long as it is not known
-  bool has_run_ = false;                // with these values; where that failed, the reason stands beside them
+  bool has_run_ = false;                // with these values; where that failed, the reason is said beside them
   std::optional<std::size_t> to_keys_;  // the field that is to have the keyboard next
-  std::vector<std::string> texts_;      // what stands in the fields of its parameters
-  std::vector<std::string> selected_;   // the names of what was selected when it was opened
-  AlgorithmPreview preview_;
+  ValuesPreview preview_;
   bool has_preview_ = true;  // wanted, where it is quick
 };
 

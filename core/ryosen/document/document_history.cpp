@@ -58,6 +58,22 @@ Outcome Document::try_out(const AnyOp& op) {
   return {};
 }
 
+std::optional<EachResult> Document::try_out(const OpInfo& op, std::span<const Element> elements,
+                                            std::span<const std::string_view> arguments, Progress::Report report) {
+  end_trial();
+  EachResult result;
+  {
+    Progress progress(std::move(report));
+    Edit edit(writable(), &trial_);
+    result = ryosen::apply_to_each(edit, op, elements, arguments, false, progress);
+    if (progress.is_cancelled()) return std::nullopt;
+    if (result.done == 0 || result.error != NameError::none) return result;
+    edit.commit();
+  }
+  notify(trial_, 0, Change::tried);
+  return result;
+}
+
 std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const ParameterValues& values,
                                                  Progress::Report report) {
   end_trial();

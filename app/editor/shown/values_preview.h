@@ -1,12 +1,14 @@
-// What an algorithm would do with the values that are in its fields, shown in the view before it is run.
+// What an algorithm or an operator would do with the values that are in its fields, shown in the view beforehand.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "ryosen/algo/algorithm.h"
+#include "ryosen/ops/op.h"
 #include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
@@ -22,19 +24,30 @@ class Shown;
 // The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
 // longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought
 // into view where it is not in it, until it goes or somebody moves the camera.
-class AlgorithmPreview {
+class ValuesPreview {
  public:
   bool is_offered(const Findings& findings, const Shown& shown) const;
   // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
   void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
+  // The same with an operator, on what is selected where it works on that, with these words behind; `stamp` is that of
+  // the selection.
+  void show(Session& session, const OpInfo& op, std::span<const std::string_view> words, std::uint64_t stamp);
   // Takes it back, where nothing else has taken its place.
   void end(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   // As it is about to be done: what was brought into view stays there.
   void hand_over(Session& session);
-  // Of what was shown last: what the algorithm says of it, or why nothing is shown. Empty where nothing was.
+  // Of what was shown last: what is said of it, or why nothing is shown. Empty where nothing was.
   const Text& told() const { return told_; }
 
  private:
+  // What would be done: a line that is the same where that is shown already; whether what it adds is a part of its
+  // own; and what puts it on trial and tells its outcome, or none where it was cancelled.
+  struct Trial {
+    std::string line;
+    bool adds_part = false;
+    std::function<std::optional<Text>(Progress::Report)> run;
+  };
+  void show(Session& session, const Trial& trial);
   void take_back(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   void bring_into_view(const Mesh& mesh, const ViewState& view, Framing& framing, std::span<const glm::dvec3> places);
 

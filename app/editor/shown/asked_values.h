@@ -1,0 +1,59 @@
+// The fields of what the panel of values asks for: the values of an algorithm, or what an operator may be told besides
+// the elements that it works on.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/commands/text/command.h"
+#include "ryosen/algo/parameters.h"
+#include "ryosen/base/message.h"
+
+namespace ryosen {
+
+class Findings;
+class Selecting;
+class Session;
+class ValuesPreview;
+
+struct ValueField {
+  ParameterRow row;
+  std::string text;
+  bool is_shown = true;
+};
+
+class AskedValues {
+ public:
+  virtual ~AskedValues() = default;
+
+  const RowWords& words() const { return words_; }
+  std::vector<ValueField>& fields() { return fields_; }
+  // Call when a field has changed: others may appear or go.
+  virtual void follow() {}
+  // The first field that must be filled in and is empty.
+  virtual std::optional<std::size_t> lacking() const = 0;
+  // Call while the view shows the document's mesh: whether it can be run may depend on what is selected.
+  virtual void look_at_selection(const Findings&, const Selecting&) {}
+  // Why it cannot be run with these values; none where it can.
+  virtual std::optional<Text> fault() const = 0;
+  // There must be no fault.
+  virtual Command command() const = 0;
+  virtual void show_in(ValuesPreview& preview, Session& session) const = 0;
+
+ protected:
+  explicit AskedValues(const RowWords& words) : words_(words) {}
+
+  RowWords words_;
+  std::vector<ValueField> fields_;
+};
+
+// Elements begin with what is selected, other fields with what fits the mesh.
+std::unique_ptr<AskedValues> ask_values(const AlgorithmRow& row, const Mesh& mesh, const Selecting& selecting);
+std::unique_ptr<AskedValues> ask_values(const OpInfo& op, const Findings& findings, const Selecting& selecting);
+
+// Whether an operator may be told anything besides elements; that is a number or a position, where `is_measure`.
+bool has_values(const OpInfo& op, bool is_measure = false);
+
+}  // namespace ryosen

@@ -1,0 +1,145 @@
+#include "app/editor/shown/values_preview.h"
+
+#include <chrono>
+#include <vector>
+
+#include "app/editor/camera/framing.h"
+#include "app/editor/commands/text/command.h"
+#include "app/editor/session/operator_selection.h"
+#include "app/editor/session/session.h"
+#include "ryosen/geometry/unit_vector.h"
+
+namespace ryosen {
+
+namespace {
+
+using PreviewClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds patience{200};
+
+// The places of what comes: of vertices beyond the bounds that the mesh had, and of those of a new part.
+class ComingPlaces {
+ public:
+  ComingPlaces(const Mesh& mesh, bool adds_part)
+      : new_from_(adds_part ? mesh.vertex_slots() : no_index), bounds_(box_of_live(mesh)) {
+    const double hair = 1e-9 * length_of(bounds_.highest - bounds_.lowest);
+    bounds_.lowest -= hair;
+    bounds_.highest += hair;
+  }
+
+  std::vector<glm::dvec3> in(const Mesh& mesh) const {
+    std::vector<glm::dvec3> places;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+      if (!mesh.is_alive(Vertex(i))) continue;
+      const glm::dvec3& place = mesh.position(Vertex(i));
+      if (i >= new_from_ || !bounds_.encloses({place, place})) places.push_back(place);
+    }
+    return places;
+  }
+
+ private:
+  static Box box_of_live(const Mesh& mesh) {
+    Box box;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+      if (mesh.is_alive(Vertex(i)) && is_finite(mesh.position(Vertex(i)))) box.add(mesh.position(Vertex(i)));
+    return box;
+  }
+
+  std::uint32_t new_from_;
+  Box bounds_;
+};
+
+}  // namespace
+
+bool ValuesPreview::is_offered(const Findings& findings, const Shown& shown) const {
+  if (shown.by() != ShownBy::document) return shown.by() == ShownBy::preview;
+  return !is_costly_to_try(findings.mesh()) && findings.mesh().live().vertices > 0 && !findings.preparing();
+}
+
+void ValuesPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
+  const auto run = [&](Progress::Report report) -> std::optional<Text> {
+    const ReadValues found = values.on(session.mesh());
+    if (!found.values) return Text();
+    const auto result = session.shown.try_out(ShownBy::preview, row, *found.values, std::move(report));
+    if (!result) return std::nullopt;
+    return result->refused ? *result->refused : result->fault ? *result->fault : result->text;
+  };
+  show(session, {AlgorithmCall{&row, values}.line(), row.selects_added, run});
+}
+
+void ValuesPreview::show(Session& session, const OpInfo& op, std::span<const std::string_view> words,
+                         std::uint64_t stamp) {
+  std::string line = std::to_string(stamp) + " " + std::string(op.id);
+  for (const std::string_view word : words) line.append(" ").append(word);
+  const auto run = [&](Progress::Report report) -> std::optional<Text> {
+    if (op.on_selection != OnSelection::each && op.on_selection != OnSelection::into_last) {
+      const ParsedOp parsed = op_on_selection(session.findings(), session.selecting, op, words);
+      if (!parsed.op) return parsed.sentence;
+      return session.shown.try_out(ShownBy::preview, *parsed.op).sentence;
+    }
+    const Elements selected = worked_on(session.findings(), session.selecting, op, words);
+    const auto result = session.shown.try_out(ShownBy::preview, op, selected, words, std::move(report));
+    if (!result) return std::nullopt;
+    if (result->error != NameError::none || result->refused.empty()) return result->sentence;
+    const RuleText& rule = text_of(result->refused[0].rule);
+    return Text{std::string(rule.en), std::string(rule.ja)};
+  };
+  show(session, {line, false, run});
+}
+
+void ValuesPreview::show(Session& session, const Trial& trial) {
+  const Document& document = session.document();
+  if (trial.line == line_ && serial_ == document.serial() && revision_ == document.revision()) return;
+  take_back(session.document(), session.view, session.framing, session.shown);
+  session.shown.end();
+  line_ = trial.line;
+  const ComingPlaces coming(session.mesh(), trial.adds_part);
+  const PreviewClock::time_point until = PreviewClock::now() + patience;
+  // A picture is the same however long it takes.
+  const bool is_patient = !session.trials.in_background;
+  told_ = trial.run([&](double) { return is_patient || PreviewClock::now() < until; })
+              .value_or(Text{"Too slow to preview.", "時間がかかるため、事前には表示しません。"});
+  serial_ = document.serial();
+  revision_ = document.revision();
+  bring_into_view(session.mesh(), session.view, session.framing, coming.in(session.mesh()));
+}
+
+// Where all of the mesh was seen before, all of it: its panel covers a part of the view.
+void ValuesPreview::bring_into_view(const Mesh& mesh, const ViewState& view, Framing& framing,
+                                    std::span<const glm::dvec3> places) {
+  bool is_seen = true;
+  const auto look_for = [&](std::span<const glm::dvec3> some) {
+    is_seen = is_seen && shows_all(view.camera, view.size, framing.covered(), some);
+  };
+  look_for(places);
+  if (framing.is_framed()) with_places_to_frame(mesh, look_for);
+  if (is_left_alone_ || is_seen) return;
+  before_ = CameraBefore{view.camera, framing.is_framed()};
+  framing.frame_all();
+}
+
+// With the camera as it was, where that is as it was left; also behind an undo, which has ended the trial.
+void ValuesPreview::take_back(const Document& document, ViewState& view, Framing& framing, Shown& shown) {
+  if (shown.shows(ShownBy::preview)) shown.end();
+  if (serial_ != document.serial()) before_.reset();
+  if (!before_) return;
+  is_left_alone_ = !framing.is_framed();
+  if (!is_left_alone_) view.camera = before_->camera;
+  if (!is_left_alone_ && before_->was_framed) framing.frame_all();
+  before_.reset();
+}
+
+void ValuesPreview::end(const Document& document, ViewState& view, Framing& framing, Shown& shown) {
+  take_back(document, view, framing, shown);
+  is_left_alone_ = false;
+  line_.clear();
+  told_ = {};
+  serial_ = 0;
+}
+
+void ValuesPreview::hand_over(Session& session) {
+  before_.reset();
+  end(session.document(), session.view, session.framing, session.shown);
+}
+
+}  // namespace ryosen

@@ -15,9 +15,6 @@ namespace ryosen {
 
 namespace {
 
-// As a line names it.
-Halfedge named_side(const Mesh& mesh, Edge e) { return find_edge(mesh, ryosen::name_of(mesh, Element(e))).element; }
-
 std::vector<Face> new_faces(const std::vector<Face>& touched, const ColumnLengths& before) {
   std::vector<Face> found;
   std::copy_if(touched.begin(), touched.end(), std::back_inserter(found),

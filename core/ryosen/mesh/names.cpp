@@ -41,8 +41,7 @@ std::string name_of_vertex(const Mesh& m, Vertex v) {
 }
 
 std::string name_of_edge(const Mesh& m, Edge e) {
-  Halfedge h = halfedge(e);
-  if (point(m, m.from(h)) > point(m, m.to(h))) h = twin(h);
+  const Halfedge h = named_side(m, e);
   return has_several_sheets(m, h) ? name_with_face(m, h) : ends_of(m, h);
 }
 
@@ -121,6 +120,11 @@ Named<Halfedge> find_by_slot(const Mesh& m, std::string_view name) {
 }
 
 }  // namespace
+
+Halfedge named_side(const Mesh& m, Edge e) {
+  const Halfedge h = halfedge(e);
+  return point(m, m.from(h)) > point(m, m.to(h)) ? twin(h) : h;
+}
 
 std::string name_of_copy(const Mesh& m, Vertex v) {
   std::string name = name_of(m, v);

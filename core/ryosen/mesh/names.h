@@ -35,6 +35,9 @@ std::string name_with_face(const Mesh& mesh, Halfedge h);
 // several sheets join them; never with `~`.
 std::string name_to_choose(const Mesh& mesh, Halfedge h);
 
+// The halfedge of a living edge that find_edge gives for the edge's name: from the smaller point.
+Halfedge named_side(const Mesh& mesh, Edge e);
+
 enum class NameError { none, malformed, never_existed, ambiguous, deleted };
 
 template <class Handle>

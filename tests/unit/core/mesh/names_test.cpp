@@ -57,6 +57,17 @@ TEST(names, a_name_to_choose_is_read_as_the_halfedge) {
   }
 }
 
+TEST(names, of_an_edge_give_its_named_side) {
+  for (const Polygons& faces : {fin(), two_tetrahedra_on_an_edge(), bow_tie(), tetrahedron()}) {
+    const Mesh mesh = make_mesh(faces);
+    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+      if (!mesh.is_alive(Edge(i))) continue;
+      const std::string name = name_of(mesh, Edge(i));
+      EXPECT_EQ(find_edge(mesh, name).element, named_side(mesh, Edge(i))) << name;
+    }
+  }
+}
+
 TEST(names, what_a_name_looks_like_is_said_in_each_language) {
   const Mesh mesh;
   for (const Text& sentence : {find_vertex(mesh, "x").sentence, find_edge(mesh, "x").sentence}) {

@@ -144,14 +144,14 @@ class Why {
     const std::vector<std::string_view> words = split_words(line);
     const OpInfo* const info = find_op(words[0]);
     const auto arguments = std::span(words).subspan(1);
-    const ParsedOp parsed = parse_op(mesh_, info->id, arguments);
+    const ParsedOp parsed = parse_op(mesh_, info->id, op_arguments(arguments));
     const std::string edge = info->target == OpTargetKind::edge && words.size() > 1 ? std::string(words[1]) : "";
     return answer(*info, edge, parsed, arguments);
   }
 
   ExitCode answer_edge(const OpInfo& info, const std::string& name) {
     const std::string_view argument = name;
-    return answer(info, name, parse_op(mesh_, info.id, {&argument, 1}), {&argument, 1});
+    return answer(info, name, parse_op(mesh_, info.id, op_arguments({&argument, 1})), {&argument, 1});
   }
 
   ExitCode answer_all(const OpInfo& info, bool geometry) {

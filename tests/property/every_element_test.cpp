@@ -100,7 +100,7 @@ std::vector<AnyOp> all_ops_on(const Mesh& mesh) {
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     if (mesh.is_alive(Vertex(i)) && point(mesh, Vertex(i)) == Vertex(i)) points.push_back(name_of(mesh, Vertex(i)));
   const auto add_line = [&](std::string_view id, std::vector<std::string_view> arguments) {
-    const ParsedOp parsed = parse_op(mesh, id, arguments);
+    const ParsedOp parsed = parse_op(mesh, id, op_arguments(arguments));
     if (parsed.op) ops.push_back(*parsed.op);
   };
   for (const OpInfo& info : all_ops()) {

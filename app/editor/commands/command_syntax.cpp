@@ -37,7 +37,7 @@ std::optional<Text> fault_of_expect(Words arguments, const std::string& line) {
   const bool is_about_command = arguments.size() > 1 && (arguments[0] == "legal" || arguments[0] == "refused");
   if (!is_about_command) return fault_on_nothing(line);
   if (!find_op(arguments[1])) return behind("expect", not_an_operator(arguments[1]));
-  const auto fault = fault_of_arguments(arguments[1], arguments.subspan(2));
+  const auto fault = fault_of_arguments(arguments[1], op_arguments(arguments.subspan(2)));
   if (!fault) return std::nullopt;
   return behind("expect", behind(arguments[1], *fault));
 }

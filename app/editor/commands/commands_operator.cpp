@@ -20,18 +20,22 @@ namespace {
 
 bool is_on_selection(Words arguments) { return !arguments.empty() && arguments[0] == selection_word; }
 
-Outcome apply(Document& document, const Frontend& frontend, const std::string& called, Words arguments,
-              std::string_view whole) {
-  const ParsedOp parsed = parse_op(document.mesh(), called, arguments);
-  if (!parsed.op) return no_element(document, called + std::string(whole), parsed.error, parsed.sentence);
-  Outcome outcome = document.apply(*parsed.op, frontend.is_strict);
+Outcome apply(Document& document, const Frontend& frontend, const AnyOp& op) {
+  Outcome outcome = document.apply(op, frontend.is_strict);
   if (outcome.done()) outcome.performed = document.history().back().command;
   return outcome;
 }
 
-std::string line_of(const OpInfo& op, Words words) {
+Outcome apply_words(Document& document, const Frontend& frontend, const std::string& called, Words arguments,
+                    std::string_view whole) {
+  const ParsedOp parsed = parse_op(document.mesh(), called, op_arguments(arguments));
+  if (!parsed.op) return no_element(document, called + std::string(whole), parsed.error, parsed.sentence);
+  return apply(document, frontend, *parsed.op);
+}
+
+std::string line_of(const Mesh& mesh, const OpInfo& op, std::span<const OpArgument> arguments) {
   std::string line(op.id);
-  for (const std::string_view word : words) line.append(" ").append(word);
+  for (const OpArgument& argument : arguments) line += " " + print_argument(mesh, argument);
   return line;
 }
 
@@ -163,7 +167,7 @@ Outcome apply_to_each(Document& document, Findings& findings, Selecting& selecti
                       const OpInfo& op, Words words) {
   const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
   Outcome outcome;
-  outcome.performed = line_of(op, words);
+  outcome.performed = line_of(document.mesh(), op, op_arguments(words));
   outcome.selecting = selected == selecting.selection ? selecting.select_line() : "select" + slot_ranges(selected);
   const auto result = document.apply_to_each(op, selected, words.subspan(1), outcome.performed, frontend.is_strict,
                                              frontend.on_progress);
@@ -191,11 +195,12 @@ Outcome apply_to_all(Document& document, Findings& findings, const Selecting& se
                      const OpInfo& op, Words words) {
   if (selecting.selection.empty()) return nothing_selected(op);
   const Elements selected = worked_on(findings, selecting, op, words.subspan(1));
-  const std::vector<std::string> names = names_taken(selecting, op, selected, words.subspan(1));
-  std::vector<std::string_view> arguments(names.begin(), names.end());
-  arguments.insert(arguments.end(), words.begin() + 1, words.end());
+  const Elements taken = elements_taken(op, selected, words.subspan(1));
+  const std::vector<OpArgument> arguments = op_arguments(taken, words.subspan(1));
   if (fault_of_arguments(op.id, arguments)) return does_not_fit(op);
-  return apply(document, frontend, std::string(op.id), arguments, line_of(op, arguments).substr(op.id.size()));
+  const ParsedOp parsed = parse_op(document.mesh(), op.id, arguments);
+  if (parsed.op) return apply(document, frontend, *parsed.op);
+  return no_element(document, line_of(document.mesh(), op, arguments), parsed.error, parsed.sentence);
 }
 
 Outcome apply_to_selection(Document& document, Findings& findings, Selecting& selecting, const Frontend& frontend,
@@ -205,7 +210,7 @@ Outcome apply_to_selection(Document& document, Findings& findings, Selecting& se
 }
 
 std::optional<Text> fault_on_selection(const OpInfo& op, Words words) {
-  if (op.on_selection == OnSelection::none) return fault_of_arguments(op.id, words);
+  if (op.on_selection == OnSelection::none) return fault_of_arguments(op.id, op_arguments(words));
   for (const auto kind : {Element::Kind::vertex, Element::Kind::edge, Element::Kind::face})
     if (op.on_selection == OnSelection::all || takes(op, kind, words.subspan(1))) return std::nullopt;
   return not_of_syntax(words.back(), std::string(selection_word) + " | " + syntax_of(op.line));
@@ -222,15 +227,15 @@ std::vector<std::string> alternatives(std::string_view whole) {
 CommandRow row_of(const OpInfo& op, std::string_view called) {
   const std::string word(called);
   const auto run = [word, &op](Session& session, Words arguments, std::string_view whole) {
-    if (!is_on_selection(arguments)) return apply(session.document(), session.frontend, word, arguments, whole);
+    if (!is_on_selection(arguments)) return apply_words(session.document(), session.frontend, word, arguments, whole);
     const auto fault = fault_on_selection(op, arguments);
     return fault ? usage_error(behind(word, *fault))
                  : apply_to_selection(session.document(), session.findings(), session.selecting, session.frontend, op,
                                       arguments);
   };
   const auto fault = [word, &op](Words arguments, const std::string&) -> std::optional<Text> {
-    const auto wrong =
-        is_on_selection(arguments) ? fault_on_selection(op, arguments) : fault_of_arguments(word, arguments);
+    const auto wrong = is_on_selection(arguments) ? fault_on_selection(op, arguments)
+                                                  : fault_of_arguments(word, op_arguments(arguments));
     return wrong ? std::optional(behind(word, *wrong)) : std::nullopt;
   };
   return {.id = op.id,

@@ -25,7 +25,7 @@ struct OpWords {
     op = find_op(arguments[0]);
     arguments.erase(arguments.begin());
   }
-  bool is_answered() const { return !first_misfit(op->line, op_words(arguments)) && !takes_any_number(op->line); }
+  bool is_answered() const { return !first_misfit(op->line, op_arguments(arguments)) && !takes_any_number(op->line); }
 };
 
 // How many more elements of any kind a line takes that is no operator's.
@@ -40,7 +40,7 @@ std::size_t room_for_any(std::string_view line) {
 std::optional<PickMode> asked_for(std::string_view line) {
   const OpWords said(line);
   if (!said.op || said.is_answered()) return std::nullopt;
-  const auto kind = next_element(said.op->line, op_words(said.arguments));
+  const auto kind = next_element(said.op->line, op_arguments(said.arguments));
   if (!kind) return std::nullopt;
   return *kind == Element::Kind::vertex ? PickMode::vertex
          : *kind == Element::Kind::face ? PickMode::face

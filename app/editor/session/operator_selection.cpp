@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t few = 64;  // with more, nobody waits for what each of them would say
 
-Offer offer_of(const Mesh& mesh, const std::string& line) {
-  const ParsedOp parsed = parse_line(mesh, line);
+Offer offer_of(const Mesh& mesh, const OpInfo& op, std::span<const Element> elements) {
+  const ParsedOp parsed = parse_op(mesh, op.id, op_arguments(elements));
   if (!parsed.op) return {false, {parsed.sentence}};
   const Verdict verdict = check(mesh, *parsed.op);
   return {verdict.legal(), describe_first(mesh, verdict.reasons)};
@@ -75,12 +75,11 @@ Elements worked_on(const Findings& findings, const Selecting& selecting, const O
   return kind ? all_seen(findings, *kind) : static_cast<const Elements&>(selecting.selection);
 }
 
-std::vector<std::string> names_taken(const Selecting& selecting, const OpInfo& op, const Elements& elements,
-                                     std::span<const std::string_view> arguments) {
+Elements elements_taken(const OpInfo& op, const Elements& elements, std::span<const std::string_view> arguments) {
   Elements taken;
   for (const Element& e : elements)
     if (takes(op, e.kind, arguments)) taken.push_back(e);
-  return selecting.names_of(taken.empty() ? elements : taken);
+  return taken.empty() ? elements : taken;
 }
 
 bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
@@ -94,25 +93,19 @@ bool fits_selection(const Findings& findings, const Selecting& selecting, const 
   if (op.on_selection != OnSelection::all)
     return called_with(findings.mesh(), op, selected, arguments).taken.size() >= least_taken(op);
   if (selected.size() > few) return std::any_of(selected.begin(), selected.end(), is_taken);
-  const std::vector<std::string> names = names_taken(selecting, op, selected, {});
-  return !fault_of_arguments(op.id, std::vector<std::string_view>(names.begin(), names.end()));
+  return !fault_of_arguments(op.id, op_arguments(elements_taken(op, selected, {})));
 }
 
 Offer offer_on_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op) {
   if (selecting.selection.size() > few || !fits_selection(findings, selecting, op)) return {};
   const Elements selected = worked_on(findings, selecting, op, {});
   if (selected.size() > few) return {};
-  const std::string id(op.id);
-  if (op.on_selection == OnSelection::all) {
-    std::string line = id;
-    for (const std::string& name : names_taken(selecting, op, selected, {})) line += " " + name;
-    return offer_of(findings.mesh(), line);
-  }
+  if (op.on_selection == OnSelection::all) return offer_of(findings.mesh(), op, elements_taken(op, selected, {}));
   const CalledWith with = called_with(findings.mesh(), op, selected, {});
   if (with.is_in_place || (op.on_selection == OnSelection::into_last && selected.size() > 1)) return {};
   std::optional<Offer> first;
-  for (const std::string& name : selecting.names_of(with.taken)) {
-    Offer offer = offer_of(findings.mesh(), id + " " + name);
+  for (const Element& e : with.taken) {
+    Offer offer = offer_of(findings.mesh(), op, {&e, 1});
     if (offer.may_be) return {};
     if (!first) first = std::move(offer);
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,10 +19,9 @@ class Selecting;
 Elements worked_on(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                    std::span<const std::string_view> arguments);
 
-// The names of these elements that it takes with these arguments behind each, in their order; of all of them where
-// one alone is not enough.
-std::vector<std::string> names_taken(const Selecting& selecting, const OpInfo& op, const Elements& elements,
-                                     std::span<const std::string_view> arguments);
+// The elements that it takes with these arguments behind each, in their order; all of them where one alone is not
+// enough.
+Elements elements_taken(const OpInfo& op, const Elements& elements, std::span<const std::string_view> arguments);
 
 // Whether what is selected, or a part of it, can be what an operator works on with these arguments behind each.
 bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,

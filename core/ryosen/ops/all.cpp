@@ -65,7 +65,7 @@ const OpInfo* find_op(std::string_view id) {
   return nullptr;
 }
 
-ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments) {
+ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const OpArgument> arguments) {
   ParsedOp out;
   [[maybe_unused]] const bool known = visit_op(
       id,
@@ -108,18 +108,19 @@ ParsedOp parse_line(const Mesh& mesh, std::string_view line) {
   const std::vector<std::string_view> words = split_words(line);
   if (words.empty() || !find_op(words[0]))
     return {std::nullopt, NameError::malformed, not_understood(line, {"an operator", "演算子を"})};
-  return parse_op(mesh, words[0], std::span(words).subspan(1));
+  return parse_op(mesh, words[0], op_arguments(std::span(words).subspan(1)));
 }
 
-std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments) {
+std::optional<Text> fault_of_arguments(std::string_view id, std::span<const OpArgument> arguments) {
   // Reading may say more precisely what is wrong, if it gets that far without elements.
   ParsedOp parsed = parse_op(Mesh(), id, arguments);
   if (parsed.error == NameError::malformed) return std::move(parsed.sentence);
   const OpLine& line = find_op(id)->line;
-  const std::optional<std::size_t> place = first_misfit(line, op_words(arguments));
+  const std::optional<std::size_t> place = first_misfit(line, arguments);
   if (!place) return std::nullopt;
   const std::string syntax = syntax_of(line);
-  return *place < arguments.size() ? not_of_syntax(arguments[*place], syntax) : argument_missing(syntax);
+  if (*place == arguments.size()) return argument_missing(syntax);
+  return not_of_syntax(print_argument(Mesh(), arguments[*place]), syntax);
 }
 
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target) {

@@ -75,13 +75,13 @@ struct ParsedOp {
   NameError error = NameError::none;
   Text sentence;
 };
-// Parses the arguments of a script line for the operator with this id. The id must be in the list.
-ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const std::string_view> arguments);
+// Reads the arguments of a line, words or elements, for the operator with this id. The id must be in the list.
+ParsedOp parse_op(const Mesh& mesh, std::string_view id, std::span<const OpArgument> arguments);
 // The same from a whole line: the id and its arguments, separated by blanks. An unknown id is malformed.
 ParsedOp parse_line(const Mesh& mesh, std::string_view line);
 std::vector<std::string_view> split_words(std::string_view line);
 // The fault of the arguments of the operator with this id, on any mesh; none if that depends on the mesh.
-std::optional<Text> fault_of_arguments(std::string_view id, std::span<const std::string_view> arguments);
+std::optional<Text> fault_of_arguments(std::string_view id, std::span<const OpArgument> arguments);
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
 
 inline const OpInfo& info_of(const AnyOp& op) {

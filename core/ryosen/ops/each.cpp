@@ -7,11 +7,9 @@
 #include <utility>
 
 #include "ryosen/base/index_set.h"
-#include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
-#include "ryosen/mesh/names.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"
@@ -22,17 +20,12 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-// A name that is read in constant time where there is one: edges by a halfedge, from the lower point to the higher one
-// as their own names go.
-std::string quick_name(const Mesh& mesh, const OpSeries& series, Element e) {
-  if (e.kind == Element::Kind::vertex && has_copies(mesh, e.vertex())) return name_of_copy(mesh, e.vertex());
-  if (e.kind == Element::Kind::vertex) return "v" + std::to_string(e.index);
-  if (e.kind == Element::Kind::face) return "f" + std::to_string(e.index);
-  if (e.kind == Element::Kind::halfedge) return "h" + std::to_string(e.index);
+// An edge as the halfedge from the lower point to the higher one, by the numbers that the series gives them.
+Element directed(const Mesh& mesh, const OpSeries& series, const Element& e) {
+  if (e.kind != Element::Kind::edge) return e;
   const auto number = [&](Vertex v) { return series.number(point(mesh, v)); };
-  Halfedge h = halfedge(e.edge(), 0);
-  if (number(mesh.from(h)) > number(mesh.to(h))) h = twin(h);
-  return "h" + std::to_string(h.index);
+  const Halfedge h = halfedge(e.edge(), 0);
+  return number(mesh.from(h)) > number(mesh.to(h)) ? twin(h) : h;
 }
 
 // The halfedges that an element may be asked about at. Both sides of a wire lie along cycles of their own.
@@ -138,8 +131,8 @@ class HalfedgesBetween {
 
 class Calls {
  public:
-  Calls(Edit& edit, const OpInfo& op, Words arguments, bool strict)
-      : edit_(edit), op_(op), arguments_(arguments), strict_(strict), series_(series_of(op, edit)) {}
+  Calls(Edit& edit, const OpInfo& op, std::vector<OpArgument> arguments, bool strict)
+      : edit_(edit), op_(op), arguments_(std::move(arguments)), strict_(strict), series_(series_of(op, edit)) {}
 
   // False where the arguments cannot be.
   bool call(const Element& e, const Element* with) {
@@ -189,7 +182,7 @@ class Calls {
     ++result_.calls;
   }
 
-  void arguments(Words arguments) { arguments_ = arguments; }
+  void arguments(std::vector<OpArgument> arguments) { arguments_ = std::move(arguments); }
   // What was refused, to be asked again.
   std::vector<Element> take_refused() {
     std::vector<Element> all;
@@ -207,13 +200,11 @@ class Calls {
 
  private:
   ParsedOp read(const Element& e, const Element* with) const {
-    const std::string name = with ? name_of_one(e) : quick_name(mesh(), *series_, e),
-                      first = with ? name_of_one(*with) : "";
-    std::vector<std::string_view> words;
-    if (with) words.push_back(first);
-    words.push_back(name);
-    words.insert(words.end(), arguments_.begin(), arguments_.end());
-    return parse_op(mesh(), op_.id, words);
+    std::vector<OpArgument> all;
+    if (with) all.emplace_back(directed(mesh(), *series_, *with));
+    all.emplace_back(directed(mesh(), *series_, e));
+    all.insert(all.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.id, all);
   }
   // The operator that does the same along the edge between the two, if there is one and the row names such an operator.
   std::optional<AnyOp> read_along_edge(const Element& e, const Element& with) {
@@ -221,15 +212,9 @@ class Calls {
       return std::nullopt;
     const Halfedge h = between_.find(mesh(), e.vertex(), with.vertex());
     if (!h) return std::nullopt;
-    const std::string name = "h" + std::to_string(h.index);
-    std::vector<std::string_view> words{name};
-    words.insert(words.end(), arguments_.begin(), arguments_.end());
-    return parse_op(mesh(), op_.along_edge, words).op;
-  }
-  // By its slot, which is enough where a vertex stands for its point: a name that tells copies apart costs as many
-  // looks as there are.
-  std::string name_of_one(const Element& e) const {
-    return e.kind == Element::Kind::vertex ? "v" + std::to_string(e.index) : quick_name(mesh(), *series_, e);
+    std::vector<OpArgument> all{Element(h)};
+    all.insert(all.end(), arguments_.begin(), arguments_.end());
+    return parse_op(mesh(), op_.along_edge, all).op;
   }
   std::optional<Rule> broken_rule(const AnyOp& op) {
     const auto rule = series_->broken_rule(op);
@@ -244,7 +229,7 @@ class Calls {
 
   Edit& edit_;
   const OpInfo& op_;
-  Words arguments_;
+  std::vector<OpArgument> arguments_;  // behind the elements
   bool strict_;
   std::unique_ptr<OpSeries> series_;
   AskedSubjects subjects_;
@@ -269,7 +254,7 @@ glm::dvec3 middle_of_vertices(const Mesh& mesh, std::span<const Element> element
 }  // namespace
 
 bool takes(const OpInfo& op, Element::Kind kind, Words arguments) {
-  return !first_misfit(op.line, op_words(kind, op.on_selection == OnSelection::into_last ? 2 : 1, arguments));
+  return !first_misfit(op.line, op_arguments(kind, op.on_selection == OnSelection::into_last ? 2 : 1, arguments));
 }
 
 std::size_t least_taken(const OpInfo& op) { return op.on_selection == OnSelection::into_last ? 2 : 1; }
@@ -368,7 +353,7 @@ void call_in_turn(Calls& calls, std::vector<Element> taken, bool is_in_place, bo
 
 EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> elements, Words arguments, bool strict,
                          Progress& progress) {
-  Calls calls(edit, op, arguments, strict);
+  Calls calls(edit, op, op_arguments(arguments), strict);
   CalledWith with = called_with(edit.mesh(), op, elements, arguments);
   std::vector<Element>& taken = with.taken;
   calls.result().others = std::move(with.others);
@@ -377,13 +362,8 @@ EachResult apply_to_each(Edit& edit, const OpInfo& op, std::span<const Element> 
   Element last;
   const bool into_last = op.on_selection == OnSelection::into_last && !taken.empty();
   // In the middle of all of them, not of two at a time.
-  std::string middle;
-  std::string_view place;
-  if (into_last && taken.back().kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid") {
-    middle = format_place(middle_of_vertices(edit.mesh(), taken));
-    place = middle;
-    calls.arguments({&place, 1});
-  }
+  if (into_last && taken.back().kind == Element::Kind::vertex && arguments.size() == 1 && arguments[0] == "mid")
+    calls.arguments({middle_of_vertices(edit.mesh(), taken)});
   if (into_last) {
     last = taken.back();
     taken.pop_back();

@@ -128,7 +128,7 @@ constexpr OpParameter vertex_split_parameters[] = {
 
 // The outgoing halfedge named by an argument: by its end, or as an edge if several lead to one point. `-` gives none.
 Halfedge read_end(const Mesh& mesh, Vertex v, ArgumentReader& in) {
-  const std::string text(in.peek());
+  const std::string text = in.peek_text();
   if (in.word("-")) return Halfedge();
   if (text.find('-') != std::string::npos) {
     const Halfedge h = in.halfedge();

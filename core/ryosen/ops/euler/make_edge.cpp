@@ -39,7 +39,7 @@ std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most)
 // If the gap is named, avoids listing all gaps of a vertex with many wires.
 Halfedge read_gap(const Mesh& mesh, Vertex v, ArgumentReader& in) {
   if (in.failed() || in.at_end()) return in.corner(v, gaps_at(mesh, v));
-  const Named<Halfedge> named = find_edge(mesh, in.peek());
+  const Named<Halfedge> named = in.peek_halfedge();
   if (!named.ok() || mesh.to(named.element) != v || !mesh.is_outside(named.element))
     return in.corner(v, gaps_at(mesh, v));
   return in.halfedge();
@@ -49,7 +49,7 @@ Halfedge read_gap(const Mesh& mesh, Vertex v, ArgumentReader& in) {
 void read_gaps(const Mesh& mesh, ArgumentReader& in, void* op) {
   auto& [a, b, into_a, into_b] = *static_cast<MakeEdge*>(op);
   const std::vector<Halfedge> at_a = some_gaps_at(mesh, a, 2);
-  const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : find_edge(mesh, in.peek());
+  const Named<Halfedge> named = in.at_end() ? Named<Halfedge>() : in.peek_halfedge();
   const bool is_for_a = in.left() == 2 || (!in.at_end() && named.ok() && mesh.to(named.element) == a);
   if (at_a.size() > 1 || (is_for_a && !at_a.empty())) into_a = read_gap(mesh, a, in);
   if (into_a.is_none() && !at_a.empty()) into_a = at_a[0];

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "ryosen/base/number_text.h"
+#include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 
@@ -26,7 +27,56 @@ Text argument_missing(std::string_view syntax) {
   return {"an argument is missing; expected " + expected, "引数が足りません。" + expected + " を指定してください"};
 }
 
-std::string_view ArgumentReader::take() { return arguments_[next_++]; }
+namespace {
+
+bool is_kind(OpValueKind kind, Element::Kind element) {
+  switch (element) {
+    case Element::Kind::vertex:
+      return kind == OpValueKind::vertex;
+    case Element::Kind::face:
+      return kind == OpValueKind::face;
+    default:
+      return kind == OpValueKind::edge;
+  }
+}
+
+// Whether an argument is a value of this kind, or written as one is. A vertex is written as whatever else is none.
+bool looks_like(const OpValue& value, const OpArgument& argument) {
+  if (argument.element()) return is_kind(value.kind, argument.element()->kind);
+  if (argument.position()) return value.kind == OpValueKind::position && is_finite(*argument.position());
+  const std::string_view word = argument.word();
+  switch (value.kind) {
+    case OpValueKind::vertex:
+      return false;
+    case OpValueKind::edge:
+      return word.find('-') != std::string_view::npos || word.starts_with('h') || word.starts_with('e');
+    case OpValueKind::face:
+      return word.starts_with('f');
+    case OpValueKind::number:
+      return parse_double(word).has_value();
+    case OpValueKind::position:
+      return parse_place(word).has_value();
+    case OpValueKind::word:
+      return word == value.called;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool ArgumentReader::is_face_next() const { return looks_like({.kind = OpValueKind::face}, peek()); }
+
+std::optional<Element> ArgumentReader::element_as(Element::Kind kind, const OpArgument& argument) const {
+  const Element* const e = argument.element();
+  if (!e || !is_alive(mesh_, *e)) return std::nullopt;
+  if (e->kind == kind) return *e;
+  const bool is_side_wanted = e->kind == Element::Kind::edge && kind == Element::Kind::halfedge;
+  return is_side_wanted ? std::optional<Element>(named_side(mesh_, e->edge())) : std::nullopt;
+}
+
+std::string ArgumentReader::word_to_find(const OpArgument& argument) const {
+  return argument.element() ? slot_name(*argument.element()) : print_argument(mesh_, argument);
+}
 
 void ArgumentReader::fail(NameError error, Text sentence) {
   if (failed()) return;
@@ -34,8 +84,8 @@ void ArgumentReader::fail(NameError error, Text sentence) {
   sentence_ = std::move(sentence);
 }
 
-void ArgumentReader::fail_at(std::string_view argument) {
-  fail(NameError::malformed, not_of_syntax(argument, syntax_of(line_)));
+void ArgumentReader::fail_at(const OpArgument& argument) {
+  fail(NameError::malformed, not_of_syntax(print_argument(mesh_, argument), syntax_of(line_)));
 }
 
 void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missing(syntax_of(line_))); }
@@ -43,31 +93,33 @@ void ArgumentReader::fail_missing() { fail(NameError::malformed, argument_missin
 double ArgumentReader::number() {
   if (failed()) return 0;
   if (at_end()) return fail_missing(), 0;
-  const std::string_view text = take();
-  const auto value = parse_double(text);
-  if (!value) fail_at(text);
+  const OpArgument& argument = take();
+  const auto value = parse_double(argument.word());
+  if (!value) fail_at(argument);
   return value.value_or(0);
 }
 
 glm::dvec3 ArgumentReader::place() {
   if (failed()) return {};
   if (at_end()) return fail_missing(), glm::dvec3();
-  const std::string_view text = take();
-  const auto value = parse_place(text);
-  if (!value) fail_at(text);
+  const OpArgument& argument = take();
+  if (argument.position() && is_finite(*argument.position())) return *argument.position();
+  const auto value = parse_place(argument.word());
+  if (!value) fail_at(argument);
   return value.value_or(glm::dvec3());
 }
 
 bool ArgumentReader::word(std::string_view expected) {
-  if (failed() || peek() != expected || at_end()) return false;
+  if (failed() || peek().word() != expected || at_end()) return false;
   ++next_;
   return true;
 }
 
 Vertex ArgumentReader::copy() {
-  const std::string name(peek());
+  const OpArgument argument = peek();
   const Vertex v = vertex();
-  if (failed() || !has_copies(mesh_, v) || name.find('@') != std::string::npos) return v;
+  const std::string name(argument.word());
+  if (failed() || argument.element() || !has_copies(mesh_, v) || name.find('@') != std::string::npos) return v;
   if (name_of_copy(mesh_, v).find('@') == std::string::npos) return v;  // without a face its number is its name
   std::string list;
   for_each_copy(mesh_, v, [&](Vertex copy) { list += (list.empty() ? "" : ", ") + name_of_copy(mesh_, copy); });
@@ -80,11 +132,11 @@ Halfedge ArgumentReader::corner(Vertex v, std::span<const Halfedge> corners) {
   if (failed()) return Halfedge();
   const std::string name = name_of(mesh_, v);
   if (!at_end()) {
-    const std::string_view text = peek();
+    const OpArgument argument = peek();
     const Halfedge named = halfedge();
     if (failed()) return Halfedge();
     if (std::find(corners.begin(), corners.end(), named) != corners.end()) return named;
-    const std::string n(text);
+    const std::string n = print_argument(mesh_, argument);
     fail(NameError::never_existed, {"'" + n + "' is not a halfedge that arrives at " + name + " in such a corner",
                                     "「" + n + "」は該当する角で " + name + " に着く半稜線ではありません"});
     return Halfedge();
@@ -103,48 +155,30 @@ std::span<const OpValue> values_of(const OpParameter& parameter) {
   return std::span(parameter.values).first(parameter.count());
 }
 
-// Whether a word is written as a value of this kind is. A vertex is whatever else is none.
-bool looks_like(const OpValue& value, std::string_view word) {
-  switch (value.kind) {
-    case OpValueKind::vertex:
-      return false;
-    case OpValueKind::edge:
-      return word.find('-') != std::string_view::npos || word.starts_with('h') || word.starts_with('e');
-    case OpValueKind::face:
-      return word.starts_with('f');
-    case OpValueKind::number:
-      return parse_double(word).has_value();
-    case OpValueKind::position:
-      return parse_place(word).has_value();
-    case OpValueKind::word:
-      return word == value.called;
-  }
-  return false;
-}
-
-// The value that a word of this place is meant for; null where it is none.
-const OpValue* meant(const OpParameter& parameter, std::string_view word) {
+// The value that an argument of this place is meant for; null where it is none.
+const OpValue* meant(const OpParameter& parameter, const OpArgument& argument) {
   const auto values = values_of(parameter);
   if (values.size() == 1 && values[0].kind != OpValueKind::word) return &values[0];
   for (const OpValue& value : values)
-    if (looks_like(value, word)) return &value;
+    if (looks_like(value, argument)) return &value;
   for (const OpValue& value : values)
     if (value.kind == OpValueKind::vertex) return &value;
   return nullptr;
 }
 
-OpParameters list_meant(const OpLine& line, std::string_view word) {
+OpParameters list_meant(const OpLine& line, const OpArgument& first) {
   const auto lists = line.all_lists();
   if (lists.empty()) return {};
   for (const OpParameters& list : lists)
-    if (looks_like(list[0].values[0], word)) return list;
+    if (looks_like(list[0].values[0], first)) return list;
   return lists[0];
 }
 
-// Whether a list goes on with this word, rather than the parameters after it.
-bool goes_on(const OpParameter& list, bool is_last, std::string_view word) {
+// Whether a list goes on with this argument, rather than the parameters after it.
+bool goes_on(const OpParameter& list, bool is_last, const OpArgument& argument) {
   if (is_last) return true;
-  return looks_like(list.values[0], word) && !word.starts_with('-') && word.find(',') == std::string_view::npos &&
+  const std::string_view word = argument.word();
+  return looks_like(list.values[0], argument) && !word.starts_with('-') && word.find(',') == std::string_view::npos &&
          !parse_double(word);
 }
 
@@ -170,7 +204,7 @@ bool read_parameter(const OpParameters& list, std::size_t i, ArgumentReader& in,
       parameter.expected_en.empty()
           ? in.fail_at(in.peek())
           : in.fail(NameError::malformed,
-                    not_understood(in.peek(), text_or(parameter.expected_en, parameter.expected_ja)));
+                    not_understood(in.peek_text(), text_or(parameter.expected_en, parameter.expected_ja)));
     }
   } while (parameter.is_list() && !in.failed() && !in.at_end() && goes_on(parameter, is_last, in.peek()));
   return true;
@@ -193,10 +227,10 @@ OpParameters list_held(const OpLine& line, const void* op) {
 
 using Places = std::set<std::size_t>;
 
-// Matches words that need not name anything that exists, in all ways at once.
+// Matches arguments that need not be anything that exists, in all ways at once.
 class Matcher {
  public:
-  explicit Matcher(std::span<const OpWord> words) : words_(words) {}
+  explicit Matcher(std::span<const OpArgument> arguments) : arguments_(arguments) {}
 
   // The positions that a list of parameters can end at.
   Places match(OpParameters list) {
@@ -205,9 +239,9 @@ class Matcher {
     return at;
   }
 
-  // The last position at which a word was missing or did not fit.
+  // The last position at which an argument was missing or did not fit.
   std::size_t farthest() const { return farthest_; }
-  // The kinds of elements that fit behind the last word.
+  // The kinds of elements that fit behind the last argument.
   const std::set<Element::Kind>& next() const { return next_; }
 
  private:
@@ -224,9 +258,9 @@ class Matcher {
     Places ends;
     const auto values = values_of(parameter);
     for (const std::size_t i : at) {
-      if (i == words_.size()) note_next(values);
-      if (i < words_.size() &&
-          std::any_of(values.begin(), values.end(), [&](const OpValue& value) { return fits(value, words_[i]); }))
+      if (i == arguments_.size()) note_next(values);
+      if (i < arguments_.size() &&
+          std::any_of(values.begin(), values.end(), [&](const OpValue& value) { return fits(value, arguments_[i]); }))
         ends.insert(i + 1);
       else
         farthest_ = std::max(farthest_, i);
@@ -242,21 +276,21 @@ class Matcher {
     }
   }
 
-  static bool fits(const OpValue& value, const OpWord& word) {
-    const auto is = [&](Element::Kind kind) { return word.kind == kind; };
+  static bool fits(const OpValue& value, const OpArgument& argument) {
+    if (!argument.is_word()) return looks_like(value, argument);
     switch (value.kind) {
       case OpValueKind::vertex:
-        return word.kind ? is(Element::Kind::vertex) : is_vertex_name(word.text);
+        return is_vertex_name(argument.word());
       case OpValueKind::edge:
-        return word.kind ? is(Element::Kind::edge) || is(Element::Kind::halfedge) : is_edge_name(word.text);
+        return is_edge_name(argument.word());
       case OpValueKind::face:
-        return word.kind ? is(Element::Kind::face) : is_face_name(word.text);
+        return is_face_name(argument.word());
       default:
-        return !word.kind && looks_like(value, word.text);
+        return looks_like(value, argument);
     }
   }
 
-  std::span<const OpWord> words_;
+  std::span<const OpArgument> arguments_;
   std::size_t farthest_ = 0;
   std::set<Element::Kind> next_;
 };
@@ -292,7 +326,8 @@ void read_line(const OpLine& line, const Mesh& mesh, ArgumentReader& in, void* o
   if (!in.failed() && !in.at_end()) in.fail_at(in.peek());
   if (!in.failed() && line.normalise) line.normalise(mesh, op);
   if (in.failed() || !line.fault) return;
-  if (const auto expected = line.fault(mesh, op)) in.fail(NameError::malformed, not_understood(in.last(), *expected));
+  if (const auto expected = line.fault(mesh, op))
+    in.fail(NameError::malformed, not_understood(in.last_text(), *expected));
 }
 
 std::string print_line(const OpLine& line, const Mesh& mesh, const void* op) {
@@ -330,25 +365,17 @@ void set_dragged(const OpLine& line, void* op, const glm::dvec3& position) {
     if (value.set) value.set(op, position);
 }
 
-std::vector<OpWord> op_words(std::span<const std::string_view> words) { return {words.begin(), words.end()}; }
-
-std::vector<OpWord> op_words(Element::Kind kind, std::size_t count, std::span<const std::string_view> words) {
-  std::vector<OpWord> all(count, OpWord(kind));
-  all.insert(all.end(), words.begin(), words.end());
-  return all;
-}
-
-std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpWord> words) {
-  Matcher matcher(words);
+std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpArgument> arguments) {
+  Matcher matcher(arguments);
   Places ends;
   for (const OpParameters& list : line.all_lists()) ends.merge(matcher.match(list));
   if (line.lists[0].empty()) ends.insert(0);
-  if (ends.contains(words.size())) return std::nullopt;
+  if (ends.contains(arguments.size())) return std::nullopt;
   return std::max(matcher.farthest(), ends.empty() ? 0 : *ends.rbegin());
 }
 
-std::optional<Element::Kind> next_element(const OpLine& line, std::span<const OpWord> words) {
-  Matcher matcher(words);
+std::optional<Element::Kind> next_element(const OpLine& line, std::span<const OpArgument> arguments) {
+  Matcher matcher(arguments);
   for (const OpParameters& list : line.all_lists()) matcher.match(list);
   if (matcher.next().empty()) return std::nullopt;
   return *matcher.next().begin();  // in the order of the kinds

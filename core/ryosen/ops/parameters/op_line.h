@@ -12,6 +12,7 @@
 #include "ryosen/base/element.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/ops/parameters/op_argument.h"
 #include "ryosen/ops/parameters/op_parameter.h"
 
 namespace ryosen {
@@ -26,51 +27,68 @@ Text argument_missing(std::string_view syntax);
 // read returns none, so that all arguments can be read before failed() is asked.
 class ArgumentReader {
  public:
-  ArgumentReader(const Mesh& mesh, std::span<const std::string_view> arguments, const OpLine& line)
+  ArgumentReader(const Mesh& mesh, std::span<const OpArgument> arguments, const OpLine& line)
       : mesh_(mesh), arguments_(arguments), line_(line) {}
 
   bool at_end() const { return next_ >= arguments_.size(); }
   bool failed() const { return error_ != NameError::none; }
   std::size_t left() const { return arguments_.size() - next_; }
-  // The next argument as written, or empty; does not consume it.
-  std::string_view peek() const { return at_end() ? std::string_view() : arguments_[next_]; }
+  // The next argument, or an empty word; does not consume it.
+  OpArgument peek() const { return at_end() ? OpArgument(std::string_view()) : arguments_[next_]; }
+  // The next argument as it is printed.
+  std::string peek_text() const { return print_argument(mesh_, peek()); }
+  // The halfedge that halfedge() would read, or why none; does not consume it.
+  Named<Halfedge> peek_halfedge() const { return named(peek(), find_edge); }
+  bool is_face_next() const;
 
-  // The element that a function finds by its name.
+  // The element of the next argument, or the one that a function finds by the word. An edge is the halfedge that its
+  // name means, from the lower point to the higher one.
   template <class Handle>
   Handle read(Named<Handle> (*find)(const Mesh&, std::string_view)) {
     if (failed()) return Handle();
     if (at_end()) return fail_missing(), Handle();
-    Named<Handle> named = find(mesh_, take());
+    Named<Handle> named = this->named(take(), find);
     if (!named.ok()) fail(named.error, std::move(named.sentence));
     return named.ok() ? named.element : Handle();
   }
   Vertex vertex() { return read(find_vertex); }
-  Vertex copy();  // if the point has several: ambiguous unless the argument names one
+  Vertex copy();  // if the point has several: ambiguous unless the argument is one or names one
   Face face() { return read(find_face); }
   Halfedge halfedge() { return read(find_edge); }
   double number();
   glm::dvec3 place();                    // X,Y,Z, finite
   bool word(std::string_view expected);  // consumes it if it is next
   void skip() { ++next_; }               // not at the end
-  // The last argument that was read; empty before the first.
-  std::string_view last() const { return next_ == 0 ? std::string_view() : arguments_[next_ - 1]; }
+  // The last argument that was read, as it is printed; empty before the first.
+  std::string last_text() const { return next_ == 0 ? std::string() : print_argument(mesh_, arguments_[next_ - 1]); }
 
-  // The halfedge that ends at v in the intended corner: the one named by the next argument (P-V), if any, else the only
+  // The halfedge that ends at v in the intended corner: the one that the next argument is (P-V), if any, else the only
   // one of `corners`. Several without an argument are ambiguous; none gives none.
   Halfedge corner(Vertex v, std::span<const Halfedge> corners);
 
   void fail(NameError error, Text sentence);
-  void fail_at(std::string_view argument);  // the argument does not fit the syntax
+  void fail_at(const OpArgument& argument);  // it does not fit the syntax
   void fail_missing();
 
   NameError error() const { return error_; }
   const Text& sentence() const { return sentence_; }
 
  private:
-  std::string_view take();
+  const OpArgument& take() { return arguments_[next_++]; }
+  // The element of an argument as handles of this kind have it; none where it is of another kind or not alive.
+  std::optional<Element> element_as(Element::Kind kind, const OpArgument& argument) const;
+  // What find() is asked for in place of an argument that is no word or not such an element, for it to tell why.
+  std::string word_to_find(const OpArgument& argument) const;
+  template <class Handle>
+  Named<Handle> named(const OpArgument& argument, Named<Handle> (*find)(const Mesh&, std::string_view)) const {
+    if (argument.is_word()) return find(mesh_, argument.word());
+    if (const auto element = element_as(Element(Handle()).kind, argument))
+      return {Handle(element->index), NameError::none, {}};
+    return find(mesh_, word_to_find(argument));
+  }
 
   const Mesh& mesh_;
-  std::span<const std::string_view> arguments_;
+  std::span<const OpArgument> arguments_;
   const OpLine& line_;
   std::size_t next_ = 0;
   NameError error_ = NameError::none;
@@ -96,23 +114,11 @@ const OpParameter* dragged_place(const OpLine& line);
 // Puts a position into that place, which must be there, and takes other values out of it.
 void set_dragged(const OpLine& line, void* op, const glm::dvec3& position);
 
-// An argument of a line whose elements need not exist: a word, or any element of a kind.
-struct OpWord {
-  std::string_view text;
-  std::optional<Element::Kind> kind = {};
-
-  OpWord(std::string_view word) : text(word) {}
-  OpWord(Element::Kind any) : kind(any) {}
-};
-// Words, and a kind of elements before them.
-std::vector<OpWord> op_words(std::span<const std::string_view> words);
-std::vector<OpWord> op_words(Element::Kind kind, std::size_t count, std::span<const std::string_view> words);
-
-// The index of the first word that fits none of the lists: words.size() if one is missing, none if all fit. Cost: the
-// words times the parameters.
-std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpWord> words);
+// The index of the first argument that fits none of the lists, whatever mesh its element may be of: arguments.size() if
+// one is missing, none if all fit. Cost: the arguments times the parameters.
+std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpArgument> arguments);
 // The kind of element that may come next: a vertex before an edge before a face; none where none may.
-std::optional<Element::Kind> next_element(const OpLine& line, std::span<const OpWord> words);
+std::optional<Element::Kind> next_element(const OpLine& line, std::span<const OpArgument> arguments);
 // Whether a list takes any number of elements.
 bool takes_any_number(const OpLine& line);
 

@@ -55,7 +55,7 @@ FaceCorners read_face_corners(const Mesh& mesh, ArgumentReader& in) {
   FaceCorners corners;
   const Vertex a = in.vertex(), b = in.vertex();
   if (in.failed()) return corners;
-  const Face f = in.peek().starts_with('f') ? in.face() : choose_face(mesh, a, b, in);
+  const Face f = in.is_face_next() ? in.face() : choose_face(mesh, a, b, in);
   if (in.failed()) return corners;
   const std::vector<Halfedge> at_a = sides_into(mesh, a, f), at_b = sides_into(mesh, b, f);
   for (const auto& [v, sides] : {std::pair(a, &at_a), std::pair(b, &at_b)})

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "ryosen/analysis/figures.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/invariants.h"
@@ -13,7 +15,7 @@ namespace {
 using namespace test;
 
 void apply_line(Mesh& mesh, std::string_view op, std::vector<std::string_view> arguments) {
-  const ParsedOp parsed = parse_op(mesh, op, arguments);
+  const ParsedOp parsed = parse_op(mesh, op, op_arguments(arguments));
   ASSERT_TRUE(parsed.op && check(mesh, *parsed.op).legal()) << op;
   Edit edit(mesh, nullptr);
   apply(edit, *parsed.op);
@@ -73,6 +75,38 @@ TEST(each, welds_a_patch_into_one_point_of_a_whole_surface) {
       const auto broken = check_invariants(mesh);
       EXPECT_FALSE(broken) << broken->sentence;
     }
+}
+
+// An edge goes from its lower point, a halfedge in its own direction.
+TEST(each, splits_in_the_direction_of_the_element) {
+  const Mesh start = make_mesh(tetrahedron());
+  const Halfedge h = sheets_between(start, Vertex(1), Vertex(2)).front();
+  for (const Element& e : {Element(edge(h)), Element(h), Element(twin(h))}) {
+    Mesh mesh = start;
+    Edit edit(mesh, nullptr);
+    Progress unheard;
+    const std::string_view quarter[] = {"0.25"};
+    const EachResult result = apply_to_each(edit, SplitEdge::info, {&e, 1}, quarter, false, unheard);
+    edit.commit();
+    ASSERT_EQ(result.done, 1u);
+    const glm::dvec3 a = start.position(Vertex(1)), b = start.position(Vertex(2)), p = mesh.position(Vertex(4));
+    EXPECT_NEAR(glm::distance(p, e == Element(twin(h)) ? b : a), glm::distance(a, b) / 4, 1e-12);
+  }
+}
+
+TEST(each, says_that_an_element_of_another_kind_is_not_welded) {
+  Mesh mesh = make_mesh(two_quads());
+  const Halfedge h = sheets_between(mesh, Vertex(0), Vertex(1)).front();
+  const Element into_edge[] = {Vertex(2), edge(h)}, into_vertex[] = {edge(h), Vertex(2)};
+  const auto sentence = [&](std::span<const Element> selected) {
+    Edit edit(mesh, nullptr);
+    Progress unheard;
+    const EachResult result = apply_to_each(edit, Weld::info, selected, {}, false, unheard);
+    EXPECT_EQ(result.error, NameError::malformed);
+    return result.sentence.en;
+  };
+  EXPECT_EQ(sentence(into_edge), "'v2' is not a name; expected A-B, A-B@f5, h12 or e6");
+  EXPECT_EQ(sentence(into_vertex), "'h" + std::to_string(h.index) + "' is not a name; expected v7 or v7@f5");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 AnyOp parse(const Mesh& mesh, std::string_view id, std::vector<std::string_view> arguments) {
-  const ParsedOp parsed = parse_op(mesh, id, arguments);
+  const ParsedOp parsed = parse_op(mesh, id, op_arguments(arguments));
   EXPECT_TRUE(parsed.op) << parsed.sentence.en;
   return *parsed.op;
 }
@@ -143,7 +143,7 @@ TEST(split, puts_the_vertex_where_it_is_told) {
   }
   for (const std::string_view wrong : {"1,2", "a,b,c", "1,2,inf", "1,2,3,4"}) {
     const std::vector<std::string_view> words{"0-1", wrong};
-    EXPECT_EQ(parse_op(before, "split", words).error, NameError::malformed) << wrong;
+    EXPECT_EQ(parse_op(before, "split", op_arguments(words)).error, NameError::malformed) << wrong;
   }
 }
 
@@ -161,7 +161,7 @@ TEST(split, stays_finite_or_says_so) {
   prove_applying(mesh, parse(mesh, "split", {"0-1"}));
   EXPECT_EQ(mesh.position(Vertex(3)).x, 0);
   const std::vector<std::string_view> far{"0-2", "1e308"};
-  EXPECT_EQ(parse_op(mesh, "split", far).error, NameError::malformed);
+  EXPECT_EQ(parse_op(mesh, "split", op_arguments(far)).error, NameError::malformed);
 }
 
 TEST(split, warns_of_faces_that_turn_over) {

@@ -16,7 +16,7 @@ using namespace test;
 
 std::optional<std::size_t> misfit(std::string_view id, std::string_view words) {
   const std::vector<std::string_view> list = split_words(words);
-  return first_misfit(find_op(id)->line, op_words(list));
+  return first_misfit(find_op(id)->line, op_arguments(list));
 }
 
 TEST(OpLine, places_may_be_empty_take_several_kinds_or_repeat) {
@@ -58,7 +58,7 @@ TEST(OpLine, has_a_syntax) {
 TEST(OpLine, says_what_comes_next) {
   const auto next = [](std::string_view id, std::string_view words) {
     const std::vector<std::string_view> list = split_words(words);
-    return next_element(find_op(id)->line, op_words(list));
+    return next_element(find_op(id)->line, op_arguments(list));
   };
   EXPECT_EQ(next("collapse", ""), Element::Kind::edge);
   EXPECT_EQ(next("collapse", "0-1"), std::nullopt) << "a place";
@@ -127,14 +127,14 @@ TEST(OpLine, every_operator_reads_its_own_lines_and_no_line_that_does_not_fit) {
     for (std::size_t place = 0; place < all_ops().size(); ++place) {
       const std::string line = command_of(mesh, random_op(mesh, place, dice));
       const std::vector<std::string_view> said = split_words(line);
-      EXPECT_EQ(first_misfit(find_op(said[0])->line, op_words(std::span(said).subspan(1))), std::nullopt) << line;
-      EXPECT_FALSE(fault_of_arguments(said[0], std::span(said).subspan(1))) << line;
+      EXPECT_EQ(first_misfit(find_op(said[0])->line, op_arguments(std::span(said).subspan(1))), std::nullopt) << line;
+      EXPECT_FALSE(fault_of_arguments(said[0], op_arguments(std::span(said).subspan(1)))) << line;
       const OpInfo& op = all_ops()[place];
       for (int i = 0; i < 60; ++i) {
         std::vector<std::string_view> arguments;
         for (int n = dice.below(4); n > 0; --n) arguments.push_back(words[dice.below(static_cast<int>(words.size()))]);
-        const bool fits = !fault_of_arguments(op.id, arguments);
-        const ParsedOp parsed = parse_op(mesh, op.id, arguments);
+        const bool fits = !fault_of_arguments(op.id, op_arguments(arguments));
+        const ParsedOp parsed = parse_op(mesh, op.id, op_arguments(arguments));
         fitting += fits;
         understood += parsed.op.has_value();
         std::string all(op.id);
@@ -158,7 +158,7 @@ TEST(OpLine, what_is_expected_is_said_in_each_language) {
   EXPECT_EQ(japanese("colapse 0-1"), "「colapse 0-1」は解釈できません。演算子を指定してください");
   for (const OpInfo& op : all_ops()) {
     const std::string_view junk[] = {"?"};
-    const auto fault = fault_of_arguments(op.id, junk);
+    const auto fault = fault_of_arguments(op.id, op_arguments(junk));
     ASSERT_TRUE(fault) << op.id;
     EXPECT_EQ(fault->ja.find("expected"), std::string::npos) << fault->ja;
     EXPECT_EQ(fault->ja.find(" or "), std::string::npos) << fault->ja;

@@ -134,7 +134,7 @@ Outcome run_algorithm(Session& session, AlgorithmCall call, std::string line) {
     const ParameterValue* const value = call.values.at(i);
     if (!value || value->names != selected) continue;
     if (session.selecting.selection.empty()) return nothing_selected(row);
-    call.values.set_names(row.parameters[i].id, session.selecting.selected_names());
+    call.values.set_elements(row.parameters[i].id, session.selecting.selection, session.selecting.selected_names());
     line = call.line();
   }
   const ReadValues found = call.values.on(session.mesh());

@@ -82,6 +82,14 @@ Elements elements_taken(const OpInfo& op, const Elements& elements, std::span<co
   return taken.empty() ? elements : taken;
 }
 
+ParsedOp op_on_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                         std::span<const std::string_view> arguments) {
+  Elements taken;
+  if (op.on_selection == OnSelection::all)
+    taken = elements_taken(op, worked_on(findings, selecting, op, arguments), arguments);
+  return parse_op(findings.mesh(), op.id, op_arguments(taken, arguments));
+}
+
 bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                     std::span<const std::string_view> arguments) {
   if (selecting.selection.empty() || op.on_selection == OnSelection::none) return false;

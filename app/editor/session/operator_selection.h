@@ -23,6 +23,11 @@ Elements worked_on(const Findings& findings, const Selecting& selecting, const O
 // enough.
 Elements elements_taken(const OpInfo& op, const Elements& elements, std::span<const std::string_view> arguments);
 
+// The operator on the selection, of those that take all of it at once, with these arguments behind its elements; or why
+// there is none.
+ParsedOp op_on_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
+                         std::span<const std::string_view> arguments);
+
 // Whether what is selected, or a part of it, can be what an operator works on with these arguments behind each.
 bool fits_selection(const Findings& findings, const Selecting& selecting, const OpInfo& op,
                     std::span<const std::string_view> arguments = {});

@@ -8,6 +8,7 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
+#include "ryosen/ops/parameters/op_argument.h"
 
 namespace ryosen {
 
@@ -28,9 +29,7 @@ PickMode Selecting::pointed_sort(Modifiers modifiers) const {
 
 std::vector<std::string> Selecting::names_of(const Elements& elements) const {
   std::vector<std::string> names;
-  for (const Element& element : elements)
-    names.push_back(element.kind == Element::Kind::vertex ? name_of_copy(mesh(), element.vertex())
-                                                          : name_of(mesh(), element));
+  for (const Element& element : elements) names.push_back(print_argument(mesh(), element));
   return names;
 }
 

@@ -20,8 +20,10 @@ class AlgorithmValues final : public AskedValues {
   AlgorithmValues(const AlgorithmRow& row, const Mesh& mesh, const Selecting& selecting)
       : AskedValues({row.id, row.name_en, row.name_ja, row.help_en, row.help_ja}), row_(row) {
     const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
-    if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
-      selected_ = selecting.selected_names();
+    if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements)) {
+      selected_ = selecting.selection;
+      names_ = selecting.selected_names();
+    }
     for (const ParameterRow& parameter : row.parameters)
       fields_.push_back({parameter, parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)
                                                                                  : first_text(parameter, mesh)});
@@ -40,7 +42,7 @@ class AlgorithmValues final : public AskedValues {
   void show_in(ValuesPreview& preview, Session& session) const override {
     ParameterValues shown = *values().values;
     for (const ParameterRow& row : row_.parameters)
-      if (means_selection(row, shown.text(row.id))) shown.set_names(row.id, selected_);
+      if (means_selection(row, shown.text(row.id))) shown.set_elements(row.id, selected_, names_);
     preview.show(session, row_, shown);
   }
 
@@ -54,7 +56,8 @@ class AlgorithmValues final : public AskedValues {
   }
 
   const AlgorithmRow& row_;
-  std::vector<std::string> selected_;  // the names of what was selected when it was asked for
+  Elements selected_;  // when it was asked for
+  std::vector<std::string> names_;
 };
 
 bool is_measure(const OpValue& value) {

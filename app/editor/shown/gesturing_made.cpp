@@ -32,7 +32,7 @@ Outcome Gesturing::begin_copy() {
     return failed(ExitCode::refused, {"select something first", "先に何か選択してください"});
   const AlgorithmRow& row = *find_algorithm("duplicate");
   ParameterValues named(row.parameters);
-  named.set_names("elements", session_.selecting.selected_names());
+  named.set_elements("elements", session_.selecting.selection, session_.selecting.selected_names());
   const ReadValues found = named.on(mesh());
   if (!found.values) return no_element(session_.document(), std::string(row.id), found.error, found.sentence);
   const FirstSlots before(mesh());

@@ -130,6 +130,12 @@ Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_
           name + " は" + expected.ja + "です（「" + wrong + "」は使えません）"};
 }
 
+// Whether the elements were set themselves and are all on this mesh.
+bool are_found(const Mesh& mesh, const std::vector<Element>& elements) {
+  return !elements.empty() &&
+         std::all_of(elements.begin(), elements.end(), [&](const Element& e) { return is_alive(mesh, e); });
+}
+
 ReadValues malformed(Text sentence) { return {std::nullopt, NameError::malformed, {}, std::move(sentence)}; }
 
 ReadValues of_no_extent(const ParameterRow& row, const std::string& share) {
@@ -246,6 +252,8 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     const bool is_wrong_length = value.was_percent && !is_in_range(rows_[i], value.number);
     if (!std::isfinite(value.number) || !is_finite(value.place) || is_wrong_length)
       return malformed(fault_of_value(rows_[i], text_at(i), rows_[i].id));
+    if (are_found(mesh, value.elements)) continue;
+    value.elements.clear();
     for (const std::string& name : value.names) {
       if (const auto range = parse_slot_range(name)) {
         add_living(mesh, *range, value.elements);

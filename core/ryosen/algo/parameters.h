@@ -77,7 +77,7 @@ struct ParameterValue {
   bool was_percent = false;        // the same once it is in units of the mesh
   glm::dvec3 place{0.0};           // of a place
   std::vector<std::string> names;  // of elements
-  std::vector<Element> elements;   // once they are looked up
+  std::vector<Element> elements;   // once they are looked up, or where they were set themselves
 };
 
 struct ReadValues;
@@ -100,6 +100,11 @@ class ParameterValues {
   void set_place(std::string_view id, const glm::dvec3& place) { value_to_set(id, ParameterKind::place).place = place; }
   void set_names(std::string_view id, std::vector<std::string> names) {
     value_to_set(id, ParameterKind::elements).names = std::move(names);
+  }
+  // Elements that on() need not look up as long as they are alive, and their names for the line.
+  void set_elements(std::string_view id, std::vector<Element> elements, std::vector<std::string> names) {
+    set_names(id, std::move(names));
+    values_[index_of(id)]->elements = std::move(elements);
   }
   // The sentence about what must be given and was not, which calls the parameters so; none where nothing is missing.
   std::optional<Text> fault_of_missing(const std::function<std::string(const ParameterRow&)>& called) const;

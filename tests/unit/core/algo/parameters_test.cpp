@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/ops/all.h"
+#include "tests/support/core/shapes.h"
 
 namespace ryosen {
 namespace {
@@ -27,6 +29,26 @@ TEST(parameters, an_empty_field_leaves_what_stands_at_first) {
   const ReadValues read = read_fields(rows, std::vector<std::string>(rows.size()));
   ASSERT_TRUE(read.values);
   EXPECT_EQ(read.values->line(), ParameterValues(rows).line());
+}
+
+TEST(parameters, elements_that_are_set_need_no_lookup_as_long_as_they_are_alive) {
+  Mesh mesh = test::make_mesh(test::two_quads());
+  ParameterValues values(find_algorithm("translate")->parameters);
+  const Elements elements{Face(0), Vertex(4)};
+  values.set_elements("elements", elements, {"f0", "v4"});
+  values.set_place("by", {1, 0, 0});
+  EXPECT_EQ(values.text("elements"), "f0,v4");
+  ReadValues found = values.on(mesh);
+  ASSERT_TRUE(found.values);
+  EXPECT_EQ(found.values->elements("elements"), elements);
+  EXPECT_EQ(found.values->line(), values.line());
+  Edit edit(mesh, nullptr);
+  ryosen::apply(edit, *parse_line(mesh, "delete f0").op);
+  edit.commit();
+  found = values.on(mesh);
+  EXPECT_FALSE(found.values);
+  EXPECT_EQ(found.error, NameError::deleted);
+  EXPECT_EQ(found.name, "f0");
 }
 
 }  // namespace

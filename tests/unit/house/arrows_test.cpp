@@ -57,7 +57,8 @@ std::string floor_of(const std::string& file, const std::vector<Floor>& floors) 
   return folder;
 }
 
-// Calls visit(file, header) for each include of a file of the project, with both paths as includes write them.
+// Calls visit(file, header) for each include of a file of the project, with both paths as includes write them; the
+// header of a package is given in its angle brackets.
 template <class Visit>
 void for_each_include(Visit visit) {
   const fs::path source(RYOSEN_SOURCE_DIR);
@@ -69,9 +70,13 @@ void for_each_include(Visit visit) {
       const std::string file = fs::relative(entry.path(), source / tree.root).generic_string();
       std::ifstream text(entry.path());
       for (std::string line; std::getline(text, line);) {
-        constexpr std::string_view directive = "#include \"";
+        constexpr std::string_view directive = "#include ";
         if (!line.starts_with(directive)) continue;
-        const std::string header = line.substr(directive.size(), line.rfind('"') - directive.size());
+        if (line[directive.size()] == '<') {
+          visit(file, line.substr(directive.size(), line.find('>') + 1 - directive.size()));
+          continue;
+        }
+        const std::string header = line.substr(directive.size() + 1, line.rfind('"') - directive.size() - 1);
         const bool is_there = fs::exists(source / header) || fs::exists(source / "core" / header);
         EXPECT_TRUE(is_there) << file << " includes " << header << ", which is no path from a root";
         visit(file, header);
@@ -81,7 +86,11 @@ void for_each_include(Visit visit) {
 
 Arrows find_arrows(const std::vector<Floor>& floors) {
   Arrows arrows;
+  const auto is_listed = [&](const std::string& header) {
+    return std::any_of(floors.begin(), floors.end(), [&](const Floor& floor) { return floor.name == header; });
+  };
   for_each_include([&](const std::string& file, const std::string& header) {
+    if (header[0] == '<' && !is_listed(header)) return;
     const std::string from = floor_of(file, floors), to = floor_of(header, floors);
     if (from != to) arrows.try_emplace({from, to}, file + " includes " + header);
   });

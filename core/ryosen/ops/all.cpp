@@ -95,6 +95,46 @@ std::vector<std::string_view> split_words(std::string_view line) {
   return words;
 }
 
+const OpInfo& info_of(const AnyOp& op) {
+  return std::visit([](const auto& o) -> const OpInfo& { return o.info; }, op);
+}
+
+Verdict check(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.check(mesh); }, op);
+}
+
+Verdict check(const Mesh& mesh, const AnyOp& op, LocalFacts& known) {
+  return std::visit(
+      [&](const auto& o) {
+        if constexpr (requires { o.check(mesh, known); })
+          return o.check(mesh, known);
+        else
+          return o.check(mesh);
+      },
+      op);
+}
+
+std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.warnings(mesh); }, op);
+}
+
+OpEffect apply(Edit& edit, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return o.apply(edit); }, op);
+}
+
+AnyOp dragged(AnyOp op, const glm::dvec3& position) {
+  std::visit([&](auto& o) { set_dragged(o.info.line, &o, position); }, op);
+  return op;
+}
+
+Halfedge halfedge_of(const AnyOp& op) {
+  return std::visit([](const auto& o) { return halfedge_of(o.info.line, &o); }, op);
+}
+
+std::string command_of(const Mesh& mesh, const AnyOp& op) {
+  return std::visit([&](const auto& o) { return std::string(o.info.id) + print_line(o.info.line, mesh, &o); }, op);
+}
+
 std::optional<Text> fault_of_values(const Mesh& mesh, const AnyOp& op) {
   const OpLine& line = info_of(op).line;
   if (!line.fault) return std::nullopt;

@@ -84,42 +84,19 @@ std::vector<std::string_view> split_words(std::string_view line);
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const OpArgument> arguments);
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
 
-inline const OpInfo& info_of(const AnyOp& op) {
-  return std::visit([](const auto& o) -> const OpInfo& { return o.info; }, op);
-}
-inline Verdict check(const Mesh& mesh, const AnyOp& op) {
-  return std::visit([&](const auto& o) { return o.check(mesh); }, op);
-}
+// What each operator does by itself, of any of them.
+const OpInfo& info_of(const AnyOp& op);
+Verdict check(const Mesh& mesh, const AnyOp& op);
 // The same for many questions about one mesh.
-inline Verdict check(const Mesh& mesh, const AnyOp& op, LocalFacts& known) {
-  return std::visit(
-      [&](const auto& o) {
-        if constexpr (requires { o.check(mesh, known); })
-          return o.check(mesh, known);
-        else
-          return o.check(mesh);
-      },
-      op);
-}
-inline std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op) {
-  return std::visit([&](const auto& o) { return o.warnings(mesh); }, op);
-}
-inline OpEffect apply(Edit& edit, const AnyOp& op) {
-  return std::visit([&](const auto& o) { return o.apply(edit); }, op);
-}
+Verdict check(const Mesh& mesh, const AnyOp& op, LocalFacts& known);
+std::vector<Reason> warnings(const Mesh& mesh, const AnyOp& op);
+OpEffect apply(Edit& edit, const AnyOp& op);
 // The operator with the position that is dragged (OpDrag); it must have one.
-inline AnyOp dragged(AnyOp op, const glm::dvec3& position) {
-  std::visit([&](auto& o) { set_dragged(o.info.line, &o, position); }, op);
-  return op;
-}
+AnyOp dragged(AnyOp op, const glm::dvec3& position);
 // The halfedge that an operator on one edge is about; none for others.
-inline Halfedge halfedge_of(const AnyOp& op) {
-  return std::visit([](const auto& o) { return halfedge_of(o.info.line, &o); }, op);
-}
+Halfedge halfedge_of(const AnyOp& op);
 // The script line that does the same; parse_line() reads it on the same mesh.
-inline std::string command_of(const Mesh& mesh, const AnyOp& op) {
-  return std::visit([&](const auto& o) { return std::string(o.info.id) + print_line(o.info.line, mesh, &o); }, op);
-}
+std::string command_of(const Mesh& mesh, const AnyOp& op);
 
 // The fault of the values of a legal operator, as parse_line() says it of its line.
 std::optional<Text> fault_of_values(const Mesh& mesh, const AnyOp& op);

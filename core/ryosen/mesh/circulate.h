@@ -6,7 +6,6 @@
 
 #include <iterator>
 #include <stdexcept>
-#include <string>
 
 #include "ryosen/mesh/mesh.h"
 
@@ -15,9 +14,7 @@ namespace ryosen {
 // A cycle that does not close; what() names the halfedge it started at.
 class BrokenMesh : public std::runtime_error {
  public:
-  explicit BrokenMesh(Halfedge start)
-      : std::runtime_error("the links from halfedge h" + std::to_string(start.index) + " do not close a cycle"),
-        start_(start) {}
+  explicit BrokenMesh(Halfedge start);
   Halfedge start() const { return start_; }
 
  private:
@@ -25,6 +22,9 @@ class BrokenMesh : public std::runtime_error {
 };
 
 namespace detail {
+// Throws BrokenMesh; a loop over a mesh has one call for it, which is less to compile.
+[[noreturn]] void throw_broken_mesh(Halfedge start);
+
 // Steps from a halfedge to another one, and elements that ranges give for it.
 inline Halfedge next(const Mesh& m, Halfedge h) { return m.next(h); }
 inline Halfedge counter_clockwise(const Mesh& m, Halfedge h) { return m.counter_clockwise(h); }
@@ -57,7 +57,7 @@ class CycleRange {
       if (current_ == start_) {
         current_ = Halfedge();
       } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
-        throw BrokenMesh(start_);
+        detail::throw_broken_mesh(start_);
       }
       return *this;
     }

@@ -13,6 +13,7 @@
 #include "app/editor/preferences/preference_values.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/shown.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/mesh/mesh.h"
 // clang-format off
 #include <imgui_stdlib.h>  // needs imgui.h before it
@@ -303,10 +304,9 @@ bool draw_parameter_field(PanelContext& context, const ParameterRow& row, std::s
     if (ImGui::Checkbox(id.c_str(), &is_on)) text = is_on ? "on" : "off";
     return runs;
   }
-  const auto chosen =
-      std::find_if(row.choices.begin(), row.choices.end(), [&](const Choice& c) { return c.id == text; });
+  const Choice* const chosen = find_row(row.choices, text);
   if (row.kind == ParameterKind::choice) {
-    const char* const shown = chosen == row.choices.end() ? "" : context.text(chosen->en, chosen->ja);
+    const char* const shown = chosen ? context.text(chosen->en, chosen->ja) : "";
     if (!ImGui::BeginCombo(id.c_str(), shown)) return runs;
     for (const Choice& choice : row.choices)
       if (ImGui::Selectable(context.text(choice.en, choice.ja), choice.id == text)) text = choice.id;

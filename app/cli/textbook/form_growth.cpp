@@ -9,6 +9,7 @@
 #include "app/cli/outputs.h"
 #include "app/ui/log_plot.h"
 #include "app/ui/textbook/growth_plots.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/textbook/forms/growth/meshes.h"
 
 namespace ryosen::cli {
@@ -96,11 +97,8 @@ std::string text_of(std::span<const GrowthCurve> curves, const std::vector<Mesh>
 Result<forms::Relation> wanted_relation(const Arguments& arguments) {
   const std::string* const id = arguments.value("--relation");
   if (!id) return forms::Relation::vertex_faces;
-  std::string known;
-  for (const RelationRow& row : forms::relations()) {
-    if (row.id == *id) return row.relation;
-    known.append(known.empty() ? "" : ", ").append(row.id);
-  }
+  if (const RelationRow* const row = find_row(forms::relations(), *id)) return row->relation;
+  const std::string known = joined_ids(forms::relations(), ", ");
   return usage_failure("bad_value", {"--relation is one of " + known + ".", "--relation は " + known + " です。"});
 }
 

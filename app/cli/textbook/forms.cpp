@@ -7,6 +7,7 @@
 #include "app/cli/subcommand_table.h"
 #include "app/cli/textbook/form_growth.h"
 #include "app/editor/textbook/record_text.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/find_element.h"
@@ -85,8 +86,7 @@ std::vector<Element> all_elements(const Mesh& mesh) {
 }
 
 Failure unknown_form(std::string_view id) {
-  std::string known;
-  for (const forms::FormRow& row : forms::all_forms()) known.append(known.empty() ? "" : ", ").append(row.id);
+  const std::string known = joined_ids(forms::all_forms(), ", ");
   return usage_failure("bad_value", {"There is no form '" + std::string(id) + "'; the forms are " + known + ".",
                                      "形状表現「" + std::string(id) + "」はありません（" + known + "）。"});
 }

@@ -5,6 +5,7 @@
 #include "app/cli/contract/textbook.h"
 #include "app/cli/subcommand_table.h"
 #include "app/editor/textbook/figures.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/names.h"
@@ -31,8 +32,7 @@ Result<std::uint64_t> number_of(const Arguments& arguments, std::string_view fla
 }
 
 Failure unknown_kind(const std::string& id) {
-  std::string known;
-  for (const QuestionKindRow& row : question_kinds()) known.append(known.empty() ? "" : ", ").append(row.id);
+  const std::string known = joined_ids(question_kinds(), ", ");
   return usage_failure("bad_value", {"There is no kind '" + id + "'; the kinds are " + known + ".",
                                      "問題の種類「" + id + "」はありません（" + known + "）。"});
 }

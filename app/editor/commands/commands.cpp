@@ -10,6 +10,7 @@
 #include "app/editor/commands/text/script.h"
 #include "app/editor/commands/text/words.h"
 #include "ryosen/algo/algorithm_table.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 
@@ -62,14 +63,11 @@ std::vector<const CommandRow*> command_table() {
 
 const CommandRow* find_command_row(std::string_view id) {
   for (const std::vector<CommandRow>* rows : {&first_command_rows(), &last_command_rows()})
-    for (const CommandRow& row : *rows)
-      if (row.id == id) return &row;
+    if (const CommandRow* const row = find_row(*rows, id)) return row;
   if (const OpInfo* const op = find_op(id)) return made_row(*op, id);
   if (const ViewSwitch* const row = find_view_switch(id)) return made_row(*row);
   if (const AlgorithmRow* const algorithm = find_algorithm(id)) return made_row(*algorithm);
-  for (const CommandRow& row : scoped_rows())
-    if (row.id == id) return &row;
-  return nullptr;
+  return find_row(scoped_rows(), id);
 }
 
 const CommandRow* row_of(const Command& command) {

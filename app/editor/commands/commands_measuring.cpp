@@ -11,6 +11,7 @@
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/number_text.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/find_element.h"
 

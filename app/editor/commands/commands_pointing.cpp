@@ -14,6 +14,7 @@
 #include "app/editor/texts/remedy_text.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/index_set.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/mesh/find_element.h"
 
 namespace ryosen {

@@ -11,6 +11,7 @@
 #include "app/editor/session/session.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/index_set.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"

@@ -10,6 +10,7 @@
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/mesh/find_element.h"
 

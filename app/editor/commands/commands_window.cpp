@@ -12,6 +12,7 @@
 #include "app/editor/shown/player.h"
 #include "ryosen/algo/algorithm_table.h"
 #include "ryosen/ops/all.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/editor/commands/text/words.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 

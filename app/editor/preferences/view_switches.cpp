@@ -8,6 +8,7 @@
 #include "app/editor/commands/text/words.h"
 #include "app/editor/input/input_presets.h"
 #include "app/editor/preferences/preference_values.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 

@@ -1,6 +1,7 @@
 #include "app/editor/textbook/exercises.h"
 
 #include "app/editor/commands/text/words.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 

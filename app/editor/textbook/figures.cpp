@@ -1,8 +1,7 @@
 #include "app/editor/textbook/figures.h"
 
-#include <algorithm>
-
 #include "app/editor/commands/text/words.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/io/formats.h"
 
 namespace ryosen {
@@ -86,8 +85,7 @@ const Figure* find_figure(std::string_view id) { return find_row(figure_rows, id
 std::string figure_ids() { return joined_ids(figure_rows); }
 
 Result<MeshFile> mesh_of_figure(const Figure& figure) {
-  const std::span<const FigureFile> files = figure_files();
-  const auto file = std::find_if(files.begin(), files.end(), [&](const FigureFile& f) { return f.id == figure.id; });
+  const FigureFile* const file = find_row(figure_files(), figure.id);
   return read_mesh(file->bytes, *find_format(file->format));
 }
 

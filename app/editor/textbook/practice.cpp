@@ -8,6 +8,7 @@
 #include "app/editor/commands/text/words.h"
 #include "app/editor/textbook/figures.h"
 #include "ryosen/base/enum_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/document/document.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"

@@ -13,6 +13,7 @@
 #include "app/editor/textbook/exercises.h"
 #include "app/editor/textbook/figures.h"
 #include "app/editor/textbook/playing.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 

@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 
@@ -24,11 +25,7 @@ std::deque<AlgorithmRow>& algorithm_rows() {
 
 const std::deque<AlgorithmRow>& algorithm_table() { return algorithm_rows(); }
 
-const AlgorithmRow* find_algorithm(std::string_view id) {
-  for (const AlgorithmRow& row : algorithm_rows())
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const AlgorithmRow* find_algorithm(std::string_view id) { return find_row(algorithm_rows(), id); }
 
 ScopedAlgorithm::ScopedAlgorithm(AlgorithmRow row) : row_(&algorithm_rows().emplace_back(std::move(row))) {}
 

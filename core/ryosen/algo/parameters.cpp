@@ -10,6 +10,7 @@
 
 #include "ryosen/base/enum_table.h"
 #include "ryosen/base/number_text.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/base/split_list.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/is_finite.h"
@@ -362,8 +363,8 @@ ReadValues read_values(std::span<const ParameterRow> rows, std::span<const std::
       return malformed({name + " is given twice", name + " が二度指定されています"});
     }
     given.push_back(id);
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const ParameterRow& r) { return r.id == id; });
-    if (selected && row != rows.end() && means_selection(*row, text))
+    const ParameterRow* const row = find_row(rows, id);
+    if (selected && row && means_selection(*row, text))
       read.values->set_names(id, *selected);
     else if (auto fault = read.values->set(id, text, id))
       return malformed(std::move(*fault));

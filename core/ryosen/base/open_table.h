@@ -5,27 +5,12 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
-#include <iterator>
 #include <span>
-#include <string>
 #include <string_view>
 
+#include "ryosen/base/rows.h"
+
 namespace ryosen {
-
-// The row with this id, or null.
-template <class Rows>
-auto find_row(const Rows& rows, std::string_view id) {
-  const auto row = std::find_if(std::begin(rows), std::end(rows), [&](const auto& each) { return each.id == id; });
-  return row == std::end(rows) ? nullptr : &*row;
-}
-
-// "a|b|c" of the ids of the rows.
-template <class Rows>
-std::string joined_ids(const Rows& rows) {
-  std::string ids;
-  for (const auto& row : rows) ids.append(ids.empty() ? "" : "|").append(row.id);
-  return ids;
-}
 
 // Rows stay where they are. At most `most` of them.
 template <class Row, std::size_t most>

@@ -1,12 +1,12 @@
 #include "ryosen/hull/insertion_order.h"
 
-#include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
 #include <utility>
 
 #include "ryosen/base/enum_table.h"
+#include "ryosen/base/rows.h"
 
 namespace ryosen {
 
@@ -23,10 +23,7 @@ static_assert(rows_are_in_order(orders, &HullOrderRow::order));
 
 std::span<const HullOrderRow> hull_orders() { return orders; }
 
-const HullOrderRow* find_hull_order(std::string_view id) {
-  const auto row = std::find_if(orders.begin(), orders.end(), [&](const HullOrderRow& r) { return r.id == id; });
-  return row == orders.end() ? nullptr : &*row;
-}
+const HullOrderRow* find_hull_order(std::string_view id) { return find_row(orders, id); }
 
 std::vector<std::uint32_t> shuffled_numbers(std::uint32_t count, std::uint64_t seed) {
   std::vector<std::uint32_t> numbers(count);

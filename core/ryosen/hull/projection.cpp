@@ -1,9 +1,9 @@
 #include "ryosen/hull/projection.h"
 
-#include <algorithm>
 #include <array>
 
 #include "ryosen/base/enum_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/is_finite.h"
 
@@ -34,10 +34,7 @@ int thinnest_axis(const std::vector<glm::dvec3>& points) {
 
 std::span<const ProjectionRow> projections() { return rows; }
 
-const ProjectionRow* find_projection(std::string_view id) {
-  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ProjectionRow& r) { return r.id == id; });
-  return row == rows.end() ? nullptr : &*row;
-}
+const ProjectionRow* find_projection(std::string_view id) { return find_row(rows, id); }
 
 void project(std::vector<glm::dvec3>& points, Projection projection) {
   if (projection == Projection::none) return;

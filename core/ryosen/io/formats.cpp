@@ -6,6 +6,7 @@
 
 #include "ryosen/base/interruption.h"
 #include "ryosen/base/open_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/io/file_target.h"
 #include "ryosen/io/gzip.h"
 #include "ryosen/io/input_file.h"

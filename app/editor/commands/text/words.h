@@ -1,8 +1,6 @@
 // Text parts of a command line: the rest after its first word, file names, and the ids that rows of tables have there.
 #pragma once
 
-#include <algorithm>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,26 +40,6 @@ std::string capitalized(std::string text);
 // The line as it is shown: numbers that are values by themselves, with a point or an exponent, to six digits, and 0 for
 // -0.
 std::string with_short_numbers(std::string_view line);
-
-// The row of a table with this id; null where there is none.
-template <class Rows>
-auto find_row(const Rows& rows, std::string_view id) {
-  const auto row = std::find_if(std::begin(rows), std::end(rows), [&](const auto& each) { return each.id == id; });
-  return row == std::end(rows) ? nullptr : &*row;
-}
-// The ids of its rows, and the same in one text, as a syntax has them.
-template <class Rows>
-std::vector<std::string> ids_of_rows(const Rows& rows) {
-  std::vector<std::string> ids;
-  for (const auto& row : rows) ids.emplace_back(row.id);
-  return ids;
-}
-template <class Rows>
-std::string joined_ids(const Rows& rows, std::string_view between = "|") {
-  std::string ids;
-  for (const auto& row : rows) ids.append(ids.empty() ? "" : between).append(row.id);
-  return ids;
-}
 
 // The sentence with a full stop, unless it ends as a question.
 Text closed(Text sentence);

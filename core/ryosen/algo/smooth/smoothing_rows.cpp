@@ -1,10 +1,9 @@
 #include "ryosen/algo/algorithm_rows.h"
 
-#include <algorithm>
-
 #include "ryosen/algo/smooth/smooth.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/base/count_text.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
 
@@ -31,8 +30,8 @@ constexpr ChoiceOf<smooth::BoundaryRule> boundary_rules[] = {
 
 template <class Value, std::size_t n>
 Value chosen(std::string_view id, const ChoiceOf<Value> (&choices)[n]) {
-  const auto* const row = std::find_if(choices, choices + n, [&](const ChoiceOf<Value>& c) { return c.id == id; });
-  return row == choices + n ? choices[0].value : row->value;
+  const auto* const row = find_row(choices, id);
+  return row ? row->value : choices[0].value;
 }
 
 smooth::Options options_of_smoothing(const ParameterValues& values) {

@@ -11,6 +11,7 @@
 #include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/open_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {

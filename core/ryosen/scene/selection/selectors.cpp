@@ -10,6 +10,7 @@
 #include "ryosen/base/index_set.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/base/open_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/scene/highlights/feature_edges.h"

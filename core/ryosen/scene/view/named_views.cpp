@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ryosen/base/open_table.h"
+#include "ryosen/base/rows.h"
 #include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {

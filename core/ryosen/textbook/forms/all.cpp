@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ryosen/base/rows.h"
 #include "ryosen/textbook/forms/dcel.h"
 #include "ryosen/textbook/forms/face_adjacency.h"
 #include "ryosen/textbook/forms/halfedge.h"
@@ -72,10 +73,6 @@ constexpr std::array form_rows{
 
 std::span<const FormRow> all_forms() { return form_rows; }
 
-const FormRow* find_form(std::string_view id) {
-  for (const FormRow& row : form_rows)
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const FormRow* find_form(std::string_view id) { return find_row(form_rows, id); }
 
 }  // namespace ryosen::forms

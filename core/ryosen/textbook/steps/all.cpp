@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "ryosen/base/rows.h"
 #include "ryosen/textbook/steps/players.h"
 
 namespace ryosen::steps {
@@ -42,11 +43,7 @@ constexpr std::array steps_rows{
 
 std::span<const StepsRow> all_steps() { return steps_rows; }
 
-const StepsRow* find_steps(std::string_view id) {
-  for (const StepsRow& row : steps_rows)
-    if (row.id == id) return &row;
-  return nullptr;
-}
+const StepsRow* find_steps(std::string_view id) { return find_row(steps_rows, id); }
 
 std::string call_of(const StepsRow& row) {
   std::string call(row.id);

@@ -1,5 +1,6 @@
 // Each of the nine relations, and the valence, asked of every form by what its text stores: a search through all faces,
 // or a walk along the links; with the number of records that this reads.
+#include "ryosen/base/rows.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/reading/relation_answer.h"
@@ -92,12 +93,8 @@ Result<Asked> asked_of(const Mesh& mesh, const RelationRow& row, const std::stri
 }  // namespace
 
 Made play_relation(const Mesh& mesh, Arguments arguments) {
-  std::string ids;
-  const RelationRow* row = nullptr;
-  for (const RelationRow& one : forms::relations()) {
-    ids.append(ids.empty() ? "" : ", ").append(one.id);
-    if (!arguments.empty() && one.id == arguments[0]) row = &one;
-  }
+  const std::string ids = joined_ids(forms::relations(), ", ");
+  const RelationRow* const row = arguments.empty() ? nullptr : find_row(forms::relations(), arguments[0]);
   if (!row || arguments.size() != 2)
     return usage_of({"'relation R X' takes one of " + ids + " and a vertex vN, edge A-B or face fN.",
                      "relation R X の R は " + ids + "、X は頂点 vN、稜線 A-B、面 fN です。"});

@@ -3,6 +3,8 @@
 #include <array>
 #include <span>
 
+#include "ryosen/base/rows.h"
+
 namespace ryosen::steps {
 
 namespace {
@@ -50,9 +52,8 @@ constexpr std::array forms_shown{
 };
 
 std::optional<Source> source_in(std::span<const Shown> rows, std::string_view id) {
-  for (const Shown& row : rows)
-    if (row.id == id) return row.source;
-  return {};
+  const Shown* const row = find_row(rows, id);
+  return row ? std::optional(row->source) : std::nullopt;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // else the kernel.
 #include <algorithm>
 
+#include "ryosen/base/rows.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/steps/link_walk.h"
 #include "ryosen/textbook/steps/players.h"
@@ -233,8 +234,7 @@ Result<const forms::FormRow*> wanted_form(const Mesh& mesh, Arguments arguments)
   if (arguments.size() < 2) return &usual_form(mesh);
   const forms::FormRow* const form = forms::find_form(arguments[1]);
   if (!form) {
-    std::string known;
-    for (const forms::FormRow& row : forms::all_forms()) known.append(known.empty() ? "" : ", ").append(row.id);
+    const std::string known = joined_ids(forms::all_forms(), ", ");
     return usage_of({"There is no form '" + arguments[1] + "'; the forms are " + known + ".",
                      "形状表現「" + arguments[1] + "」はありません（" + known + "）。"});
   }

@@ -6,6 +6,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -184,18 +185,16 @@ ElementCounts counts_on_points(const Mesh& mesh) {
   ElementCounts counts = mesh.live();
   if (!mesh.has_copies()) return counts;
   std::vector<Vertex> points(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    if (!mesh.is_alive(Vertex(i))) continue;
+  for (const Vertex v : live_vertices(mesh)) {
     // Ascending, so the first copy found is the point.
-    if (points[i])
+    if (points[v.index])
       --counts.vertices;
     else
-      for_each_copy(mesh, Vertex(i), [&](Vertex copy) { points[copy.index] = Vertex(i); });
+      for_each_copy(mesh, v, [&](Vertex copy) { points[copy.index] = v; });
   }
   std::vector<std::pair<Vertex, Vertex>> pairs;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    const auto [a, b] = ends(mesh, e);
     if (has_copies(mesh, a) || has_copies(mesh, b)) pairs.push_back(std::minmax(points[a.index], points[b.index]));
   }
   const std::size_t sheets = pairs.size();

@@ -7,6 +7,7 @@
 
 #include "ryosen/mesh/bridges.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -61,9 +62,7 @@ Broken check_halfedge(const Mesh& m, Halfedge h) {
 
 Broken check_halfedges(const Mesh& m) {
   std::uint32_t live = 0;
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!m.is_alive(h)) continue;
+  for (const Halfedge h : live_halfedges(m)) {
     ++live;
     if (Broken b = check_halfedge(m, h)) return b;
   }
@@ -112,7 +111,7 @@ Broken check_loops(const Mesh& m, Face f, const std::vector<Halfedge>& starts, s
 // Precondition: next is a permutation of the live halfedges, so loops close.
 Broken check_faces(const Mesh& m) {
   std::uint32_t with_face = 0, in_loops = 0, live = 0, rings = 0;
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) with_face += m.is_alive(Halfedge(i)) && m.face(Halfedge(i));
+  for (const Halfedge h : live_halfedges(m)) with_face += !m.is_outside(h);
   std::vector<Face> last_face(m.vertex_slots());
   std::vector<bool> seen_ring(m.columns().rings.size(), false);
   std::vector<Halfedge> starts;
@@ -159,15 +158,12 @@ Broken check_vertex(const Mesh& m, Vertex v, std::uint32_t edges, std::vector<st
 // Precondition: twin(prev(h)) is a permutation of the live halfedges that preserves the origin, so the walks close.
 Broken check_vertices(const Mesh& m) {
   std::vector<std::uint32_t> edges(m.vertex_slots(), 0);  // that begin at each
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i)
-    if (m.is_alive(Halfedge(i))) ++edges[m.from(Halfedge(i)).index];
+  for (const Halfedge h : live_halfedges(m)) ++edges[m.from(h).index];
   std::vector<std::uint32_t> last_neighbour(m.vertex_slots(), no_index);
   std::uint32_t live = 0;
-  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!m.is_alive(v)) continue;
+  for (const Vertex v : live_vertices(m)) {
     ++live;
-    if (Broken b = check_vertex(m, v, edges[i], last_neighbour)) return b;
+    if (Broken b = check_vertex(m, v, edges[v.index], last_neighbour)) return b;
   }
   if (live != m.live().vertices) return BrokenInvariant{"vertex_count", "", "the count of live vertices is wrong"};
   return {};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -95,9 +96,8 @@ void add_rings(Digest& digest, const Mesh& mesh, Face f) {
 
 void add_wires(Digest& digest, const Mesh& mesh) {
   std::vector<std::pair<Vertex, Vertex>> wires;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e) || !mesh.is_wire(e)) continue;
+  for (const Edge e : live_edges(mesh)) {
+    if (!mesh.is_wire(e)) continue;
     wires.push_back(std::minmax(mesh.from(halfedge(e, 0)), mesh.from(halfedge(e, 1))));
   }
   std::sort(wires.begin(), wires.end());
@@ -111,20 +111,16 @@ void add_wires(Digest& digest, const Mesh& mesh) {
 
 std::uint64_t Mesh::hash() const {
   Digest digest;
-  for (std::uint32_t i = 0; i < vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!is_alive(v)) continue;
+  for (const Vertex v : live_vertices(*this)) {
     const glm::dvec3& p = position(v);
-    digest.add(i);
+    digest.add(v.index);
     digest.add(std::bit_cast<std::uint64_t>(p.x));
     digest.add(std::bit_cast<std::uint64_t>(p.y));
     digest.add(std::bit_cast<std::uint64_t>(p.z));
     if (next_copy(v) != v) digest.add(~std::uint64_t{next_copy(v).index});
   }
-  for (std::uint32_t i = 0; i < face_slots(); ++i) {
-    const Face f(i);
-    if (!is_alive(f)) continue;
-    digest.add(~std::uint64_t{i});
+  for (const Face f : live_faces(*this)) {
+    digest.add(~std::uint64_t{f.index});
     for (Halfedge h : loop(*this, halfedge(f))) digest.add(from(h).index);
     if (has_rings(f)) add_rings(digest, *this, f);
   }

@@ -6,6 +6,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/delete.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
@@ -19,10 +20,9 @@ namespace {
 
 using namespace test;
 
-std::vector<Face> live_faces(const Mesh& m) {
+std::vector<Face> all_faces(const Mesh& m) {
   std::vector<Face> faces;
-  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
-    if (m.is_alive(Face(i))) faces.emplace_back(i);
+  for (const Face f : live_faces(m)) faces.push_back(f);
   return faces;
 }
 
@@ -38,7 +38,7 @@ void expect_same_answers(Mesh mesh, Dice& dice) {
   Edit edit(mesh, nullptr);
   PinchWatch watch(mesh);
   for (int i = 0; i < 300; ++i) {
-    const std::vector<Face> left = live_faces(mesh);
+    const std::vector<Face> left = all_faces(mesh);
     if (left.empty()) return;
     std::vector<Face> some;
     for (int k = dice.one_in(2) ? 1 : 1 + dice.below(4); k > 0; --k)
@@ -76,7 +76,7 @@ TEST(pinch_watch, costs_what_is_near_the_faces) {
     Mesh mesh = from_indexed(start);
     Edit edit(mesh, nullptr);
     PinchWatch watch(mesh);
-    for (const Face f : live_faces(mesh)) {
+    for (const Face f : all_faces(mesh)) {
       const Face faces[] = {f};
       if (watch.is_pinched_without(faces)) continue;
       watch.loses(faces);

@@ -2,6 +2,7 @@
 
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/base/interruption.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -11,10 +12,8 @@ DisjointSets join_faces(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   DisjointSets sets(mesh.face_slots());
   std::vector<Face> faces;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+  for (const Edge e : live_edges(mesh)) {
     stop_if_interrupted();
-    const Edge e(i);
-    if (!mesh.is_alive(e)) continue;
     const Face f = mesh.face(halfedge(e, 0)), g = mesh.face(halfedge(e, 1));
     if (f && g) sets.join(f.index, g.index);
     if (!mesh.has_copies() || around.is_single_sheet(halfedge(e)) || !around.is_first_sheet(e)) continue;
@@ -36,11 +35,10 @@ FaceComponents find_face_components(Neighbourhood& around) {
   DisjointSets sets = join_faces(around);
   FaceComponents components;
   components.of_face.assign(mesh.face_slots(), no_index);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+  for (const Face f : live_faces(mesh)) {
     stop_if_interrupted();
-    if (!mesh.is_alive(Face(i))) continue;
-    const std::uint32_t root = sets.root(i);  // the lowest face, so it is visited first
-    components.of_face[i] = root == i ? components.count++ : components.of_face[root];
+    const std::uint32_t root = sets.root(f.index);  // the lowest face, so it is visited first
+    components.of_face[f.index] = root == f.index ? components.count++ : components.of_face[root];
   }
   return components;
 }
@@ -52,10 +50,9 @@ Halfedge find_twist(Neighbourhood& around) {
   // Each face as it is and, behind all faces, turned over: what is in one set stays together.
   const std::uint32_t faces = mesh.face_slots();
   DisjointSets sets(2 * std::size_t{faces});
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
+  for (const Halfedge h : live_halfedges(mesh)) {
     stop_if_interrupted();
-    const Halfedge h(i);
-    if (!mesh.is_alive(h) || mesh.is_outside(h)) continue;
+    if (mesh.is_outside(h)) continue;
     const Halfedge other = around.across(h);
     if (!other || other < h) continue;
     const std::uint32_t f = mesh.face(h).index, g = mesh.face(other).index;

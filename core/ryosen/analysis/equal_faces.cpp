@@ -5,6 +5,7 @@
 
 #include "ryosen/base/interruption.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -87,11 +88,11 @@ std::uint64_t mix(std::uint64_t x) {
 std::vector<KeyedFace> keyed_faces(Neighbourhood& around) {
   const Mesh& mesh = around.mesh();
   std::vector<KeyedFace> keyed;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    stop_if_interrupted(i);
-    if (!mesh.is_alive(Face(i)) || !may_have_equal_face(mesh, Face(i))) continue;
-    KeyedFace entry{0, i};
-    for (Vertex v : vertices_around(mesh, Face(i))) entry.key += mix(around.point(v).index);
+  for (const Face f : live_faces(mesh)) {
+    stop_if_interrupted(f.index);
+    if (!may_have_equal_face(mesh, f)) continue;
+    KeyedFace entry{0, f.index};
+    for (Vertex v : vertices_around(mesh, f)) entry.key += mix(around.point(v).index);
     keyed.push_back(entry);
   }
   std::sort(keyed.begin(), keyed.end());

@@ -7,6 +7,7 @@
 #include "ryosen/analysis/problems.h"
 #include "ryosen/base/interruption.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -140,15 +141,14 @@ class TreeAndCotree {
   TreeAndCotree(Neighbourhood& around, const ProblemSets& sets)
       : mesh_(around.mesh()), around_(around), sets_(sets), points_(mesh_.vertex_slots()) {
     if (!mesh_.has_copies()) return;
-    for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i)
-      if (mesh_.is_alive(Vertex(i))) points_.join(i, mesh_.next_copy(Vertex(i)).index);
+    for (const Vertex v : live_vertices(mesh_)) points_.join(v.index, mesh_.next_copy(v).index);
   }
 
   // Only the forest of the points. A face connects its loops like an edge between them.
   void join_points() {
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    for (const Edge e : live_edges(mesh_)) {
       stop_if_interrupted();
-      if (mesh_.is_alive(Edge(i))) join_ends(Edge(i));
+      join_ends(e);
     }
     for_each_ring([&](Halfedge outer, Halfedge ring) { join(outer, ring); });
   }
@@ -158,10 +158,9 @@ class TreeAndCotree {
     others_.reset(std::size_t{mesh_.face_slots()} + mesh_.halfedge_slots());
     join_walks(wires);
     std::int64_t in_neither = 0;
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
+    for (const Edge e : live_edges(mesh_)) {
       stop_if_interrupted();
-      const Edge e(i);
-      if (!mesh_.is_alive(e) || sets_.is_further_sheet(e) || join_ends(e)) continue;
+      if (sets_.is_further_sheet(e) || join_ends(e)) continue;
       const auto [a, b] = sides(e);
       in_neither += !others_.join(a, b);
     }

@@ -13,6 +13,7 @@
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -36,9 +37,8 @@ void count_quarantine(const Mesh& mesh, std::span<const QuarantinedFace> quarant
 void count_edges(Neighbourhood& around, Figures& figures) {
   const Mesh& mesh = around.mesh();
   std::uint64_t most = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e) || !around.is_first_sheet(e)) continue;
+  for (const Edge e : live_edges(mesh)) {
+    if (!around.is_first_sheet(e)) continue;
     if (is_bridge(mesh, halfedge(e))) {
       ++figures.rings;  // as a file that is read again has it
       continue;
@@ -53,8 +53,7 @@ void count_vertices(Neighbourhood& around, const ProblemSets& sets, Figures& fig
   const Mesh& mesh = around.mesh();
   figures.vertices = mesh.live().vertices;
   if (mesh.has_copies())
-    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-      figures.vertices -= mesh.is_alive(Vertex(i)) && around.point(Vertex(i)) != Vertex(i);
+    for (const Vertex v : live_vertices(mesh)) figures.vertices -= around.point(v) != v;
   sets.of(ProblemKind::nonmanifold_vertex).for_each([&](std::uint32_t i) {
     figures.bowtie_vertices += around.fans(Vertex(i)) > 1;
   });
@@ -128,10 +127,9 @@ bool has_inner_loops(const Mesh& mesh, const FacePolygon& polygon) {
 // The corners of each kind of face and what the faces measure.
 void measure_faces(const Mesh& mesh, Measure& measure, Figures& figures) {
   FacePolygon polygon;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge first = mesh.halfedge(Face(i));
-    if (is_triangle(mesh, first) && !mesh.has_rings(Face(i))) {
+  for (const Face f : live_faces(mesh)) {
+    const Halfedge first = mesh.halfedge(f);
+    if (is_triangle(mesh, first) && !mesh.has_rings(f)) {
       const Halfedge second = mesh.next(first);
       const glm::dvec3 places[] = {mesh.position(mesh.from(first)), mesh.position(mesh.from(second)),
                                    mesh.position(mesh.to(second))};
@@ -139,13 +137,13 @@ void measure_faces(const Mesh& mesh, Measure& measure, Figures& figures) {
       measure.add(places);
       continue;
     }
-    polygon.read(mesh, Face(i));
+    polygon.read(mesh, f);
     if (!has_inner_loops(mesh, polygon)) {
       count_corners(polygon.places().size(), figures);
       measure.add(polygon.places());
     } else {
       // The walk has the corners that the file's bridged list has.
-      const std::vector<glm::dvec3> walk = measured_walk(mesh, Face(i));
+      const std::vector<glm::dvec3> walk = measured_walk(mesh, f);
       count_corners(walk.size(), figures);
       measure.add(walk);
     }

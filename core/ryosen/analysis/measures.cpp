@@ -15,6 +15,7 @@
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -170,9 +171,8 @@ double edge_length(const Mesh& mesh, Edge e) {
 
 double mean_edge_length(const Mesh& mesh) {
   double sum = 0, count = 0;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const double length = edge_length(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    const double length = edge_length(mesh, e);
     if (!std::isfinite(length)) continue;
     sum += length;
     ++count;

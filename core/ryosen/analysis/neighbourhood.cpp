@@ -7,6 +7,7 @@
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -150,8 +151,8 @@ Edge Neighbourhood::first_wire(Edge e) {
     for (const Halfedge h : sheets_between(mesh_, a, b))
       if (mesh_.is_wire(ryosen::edge(h))) keep(ryosen::edge(h));
   if (is_whole_ && first_wires_.empty())
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
-      if (mesh_.is_alive(Edge(i)) && mesh_.is_wire(Edge(i)) && !is_single_sheet(halfedge(Edge(i)))) keep(Edge(i));
+    for (const Edge wire : live_edges(mesh_))
+      if (mesh_.is_wire(wire) && !is_single_sheet(halfedge(wire))) keep(wire);
   return keep(e);
 }
 

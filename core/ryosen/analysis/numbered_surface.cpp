@@ -10,6 +10,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -18,8 +19,7 @@ NumberedSurface::NumberedSurface(const Mesh& mesh) : places_(mesh.positions().be
   corners_.reserve(expected);
   faces_.reserve(expected);
   sides_.reserve(expected);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) add(mesh, Face(i));
+  for (const Face f : live_faces(mesh)) add(mesh, f);
   choose_frame();
   if (!mesh.has_copies()) return;
   for (auto& corners : corners_)

@@ -11,6 +11,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -20,10 +21,8 @@ namespace {
 class PointsByPlace {
  public:
   explicit PointsByPlace(const Mesh& mesh) : mesh_(mesh) {
-    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-      const Vertex v(i);
-      if (mesh.is_alive(v) && point(mesh, v) == v && is_place(mesh.position(v))) points_.push_back(v);
-    }
+    for (const Vertex v : live_vertices(mesh))
+      if (point(mesh, v) == v && is_place(mesh.position(v))) points_.push_back(v);
     std::sort(points_.begin(), points_.end(), [&](Vertex a, Vertex b) {
       return is_before(mesh_.position(a), mesh_.position(b)) || (mesh_.position(a) == mesh_.position(b) && a < b);
     });

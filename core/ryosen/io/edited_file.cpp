@@ -7,6 +7,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/io/format.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 namespace {
@@ -15,9 +16,9 @@ namespace {
 std::vector<std::pair<std::uint32_t, std::uint32_t>> wires_beside(const ElementList& lines, const Mesh& mesh,
                                                                   const std::vector<std::uint32_t>& number) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i)) || !mesh.is_wire(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    if (!mesh.is_wire(e)) continue;
+    const auto [a, b] = ends(mesh, e);
     wires.push_back(std::minmax(number[a.index], number[b.index]));
   }
   if (wires.empty()) return wires;

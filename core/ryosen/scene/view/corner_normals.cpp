@@ -9,6 +9,7 @@
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/scene/view/packed_normal.h"
 
 namespace ryosen {
@@ -145,8 +146,7 @@ CornerNormals::CornerNormals(const Mesh& mesh, const SurfaceTriangles& triangles
       packed_(triangles.slots()) {
   if (file_normals_) of_file_.emplace(*file_normals_, mesh);
   Neighbourhood around(mesh);
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i))) set_around(around, triangles, Vertex(i), [](Face) {});
+  for (const Vertex v : live_vertices(mesh)) set_around(around, triangles, v, [](Face) {});
   finish(mesh, triangles);
   of_file_.reset();
   waiting_.shrink_to_fit();

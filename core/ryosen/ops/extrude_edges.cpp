@@ -17,6 +17,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/extrude.h"
 #include "ryosen/ops/make_face.h"
 #include "ryosen/ops/parameters/member_values.h"
@@ -45,9 +46,7 @@ std::optional<Text> fault_of_edge_extrusion(const Mesh& mesh, const void* op) {
 // The edges at the far end of the new faces.
 std::vector<Element> far_edges(const Mesh& mesh, const void*, const ColumnLengths& before) {
   std::vector<Element> found;
-  for (std::uint32_t i = before.halfedges / 2; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e)) continue;
+  for (const Edge e : live_edges(mesh, Edge(before.halfedges / 2))) {
     const auto [a, b] = ends(mesh, e);
     if (point(mesh, a).index >= before.vertices && point(mesh, b).index >= before.vertices) found.push_back(e);
   }

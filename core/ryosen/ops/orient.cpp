@@ -11,6 +11,7 @@
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/analysis/problem_kinds.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/turn_faces.h"
 
 namespace ryosen {
@@ -176,9 +177,9 @@ class Choice {
         place_(m.face_slots(), 0) {}
 
   std::vector<bool> choose() {
-    for (std::uint32_t start = 0; start < m_.face_slots(); ++start) {
-      if (!m_.is_alive(Face(start)) || seen_[start]) continue;
-      if (!flood(Face(start))) shorten_the_seam();
+    for (const Face f : live_faces(m_)) {
+      if (seen_[f.index]) continue;
+      if (!flood(f)) shorten_the_seam();
       keep_majority();
     }
     return std::move(turned_);

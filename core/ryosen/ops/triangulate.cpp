@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -137,10 +138,10 @@ Verdict Triangulate::check(const Mesh& mesh) const {
   }
   // Legal if any face can be triangulated; else report the reasons of the first non-triangle.
   EqualFaceIndex equal(mesh);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i)) || !has_more_than_three(mesh, Face(i))) continue;
-    if (!verdict.legal() && equal.has_equal(Face(i))) continue;
-    const Verdict own = cut_of(mesh, Face(i)).verdict;
+  for (const Face f : live_faces(mesh)) {
+    if (!has_more_than_three(mesh, f)) continue;
+    if (!verdict.legal() && equal.has_equal(f)) continue;
+    const Verdict own = cut_of(mesh, f).verdict;
     if (own.legal()) return {};
     if (verdict.legal()) verdict = own;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/base/column_memory.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/rules/plain_check.h"
 
@@ -80,10 +81,9 @@ std::vector<std::uint8_t> collapsible_edges(const Mesh& mesh) {
   std::vector<std::uint8_t> legal(mesh.edge_slots(), 0);
   const Stars stars(mesh);
   const bool has_rings = mesh.has_rings();
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Halfedge h = halfedge(Edge(i));
-    if (!mesh.is_alive(h)) continue;
-    legal[i] = (!has_rings && is_surely_legal(mesh, stars, h)) || CollapseEdge{h}.is_legal(mesh);
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e);
+    legal[e.index] = (!has_rings && is_surely_legal(mesh, stars, h)) || CollapseEdge{h}.is_legal(mesh);
   }
   return legal;
 }

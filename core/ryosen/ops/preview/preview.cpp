@@ -12,6 +12,7 @@
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/crossings.h"
 #include "ryosen/ops/rules/face_geometry.h"
 
@@ -98,8 +99,7 @@ VertexPairs points_at_one_place(const Mesh& mesh, const std::vector<Face>& faces
     if (!mesh.exists(v) || !mesh.is_alive(v)) continue;
     for (Vertex w : neighbours(mesh, v)) add(v, w);
     if (mesh.is_isolated(v) && mesh.vertex_slots() <= most_vertices_searched)
-      for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-        if (mesh.is_alive(Vertex(i))) add(v, Vertex(i));
+      for (const Vertex w : live_vertices(mesh)) add(v, w);
   }
   sort_unique(pairs);
   return pairs;

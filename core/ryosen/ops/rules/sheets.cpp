@@ -10,6 +10,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/surgery.h"
@@ -357,12 +358,9 @@ void Sheets::changed_around(Vertex v) {
 OpEffect Sheets::finish() {
   const Mesh& m = edit_.mesh();
   OpEffect effect;
-  for (std::uint32_t i = before_.vertices; i < m.vertex_slots(); ++i)
-    if (m.is_alive(Vertex(i))) effect.created.push_back(Vertex(i));
-  for (std::uint32_t i = before_.halfedges / 2; i < m.edge_slots(); ++i)
-    if (m.is_alive(Edge(i))) effect.created.push_back(Edge(i));
-  for (std::uint32_t i = before_.faces; i < m.face_slots(); ++i)
-    if (m.is_alive(Face(i))) effect.created.push_back(Face(i));
+  for (const Vertex v : live_vertices(m, Vertex(before_.vertices))) effect.created.push_back(v);
+  for (const Edge e : live_edges(m, Edge(before_.halfedges / 2))) effect.created.push_back(e);
+  for (const Face f : live_faces(m, Face(before_.faces))) effect.created.push_back(f);
   for (const Element& e : effect_.deleted) {
     const std::uint32_t had = e.kind == Element::Kind::vertex ? before_.vertices
                               : e.kind == Element::Kind::edge ? before_.halfedges / 2

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
@@ -48,14 +49,12 @@ class Turner {
 
   std::vector<Vertex> turned_vertices() const {
     std::vector<Vertex> found;
-    for (std::uint32_t i = 0; i < m_.vertex_slots(); ++i) {
-      if (!m_.is_alive(Vertex(i))) continue;
-      for (Face f : faces_around(m_, Vertex(i))) {
+    for (const Vertex v : live_vertices(m_))
+      for (Face f : faces_around(m_, v)) {
         if (!turns(f)) continue;
-        found.push_back(Vertex(i));
+        found.push_back(v);
         break;
       }
-    }
     return found;
   }
 
@@ -67,9 +66,8 @@ class Turner {
     std::vector<std::pair<Halfedge, Face>> sides;
     std::vector<std::uint32_t> values;  // per side, one per attribute
     std::vector<std::pair<std::uint32_t, Halfedge>> rings;
-    for (std::uint32_t i = 0; i < m_.face_slots(); ++i) {
-      const Face f(i);
-      if (!m_.is_alive(f) || !turns(f)) continue;
+    for (const Face f : live_faces(m_)) {
+      if (!turns(f)) continue;
       sheets_.changed(f);
       for (Halfedge h : halfedges_around(m_, f)) {
         sides.emplace_back(twin(m_.prev(h)), f);

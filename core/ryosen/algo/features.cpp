@@ -4,6 +4,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -22,12 +23,12 @@ SheetGroups sheet_groups(const Mesh& mesh) {
   if (!mesh.has_copies()) return groups;
   using Sheet = std::tuple<Vertex, Vertex, Edge>;
   std::vector<Sheet> sheets;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    if (mesh.is_wire(e)) continue;
+    const auto [a, b] = ends(mesh, e);
     if (!has_copies(mesh, a) || !has_copies(mesh, b)) continue;
     const auto [low, high] = std::minmax({point(mesh, a), point(mesh, b)});
-    sheets.emplace_back(low, high, Edge(i));
+    sheets.emplace_back(low, high, e);
   }
   std::sort(sheets.begin(), sheets.end());
   for (std::size_t i = 0, k = 0; i < sheets.size(); i = k) {

@@ -15,6 +15,7 @@
 #include "ryosen/geometry/box.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/names.h"
 
 namespace ryosen {
@@ -114,10 +115,8 @@ std::optional<ParameterValue> read_value(const ParameterRow& row, std::string_vi
 // That share of the diagonal of the bounding box; on the way nothing is larger than the result or the box.
 double share_of_diagonal(const Mesh& mesh, double share) {
   Box box;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const glm::dvec3& p = mesh.position(Vertex(i));
-    if (mesh.is_alive(Vertex(i)) && is_finite(p)) box.add(p);
-  }
+  for (const Vertex v : live_vertices(mesh))
+    if (is_finite(mesh.position(v))) box.add(mesh.position(v));
   if (box.is_empty()) return 0;
   const glm::dvec3 half = 0.5 * box.highest - 0.5 * box.lowest;
   const double largest = std::max({half.x, half.y, half.z});

@@ -6,6 +6,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/poke.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -65,10 +66,8 @@ std::vector<std::uint32_t> first_equals(const AttributeColumn& pool) {
 
 std::vector<Face> polygons_of_mesh(const Mesh& mesh) {
   std::vector<Face> found;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    const Face f(i);
-    if (mesh.is_alive(f) && (mesh.has_rings(f) || !is_triangle(mesh, mesh.halfedge(f)))) found.push_back(f);
-  }
+  for (const Face f : live_faces(mesh))
+    if (mesh.has_rings(f) || !is_triangle(mesh, mesh.halfedge(f))) found.push_back(f);
   return found;
 }
 
@@ -106,10 +105,10 @@ void share_equal_values(Edit& edit) {
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
     const std::vector<std::uint32_t> first = first_equals(mesh.attributes()[attribute.pool_column]);
     const std::vector<std::uint32_t>& indices = mesh.attributes()[attribute.index_column].data;
-    for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-      if (!mesh.is_alive(Halfedge(i)) || indices[i] >= first.size()) continue;
-      const std::uint32_t index = first[indices[i]];
-      edit.set_attribute(attribute.index_column, i, std::span(&index, 1));
+    for (const Halfedge h : live_halfedges(mesh)) {
+      if (indices[h.index] >= first.size()) continue;
+      const std::uint32_t index = first[indices[h.index]];
+      edit.set_attribute(attribute.index_column, h.index, std::span(&index, 1));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "ryosen/hull/hull_shape.h"
 #include "ryosen/hull/projection.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -29,8 +30,8 @@ std::vector<Numbers> numbers_meant(const Mesh& mesh, const ParameterValues& valu
     return lists;
   }
   Numbers all;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)) && point(mesh, Vertex(i)) == Vertex(i)) all.push_back(i);
+  for (const Vertex v : live_vertices(mesh))
+    if (point(mesh, v) == v) all.push_back(v.index);
   return {std::move(all)};
 }
 

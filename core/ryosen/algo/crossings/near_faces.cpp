@@ -6,6 +6,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -31,11 +32,10 @@ void for_each_face(const Mesh& mesh, Vertex v, Visit visit) {
 
 NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) {
   std::vector<Primitive> primitives(mesh.face_slots());
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); mesh.is_alive(f)) primitives[i] = primitive_of(mesh, f);
+  for (const Face f : live_faces(mesh)) primitives[f.index] = primitive_of(mesh, f);
   std::vector<Vertex> hubs;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && point(mesh, v) == v && is_hub_point(mesh, v)) hubs.push_back(v);
+  for (const Vertex v : live_vertices(mesh))
+    if (point(mesh, v) == v && is_hub_point(mesh, v)) hubs.push_back(v);
   for (Vertex v : hubs) for_each_face(mesh, v, [&](Face f) { primitives[f.index] = {}; });
   tree_.build(mesh.positions(), std::move(primitives));
   for (Vertex v : hubs) follow(v);

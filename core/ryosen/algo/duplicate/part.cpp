@@ -8,6 +8,7 @@
 #include "ryosen/mesh/append_mesh.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/euler/make_edge.h"
 
 namespace ryosen {
@@ -110,13 +111,9 @@ Halfedge gap_at(const Mesh& mesh, Vertex v) {
 
 std::vector<Element> all_elements(const Mesh& mesh) {
   std::vector<Element> all;
-  const auto add = [&](auto first, std::uint32_t slots) {
-    for (decltype(first) e(0); e.index < slots; ++e.index)
-      if (mesh.is_alive(e)) all.push_back(e);
-  };
-  add(Vertex(0), mesh.vertex_slots());
-  add(Edge(0), mesh.edge_slots());
-  add(Face(0), mesh.face_slots());
+  for (const Vertex v : live_vertices(mesh)) all.push_back(v);
+  for (const Edge e : live_edges(mesh)) all.push_back(e);
+  for (const Face f : live_faces(mesh)) all.push_back(f);
   return all;
 }
 
@@ -127,24 +124,22 @@ Part part_of(const Mesh& mesh, std::span<const Element> elements, const FileTabl
   const Meant meant(mesh, elements);
   std::vector<bool> faces(compact.mesh.face_count(), false), points(compact.mesh.positions.size(), false);
   std::vector<Vertex> point_of(points.size());
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!mesh.is_alive(v) || point(mesh, v) != v) continue;
-    point_of[compact.vertex_number[i]] = v;
-    if (meant.has_vertex(v)) points[compact.vertex_number[i]] = true;
+  for (const Vertex v : live_vertices(mesh)) {
+    if (point(mesh, v) != v) continue;
+    point_of[compact.vertex_number[v.index]] = v;
+    if (meant.has_vertex(v)) points[compact.vertex_number[v.index]] = true;
   }
   const auto take_point = [&](Vertex v) { points[compact.vertex_number[v.index]] = true; };
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i)) || !meant.has_face(Face(i))) continue;
-    faces[compact.face_number[i]] = true;
-    for (const Vertex v : vertices_around(mesh, Face(i))) take_point(v);
+  for (const Face f : live_faces(mesh)) {
+    if (!meant.has_face(f)) continue;
+    faces[compact.face_number[f.index]] = true;
+    for (const Vertex v : vertices_around(mesh, f)) take_point(v);
   }
   Part part;
   std::vector<Edge> wires;
   const auto is_in = [&](Halfedge h) { return mesh.face(h) && faces[compact.face_number[mesh.face(h).index]]; };
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e) || !meant.has_edge(e) || is_in(halfedge(e, 0)) || is_in(halfedge(e, 1))) continue;
+  for (const Edge e : live_edges(mesh)) {
+    if (!meant.has_edge(e) || is_in(halfedge(e, 0)) || is_in(halfedge(e, 1))) continue;
     wires.push_back(e);
     take_point(ends(mesh, e).first);
     take_point(ends(mesh, e).second);

@@ -5,19 +5,19 @@
 #include <limits>
 
 #include "ryosen/geometry/closest.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::remesh {
 
 CoveredPoints::CoveredPoints(const Mesh& mesh, const Features& features, double spacing) {
   first_.assign(mesh.face_slots(), no_index);
   FaceNormals area_normals(mesh.face_slots(), glm::dvec3(0));
-  for (Face f(0); f.index < mesh.face_slots(); ++f.index)
-    if (mesh.is_alive(f)) area_normals[f.index] = area_normal(corners_of(mesh, mesh.halfedge(f)));
+  for (const Face f : live_faces(mesh)) area_normals[f.index] = area_normal(corners_of(mesh, mesh.halfedge(f)));
   points_.reserve(2 * mesh.live().vertices);
-  for (Vertex v(0); v.index < mesh.vertex_slots(); ++v.index)
-    if (mesh.is_alive(v) && !features.vertices[v.index]) add_vertex(mesh, area_normals, v);
-  for (Edge e(0); e.index < mesh.edge_slots(); ++e.index)
-    if (mesh.is_alive(e) && !features.edges[e.index]) add_edge(mesh, area_normals, e, spacing);
+  for (const Vertex v : live_vertices(mesh))
+    if (!features.vertices[v.index]) add_vertex(mesh, area_normals, v);
+  for (const Edge e : live_edges(mesh))
+    if (!features.edges[e.index]) add_edge(mesh, area_normals, e, spacing);
 }
 
 void CoveredPoints::add_vertex(const Mesh& mesh, const FaceNormals& area_normals, Vertex v) {

@@ -5,6 +5,7 @@
 #include "ryosen/algo/remesh/remesh.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/mesh/edit.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/swap_edge.h"
 
 namespace ryosen::remesh {
@@ -61,8 +62,8 @@ class DelaunaySwapper {
       for (const Halfedge side : {h, twin(h)})
         for (const Halfedge around : {mesh_.next(side), mesh_.prev(side)}) add(edge(around));
     }
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i)
-      if (mesh_.is_alive(Edge(i)) && !features_.edges[i] && !is_delaunay(kite(halfedge(Edge(i))))) ++result.refused;
+    for (const Edge e : live_edges(mesh_))
+      if (!features_.edges[e.index] && !is_delaunay(kite(halfedge(e)))) ++result.refused;
     return true;
   }
 

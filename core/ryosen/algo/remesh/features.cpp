@@ -8,6 +8,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::remesh {
 
@@ -34,17 +35,14 @@ Features find_features(const Mesh& mesh, double angle_rad) {
   found.edges.assign(mesh.edge_slots(), 0);
   found.vertices.assign(mesh.vertex_slots(), 0);
   const double least_cosine = std::cos(angle_rad);
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh.is_alive(e) || !is_feature(mesh, e, least_cosine)) continue;
-    found.edges[i] = 1;
+  for (const Edge e : live_edges(mesh)) {
+    if (!is_feature(mesh, e, least_cosine)) continue;
+    found.edges[e.index] = 1;
     const auto [a, b] = ends(mesh, e);
     found.vertices[a.index] = found.vertices[b.index] = 1;
   }
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (mesh.is_alive(v) && (mesh.is_isolated(v) || has_copies(mesh, v) || mesh.is_boundary(v))) found.vertices[i] = 1;
-  }
+  for (const Vertex v : live_vertices(mesh))
+    if (mesh.is_isolated(v) || has_copies(mesh, v) || mesh.is_boundary(v)) found.vertices[v.index] = 1;
   return found;
 }
 

@@ -14,6 +14,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"
 
@@ -36,13 +37,12 @@ class RegionUniter {
         region_(mesh_.face_slots(), no_index),
         normals_(mesh_.face_slots(), glm::dvec3(0)),
         areas_(mesh_.face_slots(), 0) {
-    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
-      if (!mesh_.is_alive(Face(i))) continue;
-      const FacePolygon polygon(mesh_, Face(i));
+    for (const Face f : live_faces(mesh_)) {
+      const FacePolygon polygon(mesh_, f);
       if (!polygon.is_finite()) continue;
       const std::vector<glm::dvec3> walk = polygon.keyhole_walk();
-      normals_[i] = polygon_normal(walk);
-      areas_[i] = polygon_area(walk);
+      normals_[f.index] = polygon_normal(walk);
+      areas_[f.index] = polygon_area(walk);
     }
   }
 

@@ -13,6 +13,7 @@
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/base/resource_limits.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::remesh {
 
@@ -29,9 +30,8 @@ ExpectedSize expected_size(const Mesh& mesh, const Sizing& sizing) {
   ExpectedSize size;
   constexpr double of_even = 0.433;  // the area of a triangle whose sides are 1
   const auto share = [&](Vertex v) { return sizing.length_at(v) / sizing.longest(); };
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge h = mesh.halfedge(Face(i));
+  for (const Face f : live_faces(mesh)) {
+    const Halfedge h = mesh.halfedge(f);
     const double area = glm::length(area_normal(corners_of(mesh, h))) / 2;
     if (!std::isfinite(area)) continue;
     for (const Halfedge corner : loop(mesh, h)) {
@@ -39,9 +39,8 @@ ExpectedSize expected_size(const Mesh& mesh, const Sizing& sizing) {
       size.triangles += area / (3 * of_even * part * part);
     }
   }
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    const auto [a, b] = ends(mesh, e);
     const double edge = glm::distance(mesh.position(a), mesh.position(b));
     if (std::isfinite(edge)) size.edges = std::max(size.edges, edge / std::min(share(a), share(b)));
   }

@@ -5,6 +5,7 @@
 
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/split_edge.h"
 #include "ryosen/ops/swap_edge.h"
@@ -314,8 +315,7 @@ int Remesher::valence_error(Vertex v, int valence) const { return std::abs(valen
 
 bool Remesher::swap_for_valence(Progress& progress) {
   std::vector<int> valences(mesh_.vertex_slots(), 0);
-  for (std::uint32_t i = 0; i < mesh_.halfedge_slots(); ++i)
-    if (mesh_.is_alive(Halfedge(i))) ++valences[mesh_.from(Halfedge(i)).index];
+  for (const Halfedge h : live_halfedges(mesh_)) ++valences[mesh_.from(h).index];
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
     if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
     if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) try_swap(Edge(i), valences);

@@ -9,6 +9,7 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/corner_values.h"
 
 namespace ryosen::remesh {
@@ -179,8 +180,8 @@ class ShareWriter {
 // By face slot: a number that faces have in common which can be reached from each other without crossing a feature.
 std::vector<std::uint32_t> charts_of(const Mesh& mesh, const Features& features) {
   DisjointSets sets(mesh.face_slots());
-  for (Edge e(0); e.index < mesh.edge_slots(); ++e.index) {
-    if (!mesh.is_alive(e) || features.edges[e.index]) continue;
+  for (const Edge e : live_edges(mesh)) {
+    if (features.edges[e.index]) continue;
     sets.join(mesh.face(halfedge(e)).index, mesh.face(twin(halfedge(e))).index);
   }
   std::vector<std::uint32_t> charts(mesh.face_slots());

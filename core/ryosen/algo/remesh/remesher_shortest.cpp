@@ -6,6 +6,7 @@
 
 #include "ryosen/algo/remesh/remesher.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::remesh {
 
@@ -61,8 +62,8 @@ bool Remesher::is_short(Edge e, double length) const {
 
 std::size_t Remesher::short_edges() const {
   std::size_t found = 0;
-  for (Edge e(0); e.index < mesh_.edge_slots(); ++e.index)
-    if (mesh_.is_alive(e) && !mesh_.is_wire(e) && is_short(e, length_of(e))) ++found;
+  for (const Edge e : live_edges(mesh_))
+    if (!mesh_.is_wire(e) && is_short(e, length_of(e))) ++found;
   return found;
 }
 

@@ -7,6 +7,7 @@
 
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/trees/primitive.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::remesh {
 
@@ -45,9 +46,8 @@ std::vector<double> largest_curvatures(const Mesh& mesh) {
   const std::uint32_t n = mesh.vertex_slots();
   std::vector<glm::dvec3> bends(n, glm::dvec3(0));
   std::vector<double> areas(n, 0), angles(n, 0), found(n, 0);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge start = mesh.halfedge(Face(i));
+  for (const Face f : live_faces(mesh)) {
+    const Halfedge start = mesh.halfedge(f);
     const double area = glm::length(area_normal(corners_of(mesh, start))) / 2;
     if (!(area > 0)) continue;
     for (const Halfedge h : loop(mesh, start)) {
@@ -60,8 +60,9 @@ std::vector<double> largest_curvatures(const Mesh& mesh) {
       angles[at] += std::atan2(2 * area, glm::dot(c[1] - c[0], c[2] - c[0]));
     }
   }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    if (!mesh.is_alive(Vertex(i)) || mesh.is_boundary(Vertex(i)) || !(areas[i] > 0)) continue;
+  for (const Vertex v : live_vertices(mesh)) {
+    const std::uint32_t i = v.index;
+    if (mesh.is_boundary(v) || !(areas[i] > 0)) continue;
     const double mean = glm::length(bends[i]) / (2 * areas[i]);
     const double gaussian = (2 * std::numbers::pi - angles[i]) / areas[i];
     found[i] = mean + std::sqrt(std::max(0.0, mean * mean - gaussian));
@@ -77,13 +78,13 @@ Sizing::Sizing(const Mesh& mesh, const SizeOptions& options) : options_(options)
 Target::Target(const Mesh& mesh, const Sizing& sizing) : sizing_(sizing) {
   std::vector<Primitive> triangles;
   triangles.reserve(mesh.live().faces);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge h = mesh.halfedge(Face(i));
+  for (const Face f : live_faces(mesh)) {
+    const Halfedge h = mesh.halfedge(f);
     const std::array corners{mesh.from(h), mesh.to(h), mesh.from(mesh.prev(h))};
     const bool is_there =
         std::all_of(corners.begin(), corners.end(), [&](Vertex v) { return is_finite(mesh.position(v)); });
-    if (is_there) triangles.push_back(Primitive::triangle(corners[0].index, corners[1].index, corners[2].index, i));
+    if (is_there)
+      triangles.push_back(Primitive::triangle(corners[0].index, corners[1].index, corners[2].index, f.index));
   }
   tree_ = TriangleTree(mesh.positions(), triangles, 1);
   hints_.assign(mesh.vertex_slots(), no_index);

@@ -13,6 +13,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -21,8 +22,8 @@ namespace {
 std::vector<Vertex> nonmanifold_points(const Mesh& m) {
   std::vector<Vertex> found;
   Neighbourhood around(m, Neighbourhood::Reach::whole);
-  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i)
-    if (m.is_alive(Vertex(i)) && is_nonmanifold(around, Vertex(i))) found.emplace_back(i);
+  for (const Vertex v : live_vertices(m))
+    if (is_nonmanifold(around, v)) found.push_back(v);
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "ryosen/geometry/place_keys.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/sheets.h"
 
@@ -144,9 +145,8 @@ std::vector<Vertex> part_loops(Edit& edit) {
   const Mesh& m = edit.mesh();
   std::vector<bool> seen(m.halfedge_slots(), false);
   std::vector<Part> parts;
-  for (std::uint32_t i = 0; i < m.halfedge_slots(); ++i) {
-    const Halfedge start(i);
-    if (seen[i] || !m.is_alive(start) || !m.is_outside(start)) continue;
+  for (const Halfedge start : live_halfedges(m)) {
+    if (seen[start.index] || !m.is_outside(start)) continue;
     std::vector<Halfedge> sides;
     for (const Halfedge h : loop(m, start)) {
       seen[h.index] = true;
@@ -174,8 +174,8 @@ std::vector<Vertex> part_loops(Edit& edit) {
 void join_loops(Edit& edit, const std::vector<Vertex>& joined) {
   const Mesh& m = edit.mesh();
   Sheets sheets(edit);
-  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i)
-    if (m.is_alive(Vertex(i)) && count_fans(m, Vertex(i)) > 1) sheets.separate(Vertex(i));
+  for (const Vertex v : live_vertices(m))
+    if (count_fans(m, v) > 1) sheets.separate(v);
   for (const Vertex v : joined) {
     if (!m.is_alive(v) || !has_copies(m, v)) continue;
     for (const Vertex copy : live_copies(m, {&v, 1})) link_copies(edit, {&copy, 1});
@@ -236,9 +236,8 @@ void tell_coinciding_borders(const Mesh& mesh, std::vector<Hole>& holes) {
   };
   if (std::none_of(holes.begin(), holes.end(), is_in_vain)) return;
   std::vector<Side> sides;
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h) || !mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
+  for (const Halfedge h : live_halfedges(mesh)) {
+    if (!mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
     if (is_finite(mesh.position(mesh.from(h))) && is_finite(mesh.position(mesh.to(h)))) sides.push_back(side_of(h));
   }
   std::sort(sides.begin(), sides.end(), is_less);
@@ -258,9 +257,8 @@ JoinedCorners joined_corners(const Mesh& mesh, std::span<const Hole> holes, std:
   for (std::uint32_t i : chosen)
     for (Halfedge h : loop(mesh, holes[i].start)) is_corner[point(mesh, mesh.from(h)).index] = true;
   JoinedCorners joined;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Halfedge h = halfedge(Edge(i), 0);
-    if (!mesh.is_alive(h)) continue;
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e, 0);
     const Vertex a = point(mesh, mesh.from(h)), b = point(mesh, mesh.to(h));
     if (is_corner[a.index] && is_corner[b.index]) joined.emplace_back(std::minmax(a, b));
   }

@@ -7,6 +7,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/delete.h"
 
 namespace ryosen {
@@ -17,8 +18,8 @@ bool has_place(const Mesh& m, Vertex v) { return is_finite(m.position(v)); }
 
 std::vector<Vertex> points_without_place(const Mesh& m) {
   std::vector<Vertex> found;
-  for (Vertex v(0); v.index < m.vertex_slots(); ++v.index)
-    if (m.is_alive(v) && point(m, v) == v && !has_place(m, v)) found.push_back(v);
+  for (const Vertex v : live_vertices(m))
+    if (point(m, v) == v && !has_place(m, v)) found.push_back(v);
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 
 namespace ryosen {
@@ -141,14 +142,12 @@ NearPoints find_near_points(const Mesh& m, const Reach& reach) {
   const auto may_be_near = [&](std::uint32_t i) { return !reach.only || (i < reach.only->size() && (*reach.only)[i]); };
   NearPoints near{std::vector<Vertex>(m.vertex_slots())};
   PointGrid grid(m, reach.distance);
-  for (std::uint32_t i = 0; i < m.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!m.is_alive(v)) continue;
+  for (const Vertex v : live_vertices(m)) {
     const Vertex p = point(m, v);
-    near.first[i] = p == v ? v : near.first[p.index];
-    if (p != v || !may_be_near(i) || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
+    near.first[v.index] = p == v ? v : near.first[p.index];
+    if (p != v || !may_be_near(v.index) || !is_finite(m.position(v)) || ends_a_wire(m, v)) continue;
     if (const Vertex other = grid.first_near(m.position(v))) {
-      near.first[i] = other;
+      near.first[v.index] = other;
       near.are_any = true;
     } else if (!stays_in_file(v)) {
       grid.add(v);

@@ -15,6 +15,7 @@
 #include "ryosen/base/progress.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/ops/orient.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -62,11 +63,10 @@ class Patches {
 
   void number() {
     of_face_.assign(mesh_.face_slots(), no_index);
-    for (std::uint32_t f = 0; f < of_face_.size(); ++f) {
-      if (!mesh_.is_alive(Face(f))) continue;
-      const std::uint32_t root = sets_.root(f);  // the lowest
-      if (root == f) kinds_.push_back(PatchKind::closed);
-      of_face_[f] = root == f ? static_cast<std::uint32_t>(kinds_.size() - 1) : of_face_[root];
+    for (const Face f : live_faces(mesh_)) {
+      const std::uint32_t root = sets_.root(f.index);  // the lowest
+      if (root == f.index) kinds_.push_back(PatchKind::closed);
+      of_face_[f.index] = root == f.index ? static_cast<std::uint32_t>(kinds_.size() - 1) : of_face_[root];
     }
   }
 
@@ -190,8 +190,8 @@ std::vector<Element> misoriented_edges(const Mesh& m) {
   Neighbourhood around(m, Neighbourhood::Reach::whole);
   const auto is_misoriented = row_of(ProblemKind::misoriented_edge).edge;
   std::vector<Element> edges;
-  for (std::uint32_t i = 0; i < m.edge_slots(); ++i)
-    if (m.is_alive(Edge(i)) && is_misoriented(around, Edge(i))) edges.emplace_back(Edge(i));
+  for (const Edge e : live_edges(m))
+    if (is_misoriented(around, e)) edges.push_back(e);
   return edges;
 }
 

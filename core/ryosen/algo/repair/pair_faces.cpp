@@ -19,6 +19,7 @@
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -208,13 +209,12 @@ class Pairing {
 
   void find_shared_places() {
     std::vector<Vertex> first(m_.vertex_slots());  // by place
-    for (std::uint32_t i = 0; i < m_.vertex_slots(); ++i) {
-      if (!m_.is_alive(Vertex(i))) continue;
-      Vertex& known = first[place_[i].index];
+    for (const Vertex v : live_vertices(m_)) {
+      Vertex& known = first[place_[v.index].index];
       if (!known)
-        known = Vertex(i);
+        known = v;
       else
-        is_shared_[known.index] = is_shared_[i] = true;
+        is_shared_[known.index] = is_shared_[v.index] = true;
     }
   }
 
@@ -256,11 +256,10 @@ class Pairing {
   std::vector<std::uint32_t> rank_patches() {
     std::vector<double> areas(m_.face_slots(), 0);
     std::vector<std::uint32_t> order;
-    for (std::uint32_t f = 0; f < m_.face_slots(); ++f) {
-      if (!m_.is_alive(Face(f))) continue;
-      const std::uint32_t patch = patches_.root(f);
-      areas[patch] += face_area(m_, Face(f));
-      if (patch == f) order.push_back(patch);
+    for (const Face f : live_faces(m_)) {
+      const std::uint32_t patch = patches_.root(f.index);
+      areas[patch] += face_area(m_, f);
+      if (patch == f.index) order.push_back(patch);
     }
     for (double& area : areas)
       if (std::isnan(area)) area = std::numeric_limits<double>::infinity();
@@ -313,8 +312,7 @@ class Pairing {
         --edges_[side->second.first].count[side->second.second];
       for (auto side = first; side != sides.end() && side->first == r; ++side) ask(side->second.first);
     }
-    for (std::uint32_t f = 0; f < m_.face_slots(); ++f)
-      if (m_.is_alive(Face(f))) out_.is_free[f] = is_free_[rank[patches_.root(f)]];
+    for (const Face f : live_faces(m_)) out_.is_free[f.index] = is_free_[rank[patches_.root(f.index)]];
   }
 
   void pair_by_angle() {

@@ -1,6 +1,7 @@
 #include "ryosen/algo/repair/pockets.h"
 
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -25,9 +26,7 @@ Face beyond_pocket(const Mesh& m, Face f, Across across) {
 template <class Across>
 std::vector<std::pair<Face, Face>> pockets_by(const Mesh& m, Across across) {
   std::vector<std::pair<Face, Face>> found;
-  for (std::uint32_t i = 0; i < m.face_slots(); ++i) {
-    const Face f(i);
-    if (!m.is_alive(f)) continue;
+  for (const Face f : live_faces(m)) {
     const Face g = beyond_pocket(m, f, across);
     if (g && corner_count(m, f) == corner_count(m, g)) found.emplace_back(f, g);
   }

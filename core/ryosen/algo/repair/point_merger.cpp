@@ -8,6 +8,7 @@
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
@@ -200,8 +201,7 @@ class Joiner {
 
 std::vector<Vertex> points_by_slot(const Mesh& mesh) {
   std::vector<Vertex> points(mesh.vertex_slots());
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (mesh.is_alive(Vertex(i))) points[i] = point(mesh, Vertex(i));
+  for (const Vertex v : live_vertices(mesh)) points[v.index] = point(mesh, v);
   return points;
 }
 

@@ -11,6 +11,7 @@
 #include "ryosen/analysis/problem_sets.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/delete.h"
 #include "ryosen/ops/dissolve.h"
@@ -131,8 +132,8 @@ std::vector<Face> flat_faces(const Mesh& m) {
   std::vector<Face> flat;
   Neighbourhood around(m);
   const auto is_degenerate = row_of(ProblemKind::degenerate_area).face;
-  for (std::uint32_t i = 0; i < m.face_slots(); ++i)
-    if (m.is_alive(Face(i)) && is_degenerate(around, Face(i))) flat.emplace_back(i);
+  for (const Face f : live_faces(m))
+    if (is_degenerate(around, f)) flat.push_back(f);
   return flat;
 }
 

@@ -13,6 +13,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/sheets.h"
 
@@ -168,8 +169,7 @@ class LoopChoice {
       for (const Member& member : classes_[c])
         if (is_closed(member.face)) loops[pairing_.part[member.face.index]].emplace_back(c, member.is_turned);
     std::vector<std::size_t> sizes(m_.face_slots(), 0);
-    for (std::uint32_t f = 0; f < m_.face_slots(); ++f)
-      if (m_.is_alive(Face(f))) ++sizes[pairing_.part[f]];
+    for (const Face f : live_faces(m_)) ++sizes[pairing_.part[f.index]];
     std::map<std::vector<std::pair<std::uint32_t, bool>>, std::uint32_t> lowest;
     std::vector<bool> is_dropped(m_.face_slots(), false);
     for (auto& [part, list] : loops) {

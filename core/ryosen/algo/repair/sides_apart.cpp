@@ -5,6 +5,7 @@
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -28,9 +29,8 @@ std::vector<SideBetween> sides_between_places(const Mesh& m, const std::vector<V
 std::vector<SidePair> sides_at_one_place(const Mesh& m, const std::vector<Vertex>& place) {
   std::vector<bool> is_shared(m.vertex_slots(), false);
   bool is_any = false;
-  for (std::uint32_t i = 0; i < place.size(); ++i)
-    if (const Vertex v(i); m.is_alive(v) && place[i] != point(m, v))
-      is_any = is_shared[point(m, v).index] = is_shared[place[i].index] = true;
+  for (const Vertex v : live_vertices(m))
+    if (place[v.index] != point(m, v)) is_any = is_shared[point(m, v).index] = is_shared[place[v.index].index] = true;
   std::vector<SidePair> pairs;
   if (!is_any) return pairs;
   for_each_edge(sides_between_places(m, place, is_shared), [&](std::span<const SideBetween> sides) {
@@ -70,9 +70,9 @@ std::vector<bool> turns_of(const Mesh& m, const std::vector<SidePair>& pairs) {
     sets.join(f.index, alike);
     sets.join(f.index + n, against);
   };
-  for (std::uint32_t i = 0; i < m.edge_slots(); ++i) {
-    const Halfedge h = halfedge(Edge(i));
-    if (m.is_alive(h) && !m.is_outside(h) && !m.is_outside(twin(h))) join(m.face(h), m.face(twin(h)), false);
+  for (const Edge e : live_edges(m)) {
+    const Halfedge h = halfedge(e);
+    if (!m.is_outside(h) && !m.is_outside(twin(h))) join(m.face(h), m.face(twin(h)), false);
   }
   for (const bool turns : {false, true})  // where not all can agree, those that agree as they are come first
     for (const SidePair& pair : pairs)

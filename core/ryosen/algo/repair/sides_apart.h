@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ryosen/base/interruption.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -13,9 +14,9 @@ namespace ryosen {
 // Calls visit(side) with each halfedge that has a face. May be interrupted (base/interruption.h).
 template <class Visit>
 void for_each_side(const Mesh& mesh, Visit visit) {
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    stop_if_interrupted(i);
-    if (const Halfedge h(i); mesh.is_alive(h) && !mesh.is_outside(h)) visit(h);
+  for (const Halfedge h : live_halfedges(mesh)) {
+    stop_if_interrupted(h.index);
+    if (!mesh.is_outside(h)) visit(h);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/turn_faces.h"
 
 namespace ryosen {
@@ -36,8 +37,8 @@ struct Welded {
 class Welding {
  public:
   Welding(const Mesh& m, const NearPoints& near, const Reach& reach) : m_(m), place_(near.first), used_(reach.used) {
-    for (std::uint32_t i = 0; i < place_.size(); ++i)
-      if (const Vertex p(i); m.is_alive(p) && point_of(p) == p && place_[i] != p) mates_[place_[i]].push_back(p);
+    for (const Vertex p : live_vertices(m))
+      if (point_of(p) == p && place_[p.index] != p) mates_[place_[p.index]].push_back(p);
     for (auto& [first, others] : mates_) {
       others.push_back(first);
       sort_unique(others);

@@ -6,6 +6,7 @@
 #include "ryosen/algo/simplify/collapse_surface.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 
 namespace ryosen {
@@ -227,9 +228,8 @@ bool CollapseSurface::move_spoils_face(Vertex v, const glm::dvec3& position, Fac
 // would cost the square of their corners.
 void CollapseSurface::find_large_faces() {
   constexpr std::size_t least_corners = 32;
-  for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
-    const Face f(i);
-    if (!mesh_.is_alive(f) || is_triangle(mesh_, mesh_.halfedge(f))) continue;
+  for (const Face f : live_faces(mesh_)) {
+    if (is_triangle(mesh_, mesh_.halfedge(f))) continue;
     const std::size_t corners = corner_count(mesh_, f);
     if (corners >= least_corners)
       large_faces_.emplace(f, LargeFace{summed_area_vector(f, Vertex(), Vertex(), {}), corners});

@@ -9,6 +9,7 @@
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/prefetch.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -76,10 +77,9 @@ void CollapseSurface::find_features() {
   if (corner_attributes(mesh_).empty()) return;
   edge_flags_.resize(mesh_.edge_slots());
   std::vector<std::uint8_t> ends(mesh_.vertex_slots());
-  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-    const Edge e(i);
-    if (!mesh_.is_alive(e) || !is_seam(mesh_, halfedge(e))) continue;
-    edge_flags_[i] |= feature;
+  for (const Edge e : live_edges(mesh_)) {
+    if (!is_seam(mesh_, halfedge(e))) continue;
+    edge_flags_[e.index] |= feature;
     for (unsigned side : {0u, 1u}) {
       std::uint8_t& count = ends[mesh_.from(halfedge(e, side)).index];
       count = static_cast<std::uint8_t>(std::min(count + 1, 3));

@@ -7,6 +7,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -42,8 +43,8 @@ bool take_flat_normals(Mesh& mesh) {
     if (column.name == attribute_names::normal_pool) pool = &column;
   }
   if (!index || !pool) return false;
-  for (Face f(0); f.index < mesh.face_slots(); ++f.index)
-    if (mesh.is_alive(f) && !is_flat(mesh, f, *index, *pool)) return false;
+  for (const Face f : live_faces(mesh))
+    if (!is_flat(mesh, f, *index, *pool)) return false;
   MeshColumns columns = mesh.columns();
   std::erase_if(columns.attributes, [](const AttributeColumn& column) {
     return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
@@ -58,8 +59,8 @@ void put_flat_normals(Mesh& mesh) {
   AttributeColumn pool{std::string(attribute_names::normal_pool), ElementKind::pool, 6, {}, {0, 0, 0, 0, 0, 0}};
   index.data.assign(columns.halfedges.size(), no_index);
   std::uint32_t values = 0;
-  for (Face f(0); f.index < mesh.face_slots(); ++f.index) {
-    const auto normal = mesh.is_alive(f) ? unit_normal(mesh, f) : std::nullopt;
+  for (const Face f : live_faces(mesh)) {
+    const auto normal = unit_normal(mesh, f);
     if (!normal) continue;
     const auto words = attribute_words(*normal);
     pool.data.insert(pool.data.end(), words.begin(), words.end());

@@ -4,6 +4,7 @@
 
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/trees/primitive.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/swap_edge.h"
 
 namespace ryosen {
@@ -35,9 +36,8 @@ std::vector<glm::dvec3> places_of(const CollapseSurface& surface) {
 std::vector<Primitive> triangles_of(const Mesh& mesh, std::span<const glm::dvec3> places) {
   std::vector<Primitive> triangles;
   triangles.reserve(mesh.face_slots());
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    const Face f(i);
-    if (!mesh.is_alive(f) || !is_plain_triangle(mesh, f)) continue;
+  for (const Face f : live_faces(mesh)) {
+    if (!is_plain_triangle(mesh, f)) continue;
     const Primitive t = triangle_primitive(mesh, f);
     if (std::all_of(t.vertices.begin(), t.vertices.end(), [&](std::uint32_t v) { return is_finite(places[v]); }))
       triangles.push_back(t);

@@ -11,6 +11,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/rules/corner_values.h"
@@ -26,10 +27,10 @@ constexpr std::array<unsigned, 3> level_bits{0, 1, 6};
 // Without copies, wires and rings.
 bool has_only_triangles(const Mesh& mesh) {
   if (mesh.has_copies() || mesh.has_rings()) return false;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); mesh.is_alive(f) && !is_triangle(mesh, mesh.halfedge(f))) return false;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
-    if (const Edge e(i); mesh.is_alive(e) && mesh.is_wire(e)) return false;
+  for (const Face f : live_faces(mesh))
+    if (!is_triangle(mesh, mesh.halfedge(f))) return false;
+  for (const Edge e : live_edges(mesh))
+    if (mesh.is_wire(e)) return false;
   return true;
 }
 
@@ -68,8 +69,8 @@ void Simplifier::fill_queue() {
       if (const Edge e(i); mesh_.is_alive(e) && !mesh_.is_wire(e))
         levels[i] = queue_.level_of(surface_.lowest_cost(halfedge(e)));
   });
-  for (std::uint32_t i = 0; i < slots; ++i)
-    if (const Edge e(i); mesh_.is_alive(e) && !mesh_.is_wire(e)) queue_.add(i, levels[i]);
+  for (const Edge e : live_edges(mesh_))
+    if (!mesh_.is_wire(e)) queue_.add(e.index, levels[e.index]);
 }
 
 bool Simplifier::run(Progress& progress) {

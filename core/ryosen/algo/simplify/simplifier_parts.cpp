@@ -4,6 +4,7 @@
 
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 
 namespace ryosen {
@@ -44,9 +45,8 @@ std::vector<SmallPart> find_small_parts(const CollapseSurface& surface, double l
   std::vector<std::uint8_t> is_seen(mesh.vertex_slots());
   const auto see = [&](Vertex v) { return std::exchange(is_seen[v.index], std::uint8_t{1}) == 0; };
   std::vector<SmallPart> parts;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!mesh.is_alive(v) || mesh.is_isolated(v) || is_seen[i]) continue;
+  for (const Vertex v : live_vertices(mesh)) {
+    if (mesh.is_isolated(v) || is_seen[v.index]) continue;
     std::optional<SmallPart> part = walk_part(surface, v, mesh.vertex_slots(), see);
     if (part && part->size <= largest) parts.push_back(std::move(*part));
   }

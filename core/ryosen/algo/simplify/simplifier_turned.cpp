@@ -12,6 +12,7 @@
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/triangle_corners.h"
 #include "ryosen/ops/swap_edge.h"
 
@@ -49,8 +50,8 @@ bool Simplifier::is_turned(Face f) const { return is_turned(corners_of(mesh_, me
 std::vector<Face> Simplifier::find_turned() {
   std::vector<Face> found;
   std::vector<std::uint8_t> is_near(mesh_.vertex_slots());
-  for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i)
-    if (const Face f(i); mesh_.is_alive(f) && surface_.may_look_against_input(f)) found.push_back(f);
+  for (const Face f : live_faces(mesh_))
+    if (surface_.may_look_against_input(f)) found.push_back(f);
   std::vector<Vertex> corners;
   for (Face f : found)
     for (Halfedge side : sides_of(mesh_, f)) corners.push_back(mesh_.from(side));

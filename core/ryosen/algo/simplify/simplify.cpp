@@ -11,6 +11,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/triangulate.h"
 
@@ -32,8 +33,8 @@ std::size_t faces_wanted(const ParameterValues& values, std::size_t faces) {
 double diagonal(const Mesh& mesh) {
   const ScaledPlaces scale(mesh.positions());
   Box box;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && is_finite(mesh.position(v))) box.add(scale.scaled(mesh.position(v)));
+  for (const Vertex v : live_vertices(mesh))
+    if (is_finite(mesh.position(v))) box.add(scale.scaled(mesh.position(v)));
   return box.is_empty() ? 0 : scale.restored_length(glm::length(box.highest - box.lowest));
 }
 
@@ -77,8 +78,8 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
 }
 
 std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& progress) {
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); mesh.is_alive(f) && (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f)))
+  for (const Face f : live_faces(mesh))
+    if (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f))
       return Text{name_of(mesh, f) +
                       " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
                   name_of(mesh, f) +

@@ -9,6 +9,7 @@
 #include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::smooth {
 
@@ -21,9 +22,7 @@ struct FaceCorners {
   explicit FaceCorners(const Mesh& mesh, double scale) {
     FacePolygon polygon;
     std::vector<CornerTriangle> cut;
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-      const Face f(i);
-      if (!mesh.is_alive(f)) continue;
+    for (const Face f : live_faces(mesh)) {
       polygon.read(mesh, f);
       if (!polygon.is_finite()) continue;
       const auto add = [&](std::size_t corner) {
@@ -107,9 +106,8 @@ class VolumeKeeper {
     for (std::uint32_t i = 0; i < part_of_.size(); ++i) part_of_[i] = parts.root(i);
     for (const std::uint32_t corner : faces_.corners)
       if (shares[corner] > 0) is_moved_[part_of_[corner]] = true;
-    for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i)
-      if (const Halfedge h(i); mesh.is_alive(h) && mesh.is_boundary(edge(h)))
-        is_open_[part_of_[point(mesh, mesh.from(h)).index]] = true;
+    for (const Halfedge h : live_halfedges(mesh))
+      if (mesh.is_boundary(edge(h))) is_open_[part_of_[point(mesh, mesh.from(h)).index]] = true;
   }
 
   KeptVolume keep(const Places& before, Places& places) const {

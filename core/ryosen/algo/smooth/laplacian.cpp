@@ -7,6 +7,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::smooth {
 
@@ -21,9 +22,8 @@ std::vector<Triangle> triangles_of(const Mesh& mesh, double scale) {
   triangles.reserve(mesh.live().faces);
   FacePolygon polygon;
   std::vector<CornerTriangle> cut;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    polygon.read(mesh, Face(i));
+  for (const Face f : live_faces(mesh)) {
+    polygon.read(mesh, f);
     if (!polygon.is_finite()) continue;
     cut_scaled(mesh, scale, polygon, cut);
     for (const CornerTriangle& t : cut) {
@@ -38,9 +38,9 @@ std::vector<Triangle> triangles_of(const Mesh& mesh, double scale) {
 Laplacian::Laplacian(const Mesh& mesh, WeightKind kind, std::span<const Triangle> triangles)
     : kind_(kind), begin_(std::size_t{mesh.vertex_slots()} + 1, 0), sums_(mesh.vertex_slots(), 0.0) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // that are joined
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i)) || mesh.is_wire(Edge(i))) continue;
-    const auto [a, b] = ends(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    if (mesh.is_wire(e)) continue;
+    const auto [a, b] = ends(mesh, e);
     if (is_finite(mesh.position(a)) && is_finite(mesh.position(b)))
       pairs.emplace_back(point(mesh, a).index, point(mesh, b).index);
   }

@@ -6,6 +6,7 @@
 #include "ryosen/base/rows.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -88,11 +89,9 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   const smooth::Smoothed made = smooth::smoothed(mesh, options, shares_of(mesh, input.values), progress);
   if (made.is_cancelled) return result;
   result.goal_report.emplace();
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!mesh.is_alive(v) || point(mesh, v) != v || made.places[i] == mesh.position(v) || !is_finite(made.places[i]))
-      continue;
-    move_point(edit, v, made.places[i]);
+  for (const Vertex v : live_vertices(mesh)) {
+    if (point(mesh, v) != v || made.places[v.index] == mesh.position(v) || !is_finite(made.places[v.index])) continue;
+    move_point(edit, v, made.places[v.index]);
     ++result.changed;
   }
   result.text = count_text(result.changed, "One vertex was moved", "# vertices were moved", "頂点 # 個を動かしました");

@@ -13,6 +13,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::subdivide {
 
@@ -25,14 +26,13 @@ class ValueBounds {
   explicit ValueBounds(const Mesh& mesh) {
     constexpr double all = std::numeric_limits<double>::infinity();
     bounds_.assign(mesh.vertex_slots(), {glm::dvec3(all), glm::dvec3(-all)});
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-      if (!mesh.is_alive(Face(i))) continue;
+    for (const Face f : live_faces(mesh)) {
       std::pair<glm::dvec3, glm::dvec3> own{glm::dvec3(all), glm::dvec3(-all)};
-      for (const Vertex v : vertices_around(mesh, Face(i))) {
+      for (const Vertex v : vertices_around(mesh, f)) {
         own.first = glm::min(own.first, mesh.position(v));
         own.second = glm::max(own.second, mesh.position(v));
       }
-      for (const Vertex v : vertices_around(mesh, Face(i))) {
+      for (const Vertex v : vertices_around(mesh, f)) {
         auto& [lowest, highest] = bounds_[v.index];
         lowest = glm::min(lowest, own.first);
         highest = glm::max(highest, own.second);
@@ -116,10 +116,9 @@ class Charts {
       list.face_offsets.push_back(static_cast<std::uint32_t>(list.corners.size()));
     }
     charts_ = from_indexed(std::move(list));
-    for (std::uint32_t i = 0; i < charts_.face_slots(); ++i) {
-      if (!charts_.is_alive(Face(i))) continue;
-      Halfedge own = charts_.halfedge(Face(i));
-      for (const Halfedge h : loop(mesh_, mesh_.halfedge(Face(i)))) {
+    for (const Face f : live_faces(charts_)) {
+      Halfedge own = charts_.halfedge(f);
+      for (const Halfedge h : loop(mesh_, mesh_.halfedge(f))) {
         of_[h.index] = own;
         own = charts_.next(own);
       }
@@ -253,10 +252,8 @@ std::size_t third_place(const Mesh& mesh, Halfedge h, unsigned i) {
 Places all_sqrt3_places(const Mesh& mesh, const Creases& creases, bool cuts_creases) {
   Places places(std::size_t{mesh.vertex_slots()} + mesh.face_slots() + 2 * std::size_t{mesh.edge_slots()});
   sqrt3_places(mesh, creases, cuts_creases, places);
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    for (const Vertex v : vertices_around(mesh, Face(i))) places[centre_place(mesh, Face(i))] += mesh.position(v) / 3.0;
-  }
+  for (const Face f : live_faces(mesh))
+    for (const Vertex v : vertices_around(mesh, f)) places[centre_place(mesh, f)] += mesh.position(v) / 3.0;
   for (std::uint32_t i = 0; cuts_creases && i < mesh.halfedge_slots(); ++i)
     places[third_place(mesh, Halfedge(i), 0)] =
         third_of_crease(mesh, creases, mesh.from(Halfedge(i)), mesh.to(Halfedge(i)));
@@ -267,9 +264,8 @@ Step step_of_sqrt3(bool cuts_creases) {
   return {[=](const Mesh& mesh, const Creases& creases) { return all_sqrt3_places(mesh, creases, cuts_creases); },
           [](const Mesh& mesh, const ValueBounds& bounds, Places& values) {
             keep_vertices_within(mesh, bounds, values);
-            for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-              if (const Face f(i); mesh.is_alive(f))
-                bounds.keep_within(values[centre_place(mesh, f)], mesh.from(mesh.halfedge(f)));
+            for (const Face f : live_faces(mesh))
+              bounds.keep_within(values[centre_place(mesh, f)], mesh.from(mesh.halfedge(f)));
             for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
               bounds.keep_within(values[third_place(mesh, h, 0)], mesh.from(h), mesh.to(h));
           }};

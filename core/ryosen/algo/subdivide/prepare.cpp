@@ -10,6 +10,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/poke.h"
 
 namespace ryosen::subdivide {
@@ -28,12 +29,11 @@ std::vector<Face> faces_to_cut(const Mesh& mesh, Scheme scheme) {
 // Of two triangles with two common edges the later: dividing both would join the middles of these edges twice.
 std::vector<Face> folded_triangles(const Mesh& mesh) {
   std::vector<Face> found;
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    const Halfedge h = mesh.halfedge(Face(i)), next = mesh.next(h);
+  for (const Face f : live_faces(mesh)) {
+    const Halfedge h = mesh.halfedge(f), next = mesh.next(h);
     const Face a = mesh.face(twin(h)), b = mesh.face(twin(next)), c = mesh.face(twin(mesh.next(next)));
     const Face other = a == b || a == c ? a : b == c ? b : Face();
-    if (other && other.index < i) found.push_back(Face(i));
+    if (other && other.index < f.index) found.push_back(f);
   }
   return found;
 }
@@ -53,16 +53,14 @@ std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces, Scheme scheme, 
 
 void mark_bent_edges(const Mesh& mesh, double angle_rad, float sharpness, std::vector<float>& column) {
   std::vector<glm::dvec3> normals(mesh.face_slots(), glm::dvec3(0));
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) normals[i] = polygon_normal(FacePolygon(mesh, Face(i)).keyhole_walk());
+  for (const Face f : live_faces(mesh)) normals[f.index] = polygon_normal(FacePolygon(mesh, f).keyhole_walk());
   const double least = std::cos(angle_rad);
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const auto [a, b] = faces(mesh, Edge(i));
+  for (const Edge e : live_edges(mesh)) {
+    const auto [a, b] = faces(mesh, e);
     if (!a || !b || a == b) continue;
     const glm::dvec3 &n = normals[a.index], &m = normals[b.index];
     const bool have_normals = glm::dot(n, n) > 0.5 && glm::dot(m, m) > 0.5;
-    if (have_normals && glm::dot(n, m) <= least) column[i] = sharpness;
+    if (have_normals && glm::dot(n, m) <= least) column[e.index] = sharpness;
   }
 }
 
@@ -81,9 +79,8 @@ Creases creases_of(const Mesh& mesh, const Options& options) {
     if (e.kind == Element::Kind::edge) creases.sharpness[e.edge().index] = sharpness;
     if (e.kind == Element::Kind::halfedge) creases.sharpness[edge(e.halfedge()).index] = sharpness;
   }
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && !mesh.is_isolated(v))
-      if (has_copies(mesh, v) || ends_a_wire_or_fan(mesh, v)) corners[i] = 1;
+  for (const Vertex v : live_vertices(mesh))
+    if (!mesh.is_isolated(v) && (has_copies(mesh, v) || ends_a_wire_or_fan(mesh, v))) corners[v.index] = 1;
   if (std::any_of(corners.begin(), corners.end(), [](std::uint8_t c) { return c != 0; }))
     creases.corners = std::move(corners);
   return creases;
@@ -93,13 +90,13 @@ Creases creases_of(const Mesh& mesh, const Options& options) {
 std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
   std::size_t found = 0;
   if (corner_attributes(mesh).empty()) return found;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    const Halfedge h = halfedge(Edge(i));
-    if (!mesh.is_alive(h) || mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e);
+    if (mesh.is_outside(h) || mesh.is_outside(twin(h))) continue;
     if (!corner_values_differ(mesh, h, twin(h), false)) continue;
     if (creases.sharpness.empty()) creases.sharpness.assign(mesh.edge_slots(), 0);
-    found += creases.sharpness[i] == always_sharp ? 0 : 1;
-    creases.sharpness[i] = always_sharp;
+    found += creases.sharpness[e.index] == always_sharp ? 0 : 1;
+    creases.sharpness[e.index] = always_sharp;
   }
   return found;
 }

@@ -13,6 +13,7 @@
 #include "ryosen/base/resource_limits.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::subdivide {
 
@@ -54,8 +55,8 @@ std::optional<Text> fault_of_size(const Mesh& mesh, const Options& options) {
 }
 
 bool has_outside(const Mesh& mesh) {
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i)
-    if (mesh.is_alive(Halfedge(i)) && mesh.is_outside(Halfedge(i))) return true;
+  for (const Halfedge h : live_halfedges(mesh))
+    if (mesh.is_outside(h)) return true;
   return false;
 }
 

@@ -12,6 +12,7 @@
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -89,9 +90,8 @@ std::vector<MovedPoint> moved_points(const Mesh& mesh, std::span<const Vertex> w
   for (const Vertex v : whole) centres.push_back(Primitive::point(v.index));
   Bvh tree;
   tree.build(mesh.positions(), std::move(centres));
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!mesh.is_alive(v) || point(mesh, v) != v || !is_finite(mesh.position(v))) continue;
+  for (const Vertex v : live_vertices(mesh)) {
+    if (point(mesh, v) != v || !is_finite(mesh.position(v))) continue;
     const auto nearest = tree.nearest(mesh.positions(), mesh.position(v), falloff_radius);
     if (nearest && nearest->distance < falloff_radius)
       moved.push_back({v, share_at(nearest->distance, falloff_radius)});

@@ -4,6 +4,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -11,8 +12,8 @@ namespace {
 
 std::vector<Vertex> all_points(const Mesh& mesh) {
   std::vector<Vertex> points;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (const Vertex v(i); mesh.is_alive(v) && point(mesh, v) == v) points.push_back(v);
+  for (const Vertex v : live_vertices(mesh))
+    if (point(mesh, v) == v) points.push_back(v);
   return points;
 }
 

@@ -8,6 +8,7 @@
 #include "ryosen/base/stopwatch.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -18,10 +19,8 @@ Questions::Questions(const Mesh& mesh) {
   std::mt19937 random(1);
   const auto pick = [&](std::uint32_t end) { return static_cast<std::uint32_t>(random() % end); };
   std::vector<EdgeEnds> all;
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
-    if (mesh.is_alive(Edge(i)))
-      all.push_back(edge_ends(numbers.point[mesh.from(halfedge(Edge(i))).index],
-                              numbers.point[mesh.to(halfedge(Edge(i))).index]));
+  for (const Edge e : live_edges(mesh))
+    all.push_back(edge_ends(numbers.point[mesh.from(halfedge(e)).index], numbers.point[mesh.to(halfedge(e)).index]));
   for (std::size_t i = 0; i < count; ++i) {
     if (numbers.points > 0) vertices.push_back(pick(numbers.points));
     if (numbers.faces > 0) faces.push_back(pick(numbers.faces));

@@ -1,5 +1,6 @@
 #include "ryosen/textbook/forms/dcel.h"
 
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
 
@@ -8,20 +9,13 @@ namespace ryosen::forms {
 Dcel::Dcel(const Mesh& mesh) {
   const Numbering numbers(mesh);
   const auto number = [&](Halfedge h) { return numbers.halfedge(h).index; };
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)))
-      records_.vertices.push_back({mesh.position(Vertex(i)), number(mesh.halfedge(Vertex(i)))});
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h)) continue;
+  for (const Vertex v : live_vertices(mesh)) records_.vertices.push_back({mesh.position(v), number(mesh.halfedge(v))});
+  for (const Halfedge h : live_halfedges(mesh))
     records_.half_edges.push_back({numbers.vertex[mesh.from(h).index], number(twin(h)), number(mesh.next(h)),
                                    number(mesh.prev(h)), mesh.face(h) ? numbers.face[mesh.face(h).index] : no_index});
-  }
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    records_.faces.push_back({number(mesh.halfedge(Face(i))), {}});
-    for (const Halfedge start : inner_loops(mesh, Face(i)))
-      records_.faces.back().inner_components.push_back(number(start));
+  for (const Face f : live_faces(mesh)) {
+    records_.faces.push_back({number(mesh.halfedge(f)), {}});
+    for (const Halfedge start : inner_loops(mesh, f)) records_.faces.back().inner_components.push_back(number(start));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/polygons.h"
 #include "ryosen/textbook/forms/walk.h"
 
@@ -35,20 +36,16 @@ HalfedgeTable all_halfedges(const Mesh& mesh) {
   const Numbering numbers(mesh);
   const auto number = [&](Halfedge h) { return numbers.halfedge(h).index; };
   HalfedgeTable table;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    if (!mesh.is_alive(Vertex(i))) continue;
-    table.positions.push_back(mesh.position(Vertex(i)));
-    table.vertex_halfedge.push_back(number(mesh.halfedge(Vertex(i))));
+  for (const Vertex v : live_vertices(mesh)) {
+    table.positions.push_back(mesh.position(v));
+    table.vertex_halfedge.push_back(number(mesh.halfedge(v)));
   }
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h)) continue;
+  for (const Halfedge h : live_halfedges(mesh)) {
     const Face f = mesh.face(h);
     table.halfedges.push_back({numbers.vertex[mesh.from(h).index], f ? numbers.face[f.index] : no_index,
                                number(twin(h)), number(mesh.next(h)), number(mesh.prev(h))});
   }
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) table.face_halfedge.push_back(number(mesh.halfedge(Face(i))));
+  for (const Face f : live_faces(mesh)) table.face_halfedge.push_back(number(mesh.halfedge(f)));
   return table;
 }
 

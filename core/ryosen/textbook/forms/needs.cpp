@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/form.h"
 #include "ryosen/textbook/forms/polygons.h"
 
@@ -13,13 +14,12 @@ namespace {
 
 using Reason = std::optional<Text>;
 
-std::string v_name(std::uint32_t v) { return "v" + std::to_string(v); }
-std::string f_name(std::uint32_t f) { return "f" + std::to_string(f); }
+std::string v_name(Vertex v) { return "v" + std::to_string(v.index); }
+std::string f_name(Face f) { return "f" + std::to_string(f.index); }
 
 Reason find_polygon(const Mesh& mesh) {
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-    if (!mesh.is_alive(Face(f))) continue;
-    const std::size_t corners = corners_of_loop(mesh, mesh.halfedge(Face(f)));
+  for (const Face f : live_faces(mesh)) {
+    const std::size_t corners = corners_of_loop(mesh, mesh.halfedge(f));
     if (corners == 3) continue;
     const std::string n = std::to_string(corners);
     return Text{"It holds triangles alone; " + f_name(f) + " has " + n + " corners.",
@@ -29,17 +29,17 @@ Reason find_polygon(const Mesh& mesh) {
 }
 
 Reason find_copies(const Mesh& mesh) {
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.is_alive(Vertex(v)) && mesh.next_copy(Vertex(v)) != Vertex(v))
+  for (const Vertex v : live_vertices(mesh))
+    if (mesh.next_copy(v) != v)
       return Text{"It holds one sheet of faces at each point; at " + v_name(v) + " there are several.",
                   "一つの点には一続きの面しか持てません。" + v_name(v) + " には複数あります。"};
   return {};
 }
 
 Reason find_wire(const Mesh& mesh) {
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
-    const Halfedge h = halfedge(Edge(e));
-    if (!mesh.is_alive(Edge(e)) || !mesh.is_outside(h) || !mesh.is_outside(twin(h))) continue;
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e);
+    if (!mesh.is_outside(h) || !mesh.is_outside(twin(h))) continue;
     const std::string ends = std::to_string(mesh.from(h).index) + "-" + std::to_string(mesh.to(h).index);
     return Text{"It holds edges with a face alone; " + ends + " has none.",
                 "面のある稜線しか持てません。" + ends + " には面がありません。"};
@@ -50,10 +50,9 @@ Reason find_wire(const Mesh& mesh) {
 // Finds a vertex with more than one gap in its cycle, or with a gap beside a closed fan.
 Reason find_several_fans(const Mesh& mesh) {
   std::vector<std::uint8_t> gaps(mesh.vertex_slots(), 0);
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h) || !mesh.is_outside(h) || ++gaps[mesh.from(h).index] < 2) continue;
-    const std::string v = v_name(mesh.from(h).index);
+  for (const Halfedge h : live_halfedges(mesh)) {
+    if (!mesh.is_outside(h) || ++gaps[mesh.from(h).index] < 2) continue;
+    const std::string v = v_name(mesh.from(h));
     return Text{"It holds one fan of faces at each vertex; at " + v + " there are several.",
                 "一つの頂点には一つの扇しか持てません。" + v + " には複数あります。"};
   }
@@ -61,28 +60,28 @@ Reason find_several_fans(const Mesh& mesh) {
 }
 
 Reason find_isolated(const Mesh& mesh) {
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
-    if (mesh.is_alive(Vertex(v)) && mesh.is_isolated(Vertex(v)))
+  for (const Vertex v : live_vertices(mesh))
+    if (mesh.is_isolated(v))
       return Text{"It holds vertices of faces alone; " + v_name(v) + " has none.",
                   "面の頂点しか持てません。" + v_name(v) + " には面がありません。"};
   return {};
 }
 
 Reason find_equal_places(const Mesh& mesh) {
-  std::vector<std::uint32_t> points;
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-    if (!mesh.is_alive(Vertex(v)) || is_further_copy(mesh, Vertex(v))) continue;
-    const glm::dvec3& p = mesh.position(Vertex(v));
+  std::vector<Vertex> points;
+  for (const Vertex v : live_vertices(mesh)) {
+    if (is_further_copy(mesh, v)) continue;
+    const glm::dvec3& p = mesh.position(v);
     if (!is_finite(p))
       return Text{"It tells points apart by their coordinates; those of " + v_name(v) + " are not finite.",
                   "座標で点を見分けます。" + v_name(v) + " の座標は有限ではありません。"};
     points.push_back(v);
   }
-  const auto place = [&](std::uint32_t v) {
-    const glm::dvec3& p = mesh.position(Vertex(v));
+  const auto place = [&](Vertex v) {
+    const glm::dvec3& p = mesh.position(v);
     return std::array{p.x, p.y, p.z};
   };
-  std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  std::sort(points.begin(), points.end(), [&](Vertex a, Vertex b) { return place(a) < place(b); });
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (place(points[i - 1]) != place(points[i])) continue;
     const std::string a = v_name(std::min(points[i - 1], points[i])), b = v_name(std::max(points[i - 1], points[i]));
@@ -93,17 +92,17 @@ Reason find_equal_places(const Mesh& mesh) {
 }
 
 Reason find_rings(const Mesh& mesh) {
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
-    if (mesh.is_alive(Face(f)) && !inner_loops(mesh, Face(f)).empty())
+  for (const Face f : live_faces(mesh))
+    if (!inner_loops(mesh, f).empty())
       return Text{"It holds faces without inner loops; " + f_name(f) + " has some.",
                   "内側のループを持つ面は持てません。" + f_name(f) + " にはあります。"};
   return {};
 }
 
 Reason find_bridge(const Mesh& mesh) {
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
-    const Halfedge h = halfedge(Edge(e));
-    if (!mesh.is_alive(Edge(e)) || mesh.is_outside(h) || mesh.face(h) != mesh.face(twin(h))) continue;
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e);
+    if (mesh.is_outside(h) || mesh.face(h) != mesh.face(twin(h))) continue;
     const std::string ends = std::to_string(mesh.from(h).index) + "-" + std::to_string(mesh.to(h).index);
     return Text{"It holds edges between different faces alone; " + ends + " has one face on both sides.",
                 "両側の面が異なる稜線しか持てません。" + ends + " の両側は同じ面です。"};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::forms {
 
@@ -36,19 +37,15 @@ Numbering::Numbering(const Mesh& mesh)
       point(mesh.vertex_slots(), no_index),
       edge(mesh.edge_slots(), no_index),
       face(mesh.face_slots(), no_index) {
-  for (std::uint32_t i = 0; i < vertex.size(); ++i) {
-    if (!mesh.is_alive(Vertex(i))) continue;
-    vertex[i] = vertices++;
-    if (point[i] != no_index) continue;
-    point[i] = points;
-    for (Vertex copy = mesh.next_copy(Vertex(i)); copy != Vertex(i); copy = mesh.next_copy(copy))
-      point[copy.index] = points;
+  for (const Vertex v : live_vertices(mesh)) {
+    vertex[v.index] = vertices++;
+    if (point[v.index] != no_index) continue;
+    point[v.index] = points;
+    for (Vertex copy = mesh.next_copy(v); copy != v; copy = mesh.next_copy(copy)) point[copy.index] = points;
     ++points;
   }
-  for (std::uint32_t i = 0; i < edge.size(); ++i)
-    if (mesh.is_alive(Edge(i))) edge[i] = edges++;
-  for (std::uint32_t i = 0; i < face.size(); ++i)
-    if (mesh.is_alive(Face(i))) face[i] = faces++;
+  for (const Edge e : live_edges(mesh)) edge[e.index] = edges++;
+  for (const Face f : live_faces(mesh)) face[f.index] = faces++;
 }
 
 std::vector<Vertex> vertices_of(const Polygons& polygons, Face f) {
@@ -61,10 +58,8 @@ Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
   polygons.positions.resize(numbers.points);
   for (std::uint32_t i = mesh.vertex_slots(); i-- > 0;)
     if (numbers.point[i] != no_index) polygons.positions[numbers.point[i]] = mesh.position(Vertex(i));
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-    if (!mesh.is_alive(Face(i))) continue;
-    for (const Halfedge h : loop(mesh, mesh.halfedge(Face(i))))
-      polygons.corners.push_back(numbers.point[mesh.from(h).index]);
+  for (const Face f : live_faces(mesh)) {
+    for (const Halfedge h : loop(mesh, mesh.halfedge(f))) polygons.corners.push_back(numbers.point[mesh.from(h).index]);
     polygons.offsets.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
   }
   return polygons;
@@ -72,9 +67,8 @@ Polygons polygons_of(const Mesh& mesh, const Numbering& numbers) {
 
 std::vector<Halfedge> corner_halfedges(const Mesh& mesh) {
   std::vector<Halfedge> corners;
-  for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
-    if (mesh.is_alive(Face(f)))
-      for (const Halfedge h : loop(mesh, mesh.halfedge(Face(f)))) corners.push_back(h);
+  for (const Face f : live_faces(mesh))
+    for (const Halfedge h : loop(mesh, mesh.halfedge(f))) corners.push_back(h);
   return corners;
 }
 
@@ -145,26 +139,21 @@ Mesh without_gaps(const Mesh& mesh, const Numbering& numbers) {
   c.positions.reserve(numbers.vertices);
   c.halfedges.reserve(std::size_t{2} * numbers.edges);
   c.face_halfedge.reserve(numbers.faces);
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const Vertex v(i);
-    if (!mesh.is_alive(v)) continue;
+  for (const Vertex v : live_vertices(mesh)) {
     c.vertex_halfedge.push_back(numbers.halfedge(mesh.halfedge(v)));
     c.positions.push_back(mesh.position(v));
     if (mesh.has_copies()) {
       c.next_copy.emplace_back(numbers.vertex[mesh.next_copy(v).index]);
       c.copy_point.emplace_back(numbers.vertex[mesh.copy_point(v).index]);
     }
-    if (i < mesh.file_vertices()) ++c.file_vertices;
+    if (v.index < mesh.file_vertices()) ++c.file_vertices;
   }
-  for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!mesh.is_alive(h)) continue;
+  for (const Halfedge h : live_halfedges(mesh)) {
     const Face f = mesh.face(h);
     c.halfedges.push_back({Vertex(numbers.vertex[mesh.from(h).index]), numbers.halfedge(mesh.next(h)),
                            numbers.halfedge(mesh.prev(h)), f ? Face(numbers.face[f.index]) : f});
   }
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) c.face_halfedge.push_back(numbers.halfedge(mesh.halfedge(Face(i))));
+  for (const Face f : live_faces(mesh)) c.face_halfedge.push_back(numbers.halfedge(mesh.halfedge(f)));
   for (std::uint32_t i = 0; mesh.has_rings() && i < mesh.face_slots(); ++i) {
     if (!mesh.is_alive(Face(i))) continue;
     std::vector<Halfedge> starts = inner_loops(mesh, Face(i));

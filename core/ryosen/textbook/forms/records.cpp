@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "ryosen/mesh/live_elements.h"
+
 namespace ryosen::forms {
 
 namespace {
@@ -26,8 +28,7 @@ std::vector<std::uint32_t> number_halfedges(const Mesh& mesh, const Numbering& n
   if (halfedges == HalfedgesOf::faces)
     for (const Halfedge h : corner_halfedges(mesh)) numbers[h.index] = corners++;
   if (halfedges == HalfedgesOf::all)
-    for (std::uint32_t i = 0; i < numbers.size(); ++i)
-      if (mesh.is_alive(Halfedge(i))) numbers[i] = numbering.halfedge(Halfedge(i)).index;
+    for (const Halfedge h : live_halfedges(mesh)) numbers[h.index] = numbering.halfedge(h).index;
   return numbers;
 }
 

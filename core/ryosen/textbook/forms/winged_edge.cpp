@@ -1,6 +1,7 @@
 #include "ryosen/textbook/forms/winged_edge.h"
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -8,23 +9,20 @@ namespace ryosen::forms {
 WingedEdge::WingedEdge(const Mesh& mesh) {
   const Numbering numbers(mesh);
   vertex_edge_.assign(numbers.points, no_index);
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
-    if (!mesh.is_alive(Edge(i))) continue;
-    const Halfedge h = halfedge(Edge(i)), t = twin(h);
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e), t = twin(h);
     const bool has_left = !mesh.is_outside(h), has_right = !mesh.is_outside(t);
     const auto number = [&](Halfedge wing, bool exists) { return exists ? numbers.edge[edge(wing).index] : no_index; };
-    const auto e = static_cast<std::uint32_t>(edges_.size());
+    const auto added = static_cast<std::uint32_t>(edges_.size());
     edges_.push_back({numbers.vertex[mesh.from(h).index], numbers.vertex[mesh.to(h).index],
                       has_left ? numbers.face[mesh.face(h).index] : no_index,
                       has_right ? numbers.face[mesh.face(t).index] : no_index, number(mesh.next(h), has_left),
                       number(mesh.prev(h), has_left), number(mesh.next(t), has_right),
                       number(mesh.prev(t), has_right)});
-    vertex_edge_[edges_.back().start] = vertex_edge_[edges_.back().end] = e;
+    vertex_edge_[edges_.back().start] = vertex_edge_[edges_.back().end] = added;
   }
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i))) positions_.push_back(mesh.position(Vertex(i)));
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (mesh.is_alive(Face(i))) face_edge_.push_back(numbers.edge[edge(mesh.halfedge(Face(i))).index]);
+  for (const Vertex v : live_vertices(mesh)) positions_.push_back(mesh.position(v));
+  for (const Face f : live_faces(mesh)) face_edge_.push_back(numbers.edge[edge(mesh.halfedge(f)).index]);
 }
 
 std::size_t WingedEdge::bytes() const {

@@ -4,6 +4,7 @@
 
 #include "ryosen/hull/projection.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/steps/hull_sequence.h"
 #include "ryosen/textbook/steps/players.h"
 
@@ -13,8 +14,8 @@ namespace {
 
 std::vector<glm::dvec3> points_of(const Mesh& mesh) {
   std::vector<glm::dvec3> points;
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-    if (mesh.is_alive(Vertex(i)) && point(mesh, Vertex(i)) == Vertex(i)) points.push_back(mesh.position(Vertex(i)));
+  for (const Vertex v : live_vertices(mesh))
+    if (point(mesh, v) == v) points.push_back(mesh.position(v));
   return points;
 }
 

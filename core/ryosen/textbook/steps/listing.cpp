@@ -6,6 +6,7 @@
 
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/forms/halfedge_table.h"
 #include "ryosen/textbook/forms/polygons.h"
@@ -29,10 +30,8 @@ class ListingPlay : public EditPlay {
  public:
   ListingPlay(const Mesh& mesh, Halfedge start)
       : EditPlay(mesh), table_(forms::inner_halfedges(mesh)), slots_(forms::corner_halfedges(mesh)) {
-    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v)
-      if (mesh.is_alive(Vertex(v))) vertices_.push_back(v);
-    for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
-      if (mesh.is_alive(Face(f))) faces_.push_back(f);
+    for (const Vertex v : live_vertices(mesh)) vertices_.push_back(v.index);
+    for (const Face f : live_faces(mesh)) faces_.push_back(f.index);
     he_ = static_cast<std::uint32_t>(std::find(slots_.begin(), slots_.end(), start) - slots_.begin());
     label_figure();
   }
@@ -334,8 +333,8 @@ Choices edges_to_offer(const Mesh& mesh, Selected selection) {
     return Choices{{std::to_string(mesh.from(halfedge(e)).index) + "-" + std::to_string(mesh.to(halfedge(e)).index)}};
   };
   if (const auto e = selected_of<Edge>(mesh, selection)) return name(*e);
-  for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i)
-    if (mesh.is_alive(Edge(i)) && !mesh.is_boundary(Edge(i))) return name(Edge(i));
+  for (const Edge e : live_edges(mesh))
+    if (!mesh.is_boundary(e)) return name(e);
   return {};
 }
 

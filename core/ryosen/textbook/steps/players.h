@@ -11,6 +11,7 @@
 
 #include "ryosen/base/result.h"
 #include "ryosen/mesh/find_element.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/all.h"
 #include "ryosen/textbook/forms/all.h"
@@ -102,10 +103,9 @@ std::optional<Handle> selected_of(const Mesh& mesh, std::span<const Element> sel
 }
 // That, or the first live one.
 template <class Handle>
-std::optional<Handle> usual_of(const Mesh& mesh, std::span<const Element> selection, std::uint32_t slots) {
+std::optional<Handle> usual_of(const Mesh& mesh, std::span<const Element> selection) {
   if (const auto chosen = selected_of<Handle>(mesh, selection)) return chosen;
-  for (std::uint32_t i = 0; i < slots; ++i)
-    if (mesh.is_alive(Handle(i))) return Handle(i);
+  for (const Handle element : LiveElements<Handle>(mesh)) return element;
   return {};
 }
 

@@ -107,9 +107,9 @@ Made play_relation(const Mesh& mesh, Arguments arguments) {
 
 // All relations, of what is selected or of the first element of the kind.
 Choices choices_of_relation(const Mesh& mesh, Selected selection) {
-  const auto v = usual_of<Vertex>(mesh, selection, mesh.vertex_slots());
-  const auto e = usual_of<Edge>(mesh, selection, mesh.edge_slots());
-  const auto f = usual_of<Face>(mesh, selection, mesh.face_slots());
+  const auto v = usual_of<Vertex>(mesh, selection);
+  const auto e = usual_of<Edge>(mesh, selection);
+  const auto f = usual_of<Face>(mesh, selection);
   Choices choices;
   const auto offer = [&](const RelationRow& row, const auto& element) {
     if (element) choices.push_back({std::string(row.id), slot_name(*element)});

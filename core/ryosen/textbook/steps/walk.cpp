@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ryosen/base/rows.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/all.h"
 #include "ryosen/textbook/steps/link_walk.h"
 #include "ryosen/textbook/steps/players.h"
@@ -162,9 +163,8 @@ class RingWalk {
   // Table 2, and text 003's map: every face is read.
   void by_search() {
     const Mesh& mesh = walk_.mesh();
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-      if (!mesh.is_alive(Face(i))) continue;
-      const std::vector<Element> corners = walk_.follow_all(Face(i), "vertices", Tell::own);
+    for (const Face f : live_faces(mesh)) {
+      const std::vector<Element> corners = walk_.follow_all(f, "vertices", Tell::own);
       const std::size_t n = corners.size();
       bool is_there = false;
       for (std::size_t at = 0; at < n; ++at)
@@ -304,12 +304,12 @@ Made play_loop(const Mesh& mesh, Arguments arguments) {
 }
 
 Choices choices_of_walk(const Mesh& mesh, Selected selection) {
-  const auto v = usual_of<Vertex>(mesh, selection, mesh.vertex_slots());
+  const auto v = usual_of<Vertex>(mesh, selection);
   return v ? choices_on_forms(mesh, slot_name(*v), true) : Choices();
 }
 
 Choices choices_of_loop(const Mesh& mesh, Selected selection) {
-  const auto f = usual_of<Face>(mesh, selection, mesh.face_slots());
+  const auto f = usual_of<Face>(mesh, selection);
   return f ? choices_on_forms(mesh, slot_name(*f), false) : Choices();
 }
 

@@ -1,5 +1,6 @@
 #include "ryosen/textbook/forms/reading/record_reader.h"
 
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -7,23 +8,21 @@ namespace ryosen::forms {
 namespace {
 
 std::optional<Element> first_live(const Mesh& mesh, Element::Kind kind) {
-  const auto first = [&]<class Handle>(Handle, std::uint32_t slots) -> std::optional<Element> {
-    for (std::uint32_t i = 0; i < slots; ++i)
-      if (mesh.is_alive(Handle(i))) return Handle(i);
+  const auto first = [](auto elements) -> std::optional<Element> {
+    for (const auto element : elements) return element;
     return {};
   };
   switch (kind) {
     case Element::Kind::vertex:
-      return first(Vertex(), mesh.vertex_slots());
+      return first(live_vertices(mesh));
     case Element::Kind::halfedge:
       // One with a face: forms whose halfedges are corners store nothing of the others.
-      for (std::uint32_t f = 0; f < mesh.face_slots(); ++f)
-        if (mesh.is_alive(Face(f))) return mesh.halfedge(Face(f));
-      return first(Halfedge(), mesh.halfedge_slots());
+      for (const Face f : live_faces(mesh)) return mesh.halfedge(f);
+      return first(live_halfedges(mesh));
     case Element::Kind::edge:
-      return first(Edge(), mesh.edge_slots());
+      return first(live_edges(mesh));
     default:
-      return first(Face(), mesh.face_slots());
+      return first(live_faces(mesh));
   }
 }
 

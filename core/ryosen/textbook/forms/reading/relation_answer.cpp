@@ -4,6 +4,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/walk.h"
 
 namespace ryosen::forms {
@@ -90,8 +91,7 @@ void answer_by_search(RecordReader& reader, const Asked& asked, Answer& out) {
     add_own_sides(asked, own, out);
     if (asked.row.relation != Relation::face_faces) return;
   }
-  for (std::uint32_t f = 0; f < reader.mesh().face_slots(); ++f)
-    if (reader.mesh().is_alive(Face(f))) add_from_face(asked, f, corners_of(reader, Face(f)), own, out);
+  for (const Face f : live_faces(reader.mesh())) add_from_face(asked, f.index, corners_of(reader, f), own, out);
 }
 
 void answer_by_faces(RecordReader& reader, const Asked& asked, Answer& out) {

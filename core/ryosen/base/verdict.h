@@ -27,4 +27,7 @@ struct Verdict {
   }
 };
 
+// The verdict that one broken rule gives alone.
+inline Verdict refused_by(Rule rule, std::initializer_list<Element> witnesses) { return {{{rule, witnesses}}}; }
+
 }  // namespace ryosen

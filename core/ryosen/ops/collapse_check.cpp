@@ -255,10 +255,7 @@ Verdict CollapseEdge::judge(const Mesh& mesh, LocalFacts& known) const {
   if (is_gone(mesh, halfedge, verdict)) return verdict;
   const Vertex a = mesh.from(halfedge), b = mesh.to(halfedge);
   const bool goes_to_a = known.has_several_fans(mesh, a);
-  if (goes_to_a && known.has_several_fans(mesh, b)) {
-    verdict.refuse(Rule::copies, {point(mesh, a), point(mesh, b)});
-    return verdict;
-  }
+  if (goes_to_a && known.has_several_fans(mesh, b)) return refused_by(Rule::copies, {point(mesh, a), point(mesh, b)});
   return CollapseJudge(mesh, goes_to_a ? twin(halfedge) : halfedge, known).judge();
 }
 

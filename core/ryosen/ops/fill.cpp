@@ -58,10 +58,7 @@ Fill Fill::at(const Mesh& mesh, const OpTarget& target) { return {outside_side(m
 Verdict Fill::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
-  if (!mesh.is_outside(halfedge)) {
-    verdict.refuse(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
-    return verdict;
-  }
+  if (!mesh.is_outside(halfedge)) return refused_by(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
   const std::vector<std::uint32_t> points = points_along(mesh, halfedge);
   if (const Vertex twice = repeated_point(points)) verdict.refuse(Rule::corner_twice, {twice, edge(halfedge)});
   if (points.size() < 3) verdict.refuse(Rule::loop, {edge(halfedge)});

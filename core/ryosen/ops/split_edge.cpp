@@ -61,10 +61,7 @@ constinit const OpInfo SplitEdge::info{.id = "split",
 Verdict SplitEdge::check(const Mesh& m) const {
   Verdict verdict;
   if (is_gone(m, halfedge, verdict)) return verdict;
-  if (is_bridge(m, halfedge)) {
-    verdict.refuse(Rule::loop, {edge(halfedge), m.face(halfedge)});
-    return verdict;
-  }
+  if (is_bridge(m, halfedge)) return refused_by(Rule::loop, {edge(halfedge), m.face(halfedge)});
   std::vector<std::pair<Vertex, Face>> apexes;
   for (Halfedge sheet : sheets_of_edge(m, halfedge))
     for (Halfedge side : {sheet, twin(sheet)})

@@ -156,20 +156,12 @@ Verdict SwapEdge::judge(const Mesh& m) const {
   Verdict verdict;
   const Halfedge h = halfedge, o = twin(h);
   if (is_gone(m, h, verdict)) return verdict;
-  if (is_cut_on_points(m, h)) {
-    verdict.refuse(Rule::copies, {point(m, m.from(h)), point(m, m.to(h))});
-    return verdict;
-  }
-  if (m.is_outside(h) || m.is_outside(o)) {
-    verdict.refuse(Rule::boundary, {edge(h)});
-    return verdict;
-  }
+  if (is_cut_on_points(m, h)) return refused_by(Rule::copies, {point(m, m.from(h)), point(m, m.to(h))});
+  if (m.is_outside(h) || m.is_outside(o)) return refused_by(Rule::boundary, {edge(h)});
   const auto [left, right] = turns(m, h, back);
   // With the same face or the same opposite vertex on both sides there is no other edge to swap to.
-  if (m.face(h) == m.face(o) || same_point(m, left.gains, right.gains)) {
-    verdict.refuse(Rule::corner_twice, {m.face(h), right.gains});
-    return verdict;
-  }
+  if (m.face(h) == m.face(o) || same_point(m, left.gains, right.gains))
+    return refused_by(Rule::corner_twice, {m.face(h), right.gains});
   const std::vector<Halfedge> existing = sheets_between(m, left.gains, right.gains);
   if (!existing.empty()) verdict.refuse(Rule::edge_exists, {edge(existing.front())});
   check_side(m, left, right, verdict);

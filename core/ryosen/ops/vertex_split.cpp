@@ -340,18 +340,13 @@ Verdict VertexSplit::check(const Mesh& m) const {
     verdict.refuse(Rule::same_vertex, {point(m, m.to(left))});
   if (!verdict.legal()) return verdict;
   const Sector sector = sector_of(m, left, right);
-  if (!sector.reaches_gap) {
-    verdict.refuse(Rule::no_gap, {vertex});
-    return verdict;
-  }
+  if (!sector.reaches_gap) return refused_by(Rule::no_gap, {vertex});
   if (left) check_end(m, left, !m.is_outside(left), verdict);
   if (right) check_end(m, right, !m.is_outside(twin(right)), verdict);
   if (!verdict.legal()) return verdict;
   const bool in_one_fan = !left || !right || are_in_one_fan(m, left, right);
-  if (!in_one_fan || (sector.gaps > 0 && count_fans(m, vertex) > 1)) {
-    verdict.refuse(Rule::copies, {point(m, vertex)});
-    return verdict;
-  }
+  if (!in_one_fan || (sector.gaps > 0 && count_fans(m, vertex) > 1))
+    return refused_by(Rule::copies, {point(m, vertex)});
   for (Halfedge h : sector.edges)
     if (is_cut_on_points(m, h)) verdict.refuse(Rule::copies, {point(m, vertex), point(m, m.to(h))});
   check_faces(m, sector, left, verdict);

@@ -81,10 +81,7 @@ constinit const OpInfo MakeEdge::info{
 Verdict MakeEdge::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, a, verdict) || is_gone(mesh, b, verdict)) return verdict;
-  if (same_point(mesh, a, b)) {
-    verdict.refuse(Rule::same_vertex, {a});
-    return verdict;
-  }
+  if (same_point(mesh, a, b)) return refused_by(Rule::same_vertex, {a});
   for (const auto& [v, into] : {std::pair(a, into_a), std::pair(b, into_b)}) {
     const bool fits = into ? mesh.exists(into) && mesh.is_alive(into) && mesh.to(into) == v && mesh.is_outside(into)
                            : mesh.is_isolated(v);

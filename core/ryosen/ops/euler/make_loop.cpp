@@ -48,16 +48,10 @@ bool keeps_sheets(const Mesh& m, Halfedge h) {
 Verdict MakeLoop::check(const Mesh& mesh) const {
   Verdict verdict;
   if (is_gone(mesh, halfedge, verdict)) return verdict;
-  if (!mesh.is_outside(halfedge)) {
-    verdict.refuse(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
-    return verdict;
-  }
+  if (!mesh.is_outside(halfedge)) return refused_by(Rule::has_face, {edge(halfedge), mesh.face(halfedge)});
   CornerLoops cycle;
   cycle.add(points_along(mesh, halfedge));
-  if (!take_out_bridges(cycle)) {
-    verdict.refuse(Rule::loop, {edge(halfedge)});
-    return verdict;
-  }
+  if (!take_out_bridges(cycle)) return refused_by(Rule::loop, {edge(halfedge)});
   for (Halfedge h : loop(mesh, halfedge))
     if (!keeps_sheets(mesh, h)) verdict.refuse(Rule::copies, {point(mesh, mesh.from(h)), point(mesh, mesh.to(h))});
   if (!verdict.legal()) return verdict;

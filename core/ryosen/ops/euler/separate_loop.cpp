@@ -106,20 +106,11 @@ Verdict SeparateLoop::check(const Mesh& mesh) const {
   if (!are_corners_of_one_face(mesh, {into_a, into_b}, verdict)) return verdict;
   const Face f = mesh.face(into_a);
   const std::uint32_t own = ring_of(mesh, into_a);
-  if (own != ring_of(mesh, into_b)) {
-    verdict.refuse(Rule::different_loops, {f, mesh.to(into_a), mesh.to(into_b)});
-    return verdict;
-  }
+  if (own != ring_of(mesh, into_b)) return refused_by(Rule::different_loops, {f, mesh.to(into_a), mesh.to(into_b)});
   const std::vector<Halfedge> existing = sheets_between(mesh, mesh.to(into_a), mesh.to(into_b));
-  if (!existing.empty()) {
-    verdict.refuse(Rule::edge_exists, {edge(existing.front())});
-    return verdict;
-  }
+  if (!existing.empty()) return refused_by(Rule::edge_exists, {edge(existing.front())});
   const auto [kept, fresh] = lists_after(mesh, f, own, divide(mesh, into_a, into_b));
-  if (!take_out_bridges(kept) || !take_out_bridges(fresh)) {
-    verdict.refuse(Rule::loop, {f});
-    return verdict;
-  }
+  if (!take_out_bridges(kept) || !take_out_bridges(fresh)) return refused_by(Rule::loop, {f});
   if (const Face other = equal_face(mesh, f)) verdict.refuse(Rule::loses_duplicate, {f, other});
   const Face except[] = {f};
   for (const CornerLoops* list : {&kept, &fresh})

@@ -66,10 +66,8 @@ Verdict UniteLoop::check(const Mesh& mesh) const {
   const CornerLoops after = list_after(mesh, halfedge);
   const auto parts = take_out_bridges(after);
   // Existing bridges stay; a second shared edge would become a new bridge, which is not allowed.
-  if (!parts || parts->size() - after.ends.size() != bridges_of(loops_of(mesh, f)) + bridges_of(loops_of(mesh, g))) {
-    verdict.refuse(Rule::loop, {f, g});
-    return verdict;
-  }
+  if (!parts || parts->size() - after.ends.size() != bridges_of(loops_of(mesh, f)) + bridges_of(loops_of(mesh, g)))
+    return refused_by(Rule::loop, {f, g});
   for (Face face : {f, g})
     if (const Face other = equal_face(mesh, face); other && other != f && other != g)
       verdict.refuse(Rule::loses_duplicate, {face, other});

@@ -83,18 +83,10 @@ static void draw_last(const Findings& findings, const Selecting& selecting, cons
   if (findings.hidden().hides(mesh, last)) return;
   glm::dvec3 sum(0);
   double n = 0;
-  const auto add = [&](Vertex v) {
+  for_each_vertex(mesh, last, [&](Vertex v) {
     sum += gesturing.drawn_positions()[v.index];
     ++n;
-  };
-  if (last.kind == Element::Kind::vertex) add(last.vertex());
-  if (last.kind == Element::Kind::face)
-    for (const Vertex v : vertices_around(mesh, last.face())) add(v);
-  if (last.kind == Element::Kind::edge || last.kind == Element::Kind::halfedge) {
-    const auto [a, b] = ends(mesh, last.kind == Element::Kind::edge ? last.edge() : edge(last.halfedge()));
-    add(a);
-    add(b);
-  }
+  });
   overlay.points.push_back({sum / n, style(Role::witness, theme).colour, PointShape::ring, 11, faintly});
 }
 

@@ -23,15 +23,6 @@ namespace ryosen {
 
 namespace {
 
-std::vector<Vertex> vertices_of(const Mesh& m, const Element& e) {
-  if (e.kind == Element::Kind::vertex) return {e.vertex()};
-  if (e.kind == Element::Kind::halfedge) return {m.from(e.halfedge()), m.to(e.halfedge())};
-  if (e.kind == Element::Kind::edge) return {ends(m, e.edge()).first, ends(m, e.edge()).second};
-  std::vector<Vertex> corners;
-  for (Vertex v : vertices_around(m, e.face())) corners.push_back(v);
-  return corners;
-}
-
 // The faces that look along with an element: its own, its two, or those at all copies of its vertex.
 std::vector<Face> faces_beside(const Mesh& m, const Element& e) {
   std::vector<Face> found;
@@ -135,7 +126,7 @@ class Sight {
     if (depth < at->depth * (1 - 1e-3)) return false;
     // What meets it there hides nothing of it.
     std::vector<Vertex> points;
-    for (Vertex v : vertices_of(m, e)) points.push_back(point(m, v));
+    for_each_vertex(m, e, [&](Vertex v) { points.push_back(point(m, v)); });
     sort_unique(points);
     for (Vertex w : vertices_around(m, front->face))
       if (std::binary_search(points.begin(), points.end(), point(m, w))) return true;
@@ -152,8 +143,7 @@ class Sight {
 // The elements' vertices and all that are joined to them.
 std::vector<glm::dvec3> places_around(const Mesh& m, std::span<const Element> elements) {
   std::vector<Vertex> points;
-  for (const Element& e : elements)
-    for (Vertex v : vertices_of(m, e)) points.push_back(point(m, v));
+  for (const Element& e : elements) for_each_vertex(m, e, [&](Vertex v) { points.push_back(point(m, v)); });
   sort_unique(points);
   std::vector<glm::dvec3> places;
   for (Vertex p : points)
@@ -167,8 +157,7 @@ std::vector<glm::dvec3> places_around(const Mesh& m, std::span<const Element> el
 
 glm::dvec3 middle_of_all(const Mesh& m, std::span<const Element> elements) {
   std::vector<glm::dvec3> places;
-  for (const Element& e : elements)
-    for (Vertex v : vertices_of(m, e)) places.push_back(m.position(v));
+  for (const Element& e : elements) for_each_vertex(m, e, [&](Vertex v) { places.push_back(m.position(v)); });
   const Box box = bounds_of(places);
   return box.lowest + (box.highest - box.lowest) / 2.0;
 }

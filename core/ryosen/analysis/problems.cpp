@@ -84,24 +84,12 @@ std::vector<Problem> find_problems(const Mesh& mesh, const ProblemSets& sets, co
 
 std::optional<glm::dvec3> place_of(const Mesh& mesh, Element element, const FileFaces& file) {
   std::vector<glm::dvec3> points;
-  switch (element.kind) {
-    case Element::Kind::vertex:
-      points = {mesh.position(element.vertex())};
-      break;
-    case Element::Kind::halfedge:
-      return place_of(mesh, edge(element.halfedge()), file);
-    case Element::Kind::edge:
-      for (unsigned side : {0u, 1u}) points.push_back(mesh.position(mesh.from(halfedge(element.edge(), side))));
-      break;
-    case Element::Kind::face:
-      if (is_alive(mesh, element.face())) {
-        for (Vertex v : vertices_around(mesh, element.face())) points.push_back(mesh.position(v));
-      } else if (const QuarantinedFace* q = find_quarantined(file.quarantine, element.index)) {
-        for (std::int64_t corner : q->corners)
-          if (corner >= 0 && corner < mesh.file_vertices() && mesh.is_alive(Vertex(corner)))
-            points.push_back(mesh.position(Vertex(corner)));
-      }
-      break;
+  if (element.kind != Element::Kind::face || is_alive(mesh, element.face())) {
+    for_each_vertex(mesh, element, [&](Vertex v) { points.push_back(mesh.position(v)); });
+  } else if (const QuarantinedFace* q = find_quarantined(file.quarantine, element.index)) {
+    for (std::int64_t corner : q->corners)
+      if (corner >= 0 && corner < mesh.file_vertices() && mesh.is_alive(Vertex(corner)))
+        points.push_back(mesh.position(Vertex(corner)));
   }
   glm::dvec3 mean(0.0);
   for (const glm::dvec3& p : points) mean += p / static_cast<double>(points.size());

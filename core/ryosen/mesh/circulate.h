@@ -7,6 +7,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "ryosen/base/element.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -138,6 +139,20 @@ inline std::pair<Vertex, Vertex> ends(const Mesh& m, Edge e) {
   return {m.from(halfedge(e, 0)), m.from(halfedge(e, 1))};
 }
 inline std::pair<Face, Face> faces(const Mesh& m, Edge e) { return {m.face(halfedge(e, 0)), m.face(halfedge(e, 1))}; }
+
+// Visits the vertex itself, both ends of a halfedge or an edge, or all corners of a face. Some may be copies of one
+// point.
+template <class Visit>
+void for_each_vertex(const Mesh& m, const Element& e, Visit visit) {
+  if (e.kind == Element::Kind::vertex) visit(e.vertex());
+  if (e.kind == Element::Kind::face)
+    for (Vertex v : vertices_around(m, e.face())) visit(v);
+  if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge) {
+    const Halfedge h = e.kind == Element::Kind::edge ? halfedge(e.edge()) : e.halfedge();
+    visit(m.from(h));
+    visit(m.to(h));
+  }
+}
 
 // Number of corners over all loops.
 inline std::uint32_t corner_count(const Mesh& m, Face f) {

@@ -187,16 +187,7 @@ std::vector<Element> vertices_of_elements(const Mesh& mesh, std::span<const Elem
   const auto add = [&](Vertex v) {
     if (seen.insert(v.index)) vertices.emplace_back(v);
   };
-  for (const Element& e : selected) {
-    if (e.kind == Element::Kind::vertex) add(e.vertex());
-    if (e.kind == Element::Kind::edge || e.kind == Element::Kind::halfedge) {
-      const Halfedge h = e.kind == Element::Kind::edge ? halfedge(e.edge()) : e.halfedge();
-      add(mesh.from(h));
-      add(mesh.to(h));
-    }
-    if (e.kind == Element::Kind::face)
-      for (const Vertex v : vertices_around(mesh, e.face())) add(v);
-  }
+  for (const Element& e : selected) for_each_vertex(mesh, e, add);
   return vertices;
 }
 

@@ -59,22 +59,7 @@ glm::dvec3 flattened(glm::dvec3 place, const glm::dvec3& about, const std::optio
 
 std::vector<Vertex> points_of(const Mesh& mesh, std::span<const Element> elements) {
   IndexSet points;
-  const auto add = [&](Vertex v) { points.insert(point(mesh, v).index); };
-  for (const Element& e : elements) switch (e.kind) {
-      case Element::Kind::vertex:
-        add(e.vertex());
-        break;
-      case Element::Kind::halfedge:
-        add(mesh.from(e.halfedge()));
-        add(mesh.to(e.halfedge()));
-        break;
-      case Element::Kind::edge:
-        add(ends(mesh, e.edge()).first);
-        add(ends(mesh, e.edge()).second);
-        break;
-      case Element::Kind::face:
-        for (const Vertex v : vertices_around(mesh, e.face())) add(v);
-    }
+  for (const Element& e : elements) for_each_vertex(mesh, e, [&](Vertex v) { points.insert(point(mesh, v).index); });
   std::vector<Vertex> found;
   points.for_each([&](std::uint32_t i) { found.emplace_back(i); });
   return found;

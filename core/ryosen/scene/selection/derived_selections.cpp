@@ -15,23 +15,6 @@ namespace ryosen {
 
 namespace {
 
-// The ends of an element, all corners of a face; some may be copies of one point.
-template <class Visit>
-void for_each_vertex(const Mesh& mesh, Element e, Visit visit) {
-  switch (e.kind) {
-    case Element::Kind::vertex:
-      return visit(e.vertex());
-    case Element::Kind::halfedge:
-      visit(mesh.from(e.halfedge()));
-      return visit(mesh.to(e.halfedge()));
-    case Element::Kind::edge:
-      visit(ends(mesh, e.edge()).first);
-      return visit(ends(mesh, e.edge()).second);
-    case Element::Kind::face:
-      for (Vertex v : vertices_around(mesh, e.face())) visit(v);
-  }
-}
-
 // The elements of a kind that touch a point; of vertices, those that an edge joins to it. Some more than once.
 template <class Visit>
 void for_each_at(const Mesh& mesh, Element::Kind kind, Vertex of_point, Visit visit) {

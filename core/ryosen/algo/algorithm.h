@@ -65,7 +65,7 @@ struct GoalReport {
 struct AlgorithmResult {
   std::size_t changed = 0;         // 0: nothing was written
   std::size_t left = 0;            // how many places it should have treated and could not
-  Text text;                       // a sentence with the numbers
+  Text text = {};                  // a sentence with the numbers
   bool drops_quarantined = false;  // the quarantined faces are to be forgotten
   bool has_normals = false;        // it gave the corners normals, which are those of the surface as it is now
   // Pairs of faces that meet now and did not before (self_intersections.h), by an algorithm that counts them.

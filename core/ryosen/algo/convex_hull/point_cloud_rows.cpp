@@ -19,8 +19,7 @@ AlgorithmResult add_points(Edit& edit, const AlgorithmInput& input, Progress& pr
   for (glm::dvec3& p : points) {
     p = values.place("at") + values.length("radius") * p;
     if (is_finite(p)) continue;
-    result.fault = Text{"the values are too large for places", "値が大きすぎて座標で表せません"};
-    return result;
+    return {.fault = Text{"the values are too large for places", "値が大きすぎて座標で表せません"}};
   }
   for (const glm::dvec3& p : points) edit.add_vertex(p);
   result.changed = points.size();

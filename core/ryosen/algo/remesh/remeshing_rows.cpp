@@ -22,11 +22,8 @@ Text refused_text(std::size_t refused) {
 AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& mesh = edit.mesh();
   const ParameterValues& values = input.values;
+  if (mesh.live().faces == 0) return {.refused = Text{"there are no faces", "面がありません"}};
   AlgorithmResult result;
-  if (mesh.live().faces == 0) {
-    result.refused = Text{"there are no faces", "面がありません"};
-    return result;
-  }
   remesh::Options options{.length = values.length("length"),
                           .adaptive = values.flag("adaptive"),
                           .tolerance = values.has("tolerance") ? values.length("tolerance") : 0,

@@ -80,11 +80,8 @@ Text volume_text(const smooth::KeptVolume& kept) {
 AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& mesh = edit.mesh();
   const smooth::Options options = options_of_smoothing(input.values);
+  if (mesh.live().faces == 0) return {.refused = Text{"there are no faces", "面がありません"}};
   AlgorithmResult result;
-  if (mesh.live().faces == 0) {
-    result.refused = Text{"there are no faces", "面がありません"};
-    return result;
-  }
   if ((result.fault = fault_of_smoothing(options))) return result;
   const smooth::Smoothed made = smooth::smoothed(mesh, options, shares_of(mesh, input.values), progress);
   if (made.is_cancelled) return result;

@@ -49,21 +49,16 @@ std::optional<Text> fault_of_sharp(const Mesh& mesh, const subdivide::Options& o
 }
 
 AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
-  AlgorithmResult result;
   const std::size_t before = edit.mesh().live().faces;
-  if (edit.mesh().live().edges == 0) {
-    result.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"};
-    return result;
-  }
+  if (edit.mesh().live().edges == 0)
+    return {.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"}};
+  AlgorithmResult result;
   subdivide::Options options = options_of(input.values);
   options.wants_descent = input.wants.descent;
   if ((result.fault = fault_of_sharp(edit.mesh(), options))) return result;
   subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
   if (made.is_cancelled) return result;
-  if (made.fault) {
-    result.fault = std::move(made.fault);
-    return result;
-  }
+  if ((result.fault = std::move(made.fault))) return result;
   result.goal_report.emplace();
   result.descent = std::move(made.descent);
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);

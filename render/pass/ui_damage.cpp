@@ -48,9 +48,8 @@ PixelRect UiDamage::difference(const List& before, const List& now) {
     while (first < indices && equal(before.indices[first], now.indices[first])) ++first;
     first -= first % 3;
     while (last < indices - first &&
-           equal(before.indices[before.indices.size() - 1 - last], now.indices[now.indices.size() - 1 - last])) {
+           equal(before.indices[before.indices.size() - 1 - last], now.indices[now.indices.size() - 1 - last]))
       ++last;
-    }
     last -= last % 3;
   }
   float x0 = std::numeric_limits<float>::max(), y0 = x0, x1 = -x0, y1 = -x0;

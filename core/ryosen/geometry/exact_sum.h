@@ -102,9 +102,8 @@ class ProductSum {
 
   int sign() const {
     if (limbs_.back() >> 63u) return -1;
-    for (const std::uint64_t limb : limbs_) {
+    for (const std::uint64_t limb : limbs_)
       if (limb != 0) return 1;
-    }
     return 0;
   }
 

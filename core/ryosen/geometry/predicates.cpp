@@ -100,9 +100,8 @@ template <class Point>
 bool all_collinear(std::size_t count, Point&& point) {
   std::size_t second = 1;
   while (second < count && point(second) == point(0)) ++second;
-  for (std::size_t i = second + 1; i < count; ++i) {
+  for (std::size_t i = second + 1; i < count; ++i)
     if (!are_collinear(point(0), point(second), point(i))) return false;
-  }
   return true;
 }
 
@@ -115,9 +114,8 @@ int orient2d(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   const double size = std::abs(left) + std::abs(right);
   // Above the lower limit an underflowed product is far below the error bound; beyond the upper one, or with a NaN,
   // a difference or product overflowed. The bound is that of [Shewchuk97], (3 + 16 u) u, with room to spare.
-  if (size > 1e-280 && size <= std::numeric_limits<double>::max() && std::abs(det) > 4e-16 * size) {
+  if (size > 1e-280 && size <= std::numeric_limits<double>::max() && std::abs(det) > 4e-16 * size)
     return det > 0.0 ? 1 : -1;
-  }
   if (is_safe(a) && is_safe(b) && is_safe(c)) return orient2d_by_expansion(a, b, c);
   return orient2d_by_accumulator(a, b, c);
 }

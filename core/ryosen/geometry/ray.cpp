@@ -60,9 +60,8 @@ std::optional<TriangleHit> RayCaster::hit_from_origin(const glm::dvec3& a, const
   // box.
   const double slack = reach * 0x1p-48;
   if (std::min({ax, bx, cx}) > slack || std::max({ax, bx, cx}) < -slack || std::min({ay, by, cy}) > slack ||
-      std::max({ay, by, cy}) < -slack) {
+      std::max({ay, by, cy}) < -slack)
     return std::nullopt;
-  }
   const glm::dvec3 weights(std::abs(u), std::abs(v), std::abs(w));
   const double depths =
       sum_of(weights.x * (scale_z_ * a[z_]), weights.y * (scale_z_ * b[z_]), weights.z * (scale_z_ * c[z_]));

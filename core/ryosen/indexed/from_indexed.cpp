@@ -297,9 +297,8 @@ void link_outside(MeshColumns& c) {
   UnwrittenVector<HalfedgeLinks>& halfedges = c.halfedges;
   for (std::size_t i = 0; i < halfedges.size(); ++i)
     if (!halfedges[i].face) halfedges[i].from = halfedges[halfedges[i ^ 1u].next.index].from;
-  for (std::size_t i = 0; i < halfedges.size(); ++i) {
+  for (std::size_t i = 0; i < halfedges.size(); ++i)
     if (!halfedges[i].face) link_outside_half(c, Halfedge(i));
-  }
 }
 
 // Joins the two faces at each boundary loop of exactly two halfedges; returns whether there was one. Edges are

@@ -8,17 +8,15 @@ namespace {
 
 // The out-of-range vertex number to report: the first negative one, else the largest.
 std::int64_t stray_corner(const CompactList<std::int64_t>& corners) {
-  for (const std::int64_t corner : corners) {
+  for (const std::int64_t corner : corners)
     if (corner < 0) return corner;
-  }
   return corners.empty() ? -1 : *std::max_element(corners.begin(), corners.end());
 }
 
 std::int64_t repeated_corner(const CompactList<std::int64_t>& corners) {
   std::unordered_set<std::int64_t> seen;
-  for (const std::int64_t corner : corners) {
+  for (const std::int64_t corner : corners)
     if (!seen.insert(corner).second) return corner;
-  }
   return -1;
 }
 
@@ -64,9 +62,8 @@ std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, co
     if (known == no_index) known = index;
     if (known != index && values.pool[known] != values.pool[index]) return std::nullopt;
   }
-  for (std::size_t v = 0; v < count; ++v) {
+  for (std::size_t v = 0; v < count; ++v)
     if (out[v] == no_index && values.pool.size() == count) out[v] = static_cast<std::uint32_t>(v);
-  }
   if (std::all_of(out.begin(), out.end(), [](std::uint32_t index) { return index == no_index; })) return std::nullopt;
   return out;
 }

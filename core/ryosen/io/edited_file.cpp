@@ -101,9 +101,8 @@ ElementList renumbered(const ElementList& elements, std::span<const std::uint32_
   std::size_t face = 0;
   std::uint32_t faces_before = 0;  // remaining faces below `face`
   for (LineElement item : elements.items) {
-    for (; face < std::min<std::size_t>(item.before_face, face_number.size()); ++face) {
+    for (; face < std::min<std::size_t>(item.before_face, face_number.size()); ++face)
       if (face_number[face] != no_index) ++faces_before;
-    }
     item.before_face = faces_before;
     const std::uint32_t first = item.first, count = item.count;
     item.first = static_cast<std::uint32_t>(out.vertices.size());

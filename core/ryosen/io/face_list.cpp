@@ -43,20 +43,16 @@ void FaceList::append(const FaceList& next, std::uint64_t lines_before) {
 
 bool FaceList::repeats_corner(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& stamps) const {
   const std::uint32_t* const c = mesh_.corners.data();
-  if (end - begin == 3) {
-    return c[begin] == c[begin + 1] || c[begin + 1] == c[begin + 2] || c[begin + 2] == c[begin];
-  }
+  if (end - begin == 3) return c[begin] == c[begin + 1] || c[begin + 1] == c[begin + 2] || c[begin + 2] == c[begin];
   if (end - begin <= 8) {
-    for (std::size_t i = begin + 1; i < end; ++i) {
+    for (std::size_t i = begin + 1; i < end; ++i)
       if (std::find(c + begin, c + i, c[i]) != c + i) return true;
-    }
     return false;
   }
   stamps.resize(mesh_.positions.size(), no_index);
   const auto stamp = static_cast<std::uint32_t>(begin);  // unique per face
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = begin; i < end; ++i)
     if (std::exchange(stamps[c[i]], stamp) == stamp) return true;
-  }
   return false;
 }
 
@@ -64,9 +60,8 @@ FaceList::Flaw FaceList::flaw(std::size_t face, std::vector<std::uint32_t>& stam
   const std::size_t begin = mesh_.face_offsets[face], end = mesh_.face_offsets[face + 1];
   const std::size_t vertex_count = mesh_.positions.size();
   if (end - begin < 3) return Flaw::too_few_corners;
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = begin; i < end; ++i)
     if (mesh_.corners[i] >= vertex_count) return Flaw::index_out_of_range;
-  }
   if (!repeats_corner(begin, end, stamps)) return Flaw::none;
   CornerLoops list;
   list.add(mesh_.face(face));

@@ -106,9 +106,8 @@ Failure unsupported(const std::string& extension, const Format* looks_like) {
 }
 
 const Format* looks_like(std::string_view bytes, Likeness wanted) {
-  for (const Format& format : formats()) {
+  for (const Format& format : formats())
     if (format.sniff(bytes.substr(0, sniffed_bytes), bytes.size()) == wanted) return &format;
-  }
   return nullptr;
 }
 
@@ -118,11 +117,9 @@ const Format* find_format(std::string_view id) { return find_row(formats(), id);
 
 const Format* format_of_extension(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
-  for (const Format& format : formats()) {
-    if (std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end()) {
+  for (const Format& format : formats())
+    if (std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end())
       return &format;
-    }
-  }
   return nullptr;
 }
 
@@ -275,9 +272,8 @@ Status write_mesh_file(const std::filesystem::path& path, const MeshFile& file, 
 std::optional<WriteOptions> find_target(std::string_view id) {
   for (const Format& format : formats()) {
     if (format.id == id) return WriteOptions{&format, Encoding::automatic};
-    for (const FormatVariant& variant : format.variants) {
+    for (const FormatVariant& variant : format.variants)
       if (variant.id == id) return WriteOptions{&format, variant.encoding};
-    }
   }
   return std::nullopt;
 }
@@ -287,9 +283,8 @@ Encoding encoding_of(const MeshFile& file, const Format& format, Encoding wanted
   // A format with a single binary encoding uses it for either byte order.
   const Encoding binary = file.encoding == Encoding::binary_big ? Encoding::binary_little : file.encoding;
   for (const Encoding encoding : {wanted, file.encoding, binary}) {
-    for (const FormatVariant& variant : format.variants) {
+    for (const FormatVariant& variant : format.variants)
       if (variant.encoding == encoding) return encoding;
-    }
   }
   return format.variants[0].encoding;
 }

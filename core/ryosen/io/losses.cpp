@@ -325,10 +325,9 @@ Message Loss::message(const Text& format) const {
 
 std::vector<Loss> find_losses(const MeshFile& file, Holds held) {
   std::vector<Loss> losses;
-  for (const LossKind& kind : loss_kinds()) {
+  for (const LossKind& kind : loss_kinds())
     if (const std::uint64_t count = kind.count(file, held))
       losses.push_back({&kind, count, kind.first ? kind.first(file, held) : std::nullopt});
-  }
   return losses;
 }
 

@@ -50,9 +50,8 @@ NumberRead read_unusual_real(std::string_view token, double& value) {
   if (digits.starts_with("1.#")) {
     const std::string_view kind = digits.substr(3);
     const bool infinite = is_padded_word(kind, "inf");
-    if (!infinite && !is_padded_word(kind, "ind") && !is_padded_word(kind, "qnan") && !is_padded_word(kind, "snan")) {
+    if (!infinite && !is_padded_word(kind, "ind") && !is_padded_word(kind, "qnan") && !is_padded_word(kind, "snan"))
       return NumberRead::unreadable;
-    }
     const double magnitude =
         infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
     value = std::copysign(magnitude, sign);
@@ -77,9 +76,8 @@ bool read_integer(std::string_view token, std::int64_t& value) {
   if (plus && begin != end && *begin == '-') return false;
   const auto [stop, error] = std::from_chars(begin, end, value);
   if (stop != end || error == std::errc::invalid_argument) return false;
-  if (error == std::errc::result_out_of_range) {
+  if (error == std::errc::result_out_of_range)
     value = *begin == '-' ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
-  }
   return true;
 }
 

@@ -72,12 +72,9 @@ void ObjBuilder::comment(std::string_view line) {
 
 bool ObjBuilder::read_value(std::string_view word, double& value) {
   const NumberRead read = read_real(word, value);
-  if (read == NumberRead::unreadable) {
-    return fail("unreadable_number", word.data(), [&] { return not_a_number(word); });
-  }
-  if (read == NumberRead::non_finite) {
+  if (read == NumberRead::unreadable) return fail("unreadable_number", word.data(), [&] { return not_a_number(word); });
+  if (read == NumberRead::non_finite)
     reporter_.warn("nonfinite_number", lines_->place(word.data()), [&] { return not_a_finite_number(word); });
-  }
   return true;
 }
 
@@ -131,9 +128,8 @@ void ObjBuilder::vertex(std::string_view values) {
   if (has_weight && mesh_.vertex_weights.empty()) mesh_.vertex_weights.assign(number, no_colour);
   if (has_weight || !mesh_.vertex_weights.empty()) mesh_.vertex_weights.push_back(has_weight ? v[3] : no_colour);
   const bool has_colour = (count == 6 || count == 7) && !std::isnan(v[3]);
-  if (has_colour && mesh_.vertex_colours.empty()) {
+  if (has_colour && mesh_.vertex_colours.empty())
     mesh_.vertex_colours.assign(number, glm::dvec4(no_colour, no_colour, no_colour, 1));
-  }
   if (has_colour) {
     mesh_.vertex_colours.emplace_back(v[3], v[4], v[5], count == 7 ? v[6] : 1.0);
     if (count == 7) mesh_.colour_components = 4;
@@ -192,12 +188,10 @@ void ObjBuilder::face(std::string_view corners) {
     }
     if (faults_.any()) continue;
     if (corner.vertex < 0 && is_later_piece_) has_given_up_ = true;
-    if (corner.has_texcoord || !mesh_.texcoords.index.empty()) {
+    if (corner.has_texcoord || !mesh_.texcoords.index.empty())
       push_value(mesh_.texcoords.index, corner.has_texcoord, corner.texcoord, mesh_.texcoords.pool.size(), false);
-    }
-    if (corner.has_normal || !mesh_.normals.index.empty()) {
+    if (corner.has_normal || !mesh_.normals.index.empty())
       push_value(mesh_.normals.index, corner.has_normal, corner.normal, mesh_.normals.pool.size(), true);
-    }
     faces_.add_corner(resolve(corner.vertex, mesh_.positions.size()));
   }
   if (faults_.any()) return;
@@ -315,11 +309,10 @@ void ObjBuilder::unknown(std::string_view keyword) {
       return;
     }
   }
-  if (unknown_.size() < most) {
+  if (unknown_.size() < most)
     unknown_.push_back({text, lines_->first_line(), 1});
-  } else {
+  else
     ++other_unknown_;
-  }
 }
 
 }  // namespace ryosen

@@ -30,13 +30,12 @@ class NameWriter {
     if (index >= names_.names.size()) index = no_index;
     if (index == current_) return;
     current_ = index;
-    if (index == no_index) {
+    if (index == no_index)
       out_ << keyword_ << none_ << '\n';
-    } else if (index < written_) {
+    else if (index < written_)
       write(index);
-    } else {
+    else
       write_up_to(index + std::size_t{1});
-    }
   }
   void finish() { write_up_to(names_.names.size()); }
 
@@ -180,11 +179,10 @@ class ObjWriter {
     for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
       for (; item != items.end() && item->before_face <= f; ++item) element(*item);
       for (NameWriter* names : all_names()) names->change_to(names->of_face(f));
-      if (aside != mesh_.quarantine.end() && aside->face == f) {
+      if (aside != mesh_.quarantine.end() && aside->face == f)
         quarantined_face(*aside++);
-      } else {
+      else
         face(f);
-      }
     }
     for (; item != items.end(); ++item) element(*item);
     wires();

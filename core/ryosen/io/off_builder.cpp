@@ -35,11 +35,10 @@ void OffBuilder::add_colour(const double* values, std::size_t count) {
   IndexedMesh& mesh = file_.mesh;
   const bool is_absent = count == 0 || std::isnan(values[0]);
   if (count == 4 && !is_absent) mesh.colour_components = 4;
-  if (is_absent) {
+  if (is_absent)
     mesh.vertex_colours.emplace_back(no_colour, no_colour, no_colour, 1.0);
-  } else {
+  else
     mesh.vertex_colours.emplace_back(values[0], values[1], values[2], count == 4 ? values[3] : no_colour);
-  }
 }
 
 bool OffBuilder::end_face(std::uint64_t line, const double* colour, std::size_t count, bool are_whole) {

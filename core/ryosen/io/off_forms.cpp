@@ -77,9 +77,8 @@ std::optional<std::size_t> bytes_over(std::string_view data, OffKind kind, Layou
     if (words.left() == 0) return std::nullopt;
     const std::uint32_t corners = words.take();
     if (corners > words.left()) return std::nullopt;
-    for (std::uint32_t i = 0; i < corners; ++i) {
+    for (std::uint32_t i = 0; i < corners; ++i)
       if (words.take() >= counts->vertices) return std::nullopt;
-    }
     if (!layout.has_face_colours) continue;
     if (words.left() == 0) return std::nullopt;
     const std::uint32_t colours = words.take();

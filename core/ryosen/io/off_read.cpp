@@ -92,9 +92,8 @@ class OffTextReader {
     while (lines_.next(line)) {
       const std::size_t comment = std::min(line.text.find('#'), line.text.size());
       rest_ = line.text.substr(0, comment);
-      if (in_head_ && comment != line.text.size()) {
+      if (in_head_ && comment != line.text.size())
         builder_.file().head_comments.emplace_back(line.text.substr(comment));
-      }
       if (!is_blank(rest_)) return true;
     }
     return false;
@@ -134,9 +133,8 @@ class OffTextReader {
   }
 
   bool read_counts() {
-    if (is_blank(rest_) && !next_line()) {
+    if (is_blank(rest_) && !next_line())
       return fail_at_end("it has no counts of vertices and faces", "頂点と面の個数がありません");
-    }
     // The shortest vertex is "0 0 0" and a line end, the shortest face "0" and a line end. The third count, of edges,
     // is often wrong and never needed.
     constexpr std::size_t least_vertex_bytes = 6, least_face_bytes = 2;
@@ -153,9 +151,8 @@ class OffTextReader {
     for (std::string_view word = take_word(rest_); !word.empty(); word = take_word(rest_)) {
       double value = 0;
       const NumberRead read = read_real(word, value);
-      if (read == NumberRead::unreadable) {
+      if (read == NumberRead::unreadable)
         return faults_.add("unreadable_number", lines_.place(word.data()), [&] { return not_a_number(word); });
-      }
       if (read == NumberRead::non_finite) {
         builder_.reporter().warn("nonfinite_number", lines_.place(word.data()),
                                  [&] { return not_a_finite_number(word); });

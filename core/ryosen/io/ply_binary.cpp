@@ -61,9 +61,8 @@ class PlyBinaryReader {
         builder_(builder) {}
 
   std::optional<Failure> read() {
-    for (std::size_t t = 0; t < builder_.tables().size(); ++t) {
+    for (std::size_t t = 0; t < builder_.tables().size(); ++t)
       if (!read_table(t)) return std::move(failure_);
-    }
     if (at_ != end_) {
       builder_.reporter().leave_out(&LeftOut::rest, left());
       builder_.reporter().warn("extra_data", here(), [&] {

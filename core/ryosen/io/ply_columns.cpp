@@ -48,9 +48,8 @@ double scaled_colour(double component, double scale) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double scaled = component * scale;
   for (const double candidate :
-       {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity), std::nextafter(scaled, -infinity)}) {
+       {std::nearbyint(scaled), scaled, std::nextafter(scaled, infinity), std::nextafter(scaled, -infinity)})
     if (candidate / scale == component) return candidate;
-  }
   return scaled;
 }
 
@@ -147,10 +146,9 @@ bool PlyColumns::has_data(PropertyRole role, std::uint8_t component) const {
 void PlyColumns::add_layout() {
   const CornerValues& texcoords = file_.mesh.texcoords;
   bool was_per_corner = false;
-  for (const PropertyTable& table : file_.properties.tables) {
+  for (const PropertyTable& table : file_.properties.tables)
     for (const Property& property : table.properties)
       was_per_corner = was_per_corner || property.role == PropertyRole::corner_texcoord;
-  }
   has_corner_texcoords_ = !texcoords.index.empty() && (was_per_corner || !texcoords_);
   for (const PropertyTable& table : file_.properties.tables) {
     PlyTable& out = tables_.emplace_back();
@@ -197,9 +195,8 @@ void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_
 
 void PlyColumns::add_missing() {
   const auto table_of = [&](TableKind kind, std::string_view name, std::size_t rows) -> PlyTable& {
-    for (PlyTable& table : tables_) {
+    for (PlyTable& table : tables_)
       if (table.kind == kind) return table;
-    }
     // Vertices come first.
     return *tables_.insert(kind == TableKind::vertices ? tables_.begin() : tables_.end(),
                            PlyTable{name, kind, rows, {}});
@@ -287,15 +284,13 @@ bool PlyColumns::holds_value(NumberType type, const PlyColumn& column, double va
 bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t rows) const {
   if (column.role == PropertyRole::corner_texcoord) {
     for (std::size_t row = 0; row < rows; ++row) {
-      for (const glm::dvec3& value : corner_texcoords(row)) {
+      for (const glm::dvec3& value : corner_texcoords(row))
         if (!holds_value(type, column, value.x) || !holds_value(type, column, value.y)) return false;
-      }
     }
     return true;
   }
-  for (std::size_t row = 0; row < rows; ++row) {
+  for (std::size_t row = 0; row < rows; ++row)
     if (!holds_value(type, column, mesh_value(column, row))) return false;
-  }
   return true;
 }
 
@@ -316,9 +311,8 @@ void PlyColumns::widen(const PlyTable& table, PlyColumn& column) {
 
 void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
   std::vector<PlyColumn*> columns;
-  for (PlyColumn& column : table.columns) {
+  for (PlyColumn& column : table.columns)
     if (column.role == role) columns.push_back(&column);
-  }
   const auto keeps = [&](const PlyColumn* column) { return holds(column->type, *column, table.rows); };
   if (std::all_of(columns.begin(), columns.end(), keeps)) return;
   const bool are_singles = std::all_of(columns.begin(), columns.end(), [&](const PlyColumn* column) {

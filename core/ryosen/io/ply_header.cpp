@@ -58,9 +58,8 @@ constexpr ListRoleRow list_roles[] = {
 };
 
 Property* find_property(PropertyTable& table, std::string_view name, bool is_list) {
-  for (Property& property : table.properties) {
+  for (Property& property : table.properties)
     if (property.name == name && property.is_list == is_list) return &property;
-  }
   return nullptr;
 }
 
@@ -82,9 +81,8 @@ void give_scalar_role(PropertyTable& table, const RoleRow& row) {
 
 // Gives the properties of a table their roles by their names and types.
 void give_roles(PropertyTable& table) {
-  for (const RoleRow& row : scalar_roles()) {
+  for (const RoleRow& row : scalar_roles())
     if (row.kind == table.kind) give_scalar_role(table, row);
-  }
   for (const ListRoleRow& row : list_roles) {
     if (row.kind != table.kind || has_role(table, row.role)) continue;
     Property* const property = find_property(table, row.name, true);
@@ -123,21 +121,20 @@ class HeaderReader {
   void take(std::string_view text) {
     std::string_view rest = text;
     const std::string_view word = take_word(rest);
-    if (word == "comment") {
+    if (word == "comment")
       header_.comments.push_back(on_one_line(after_blank(rest)));
-    } else if (word == "obj_info") {
+    else if (word == "obj_info")
       header_.tables.obj_info.push_back(on_one_line(after_blank(rest)));
-    } else if (word == "format") {
+    else if (word == "format")
       format(rest);
-    } else if (word == "element") {
+    else if (word == "element")
       element(rest);
-    } else if (word == "property") {
+    else if (word == "property")
       property(rest);
-    } else if (word == "end_header") {
+    else if (word == "end_header")
       is_done_ = true;
-    } else if (!word.empty()) {
+    else if (!word.empty())
       unknown(word, text);
-    }
   }
 
   // If the end_header line is missing, data lines get here too; they do not begin with a letter.
@@ -200,9 +197,8 @@ class HeaderReader {
     const std::string_view name = take_word(rest), word = take_word(rest);
     table.name = name;
     std::int64_t count = 0;
-    if (table.name.empty() || word.empty() || !read_integer(word, count)) {
+    if (table.name.empty() || word.empty() || !read_integer(word, count))
       return fail("unreadable_number", {shown(word) + " is not a count.", shown(word) + " は個数として読めません。"});
-    }
     if (count < 0) {
       return fail("negative_count",
                   {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"});
@@ -251,9 +247,8 @@ class HeaderReader {
   }
 
   void finish() {
-    if (!has_format_) {
+    if (!has_format_)
       return fail("missing_format", {"The header has no line format.", "ヘッダーに format の行がありません。"});
-    }
     for (PropertyTable& table : header_.tables.tables) give_roles(table);
     for (std::size_t i = 0; i < header_.tables.tables.size(); ++i) {
       const PropertyTable& table = header_.tables.tables[i];
@@ -266,9 +261,8 @@ class HeaderReader {
                     place);
       }
     }
-    if (!header_.find(TableKind::vertices)) {
+    if (!header_.find(TableKind::vertices))
       return fail("missing_element", {"The file has no element vertex.", "要素 vertex がありません。"});
-    }
     header_.lines = lines_.count();
     header_.bytes = lines_.next_byte();
     header_.tables.has_decimal_reals = header_.encoding == Encoding::ascii;
@@ -321,9 +315,8 @@ std::string_view header_bytes(std::string_view bytes, PlyLineEnd ends) {
 }  // namespace
 
 const PropertyTable* PlyHeader::find(TableKind kind) const {
-  for (const PropertyTable& table : tables.tables) {
+  for (const PropertyTable& table : tables.tables)
     if (table.kind == kind) return &table;
-  }
   return nullptr;
 }
 

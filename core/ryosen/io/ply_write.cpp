@@ -23,13 +23,12 @@ class PlyTextSink {
   // A float has the shortest digits of one; a decimal of a text in its place keeps its own.
   void real(NumberType type, double value) {
     blank();
-    if (!is_real(type)) {
+    if (!is_real(type))
       out_ << static_cast<std::int64_t>(value);
-    } else if (type == NumberType::f32 && to_single(value) == value) {
+    else if (type == NumberType::f32 && to_single(value) == value)
       out_ << static_cast<float>(value);
-    } else {
+    else
       out_ << value;
-    }
   }
   void kept(const Property& property, std::size_t value) {
     if (property.type == NumberType::f32) {

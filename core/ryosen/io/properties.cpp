@@ -83,9 +83,8 @@ PropertyTable rows_of(const PropertyTable& table, std::span<const std::uint32_t>
 // Rows of vertices or faces in the order of their new numbers.
 PropertyTable reordered(const PropertyTable& table, std::span<const std::uint32_t> number, std::size_t new_rows) {
   std::vector<std::uint32_t> source(new_rows, no_index);
-  for (std::size_t old = std::min(table.rows, number.size()); old-- > 0;) {
+  for (std::size_t old = std::min(table.rows, number.size()); old-- > 0;)
     if (number[old] < new_rows) source[number[old]] = static_cast<std::uint32_t>(old);
-  }
   return rows_of(table, source);
 }
 
@@ -196,9 +195,8 @@ PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uin
 
 PropertyTables with_faces_of(const PropertyTables& tables, std::span<const std::uint32_t> old_face) {
   PropertyTables out = tables;
-  for (PropertyTable& table : out.tables) {
+  for (PropertyTable& table : out.tables)
     if (table.kind == TableKind::faces) table = rows_of(table, old_face);
-  }
   return out;
 }
 

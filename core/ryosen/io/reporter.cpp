@@ -44,20 +44,18 @@ std::string shown(std::string_view token) {
   std::string out = "\"";
   while (!token.empty() && out.size() <= limit) {
     const std::size_t length = character_length(token);
-    if (length == 0) {
+    if (length == 0)
       out += '?';
-    } else {
+    else
       out += token.substr(0, length);
-    }
     token.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return out + (token.empty() ? "\"" : "...\"");
 }
 
 std::size_t Reporter::count(Code code) {
-  for (auto& [known, number] : counts_) {
+  for (auto& [known, number] : counts_)
     if (known == code) return ++number;
-  }
   counts_.emplace_back(code, 1);
   return 1;
 }

@@ -54,9 +54,8 @@ class Reporter {
   // Adds a warning; make_text is only called if the warning is listed.
   template <class MakeText>
   void warn(Code code, FilePlace place, MakeText&& text) {
-    if (count(code) <= listed_per_code) {
+    if (count(code) <= listed_per_code)
       messages_.push_back(make_message(Severity::warning, code, std::forward<MakeText>(text)(), place));
-    }
   }
 
   // Adds what is worth knowing and no fault; said once.

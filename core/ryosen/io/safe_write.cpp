@@ -251,9 +251,8 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
   const PipeSignal ignored;
   if (out.is_open()) is_stream_begun = true;
   if (!out.is_open() || (is_pipe && ::fcntl(out.number(), F_SETFL, 0) != 0) || !write_all(out.number(), bytes) ||
-      !out.close()) {
+      !out.close())
     return not_writable(path, errno);
-  }
   note_what_is_written();
   return success();
 }
@@ -262,9 +261,8 @@ Status write_through(const std::filesystem::path& path, const FileTarget& target
 bool take_over_rights(int descriptor, const struct stat& old) {
   struct stat now;
   if (::fstat(descriptor, &now) == 0 && (now.st_uid != old.st_uid || now.st_gid != old.st_gid) &&
-      ::fchown(descriptor, old.st_uid, old.st_gid) != 0 && errno != EPERM) {
+      ::fchown(descriptor, old.st_uid, old.st_gid) != 0 && errno != EPERM)
     return false;
-  }
   return retried([&] { return ::fchmod(descriptor, old.st_mode & 07777); }) == 0;
 }
 
@@ -291,9 +289,8 @@ Status write_in_place(const std::filesystem::path& path, std::string_view bytes)
   clear_leftovers(target);
   TemporaryFile beside(parent / target.filename());
   if (!beside.exists() || (replaces && !take_over_rights(beside.descriptor(), found.status)) ||
-      !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target)) {
+      !write_all(beside.descriptor(), bytes) || !synchronise(beside.descriptor()) || !beside.rename_to(target))
     return failed();
-  }
   if (!folder.is_open())
     ::sync();
   else if (!synchronise(folder.number()))

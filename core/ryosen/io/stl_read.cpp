@@ -54,14 +54,12 @@ class StlTextReader {
 
   Result<MeshFile> read() {
     file_.encoding = Encoding::ascii;
-    while (next_word() && !is_stopped_) {
+    while (next_word() && !is_stopped_)
       if (!read_solid()) break;
-    }
     if (faults_.any()) return faults_.take();
     end_groups();
-    if (file_.mesh.face_count() == 0) {
+    if (file_.mesh.face_count() == 0)
       reporter_.warn("no_faces", {}, [] { return Text{"The file has no facets.", "ファイルに面がありません。"}; });
-    }
     return finish_stl(file_, faces_, reporter_);
   }
 
@@ -163,9 +161,8 @@ class StlTextReader {
     const std::uint64_t line = lines_.count();
     double normal = 0;
     if (!expect("normal")) return false;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       if (!read_number(normal)) return false;
-    }
     if (!expect("outer") || !expect("loop")) return false;
     std::size_t corners = 0;
     while (true) {
@@ -194,13 +191,10 @@ class StlTextReader {
     const std::uint64_t line = lines_.count();
     is_finite_ = true;
     glm::dvec3 place;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       if (!read_number(place[i])) return false;
-    }
     if (faults_.any()) return true;
-    if (!is_finite_) {
-      warn_of_non_finite_facet(reporter_, FilePlace::at_line(line));
-    }
+    if (!is_finite_) warn_of_non_finite_facet(reporter_, FilePlace::at_line(line));
     faces_.add_corner(welder_.number(place));
     return true;
   }
@@ -208,11 +202,10 @@ class StlTextReader {
   // Solids become groups if they have a name or there are several.
   void end_groups() {
     FaceNames& groups = file_.mesh.groups;
-    if (solids_.size() == 1 && solids_[0].empty()) {
+    if (solids_.size() == 1 && solids_[0].empty())
       groups = {};
-    } else {
+    else
       groups.names = std::move(solids_);
-    }
   }
 
   TextLines lines_;

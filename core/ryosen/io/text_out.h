@@ -63,9 +63,8 @@ class TextOut {
 // `text` with line ends and NUL replaced by spaces, so that it stays on one line.
 inline std::string on_one_line(std::string_view text) {
   std::string out(text);
-  for (char& c : out) {
+  for (char& c : out)
     if (c == '\n' || c == '\r' || c == '\0') c = ' ';
-  }
   return out;
 }
 

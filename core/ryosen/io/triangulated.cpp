@@ -91,9 +91,8 @@ class Triangulator {
 }  // namespace
 
 bool has_polygons(const IndexedMesh& mesh) {
-  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
     if (mesh.face(f).size() > 3) return true;
-  }
   return false;
 }
 

@@ -93,9 +93,8 @@ class TxtReader {
   bool read_count(std::size_t& count) {
     std::int64_t value = 0;
     if (!read_whole(2, value)) return false;
-    if (value < 0) {
+    if (value < 0)
       return fail("negative_count", {"A count is negative.", "個数が負です。"}, FilePlace::at_line(lines_.count()));
-    }
     // The shortest line has three numbers of one digit.
     constexpr std::size_t least_bytes = 6;
     if (static_cast<std::uint64_t>(value) / 4 > bytes_.size() / least_bytes || value >= std::int64_t{no_index}) {
@@ -126,9 +125,8 @@ class TxtReader {
   }
 
   bool read_vertex(glm::dvec3& p) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       if (!take_number(rest_, p[i]) && !read_unusual(p[i])) return false;
-    }
     return end_line(3);
   }
 

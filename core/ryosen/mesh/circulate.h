@@ -55,11 +55,10 @@ class CycleRange {
     value_type operator*() const { return map(*mesh_, current_); }
     iterator& operator++() {
       current_ = step(*mesh_, current_);
-      if (current_ == start_) {
+      if (current_ == start_)
         current_ = Halfedge();
-      } else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots()) {
+      else if (left_-- == 0 || current_.index >= mesh_->halfedge_slots())
         detail::throw_broken_mesh(start_);
-      }
       return *this;
     }
     friend bool operator==(const iterator& a, const iterator& b) { return a.current_ == b.current_; }

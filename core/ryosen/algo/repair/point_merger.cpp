@@ -57,10 +57,9 @@ class Joiner {
 
  private:
   void collect_copies() {
-    for (const JoinedPoints& joined : classes_) {
+    for (const JoinedPoints& joined : classes_)
       for (Vertex p : joined.points)
         for_each_copy(m_, p, [&](Vertex copy) { copies_[joined.points[0]].push_back(copy); });
-    }
   }
 
   // The sides of faces at the points that have no face beyond.

@@ -101,9 +101,8 @@ std::optional<RayHit> Bvh::cast(std::span<const glm::dvec3> positions, const Ray
       const float left = local.enter(node(child));
       const float right = local.enter(node(child + 1));
       const std::uint32_t right_first = right < left ? 1u : 0u;
-      if (std::max(left, right) != LocalRay::missed) {
+      if (std::max(left, right) != LocalRay::missed)
         stack.push({child + 1 - right_first, std::max(left, right) * (1.0f - ray_margin)});
-      }
       if (std::min(left, right) != LocalRay::missed) {
         here = &node(child + right_first);
         continue;

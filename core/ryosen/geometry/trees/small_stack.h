@@ -13,11 +13,10 @@ class SmallStack {
   bool empty() const { return size_ == 0; }
 
   void push(const T& value) {
-    if (size_ < Inline) {
+    if (size_ < Inline)
       first_[size_] = value;
-    } else {
+    else
       rest_.push_back(value);
-    }
     ++size_;
   }
 

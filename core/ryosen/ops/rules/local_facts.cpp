@@ -93,9 +93,8 @@ namespace {
 bool may_lie_on_both(const Mesh& m, Face third, Face f, Face g, std::uint32_t corners, LocalFacts& known,
                      std::uint64_t& looks) {
   if (!third || third == f || third == g || known.corner_count(m, third) < corners) return false;
-  for (const Vertex v : vertices_around(m, third)) {
+  for (const Vertex v : vertices_around(m, third))
     if (!known.touches(m, f, v, looks) && !known.touches(m, g, v, looks)) return false;
-  }
   return true;
 }
 

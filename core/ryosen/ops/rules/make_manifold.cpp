@@ -130,11 +130,10 @@ void Sheets::close_double_edges(Vertex v) {
     Halfedge h = ends[i].second, other = ends[i - 1].second;
     if (ends[i].first != ends[i - 1].first || !m.is_alive(h) || !m.is_alive(other)) continue;
     if (m.is_wire(edge(other))) std::swap(h, other);
-    if (m.is_wire(edge(h))) {
+    if (m.is_wire(edge(h)))
       remove_edge(h);
-    } else if (has_one_face(m, h) && has_one_face(m, other) && m.is_outside(h) != m.is_outside(other)) {
+    else if (has_one_face(m, h) && has_one_face(m, other) && m.is_outside(h) != m.is_outside(other))
       close_pair(h, other);
-    }
   }
 }
 

@@ -9,45 +9,12 @@
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/names.h"
 #include "ryosen/ops/poke.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/triangulate.h"
 
 namespace ryosen {
 
 namespace {
-
-// From a new vertex in the middle, as poke does, which leaves a face alone that another lies on. No rings, no bridges.
-void cut_from_middle(Edit& edit, Face face) {
-  const Mesh& mesh = edit.mesh();
-  std::vector<Halfedge> sides, spokes;
-  std::vector<Vertex> around;
-  for (const Halfedge h : loop(mesh, mesh.halfedge(face))) {
-    sides.push_back(h);
-    around.push_back(mesh.from(h));
-  }
-  const Vertex middle = edit.add_vertex(Poke{face}.position(mesh));
-  mean_vertex_values(edit, around, middle);
-  for (const Vertex v : around) spokes.push_back(edit.add_edge(v, middle));
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const std::uint32_t mean = corners.mean(k, sides);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      corners.set(k, spokes[i], corners.index(k, sides[i]));
-      corners.set(k, twin(spokes[i]), mean);
-    }
-  }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Face f = i == 0 ? face : edit.add_face(sides[i]);
-    const Halfedge in = spokes[(i + 1) % sides.size()], out = twin(spokes[i]);
-    if (i > 0) copy_face_values(edit, face, f);
-    edit.connect(sides[i], in);
-    edit.connect(in, out);
-    edit.connect(out, sides[i]);
-    for (const Halfedge h : {sides[i], in, out}) edit.set_face(h, f);
-  }
-  edit.set_halfedge(middle, twin(spokes[0]));
-}
 
 // By index into a pool: the first index with the same value.
 std::vector<std::uint32_t> first_equals(const AttributeColumn& pool) {
@@ -84,7 +51,7 @@ std::optional<Text> cut_faces(Edit& edit, std::span<const Face> faces) {
     if (by_diagonals.check(mesh).legal()) {
       by_diagonals.apply(edit);
     } else if (is_one_simple_loop(mesh, f)) {
-      cut_from_middle(edit, f);
+      poke(edit, f, Poke{f}.position(mesh));  // also where another face lies on it, which the operator refuses
     } else {
       const std::string name = name_of(mesh, f);
       return Text{name + " cannot be cut into triangles; cut it by hand or delete it",

@@ -108,22 +108,13 @@ void take_face_away(Edit& edit, Face f) {
 }
 
 void set_face_along(Edit& edit, Halfedge start, Face f) {
-  Halfedge h = start;
-  do {
-    edit.set_face(h, f);
-    h = edit.mesh().next(h);
-  } while (h != start);
+  for (Halfedge h : loop(edit.mesh(), start)) edit.set_face(h, f);
 }
 
 void hold_outside(Edit& edit, Vertex v) {
   const Mesh& m = edit.mesh();
-  const Halfedge start = m.halfedge(v);
-  if (start.is_none()) return;
-  Halfedge h = start;
-  do {
+  for (Halfedge h : outgoing(m, v))
     if (m.is_outside(h)) return edit.set_halfedge(v, h);
-    h = m.counter_clockwise(h);
-  } while (h != start);
 }
 
 bool has_two_edges(const Mesh& mesh, Vertex v) {

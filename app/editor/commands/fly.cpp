@@ -17,6 +17,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
@@ -36,10 +37,7 @@ std::vector<Face> faces_beside(const Mesh& m, const Element& e) {
     add(m.face(e.halfedge()));
     if (found.empty()) add(m.face(twin(e.halfedge())));
   }
-  if (e.kind == Element::Kind::vertex)
-    for_each_copy(m, e.vertex(), [&](Vertex copy) {
-      for (Face f : faces_around(m, copy)) add(f);
-    });
+  if (e.kind == Element::Kind::vertex) for_each_face_at(m, e.vertex(), add);
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include "ryosen/io/edited_file.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 
 namespace ryosen {
 
@@ -170,10 +171,7 @@ void Findings::note_coloured(Element::Kind sort, std::span<const std::uint32_t> 
     if (sort == Element::Kind::face && m.is_alive(Face(i))) note(Face(i));
     if (sort == Element::Kind::edge && m.is_alive(Edge(i)))
       for (unsigned side : {0u, 1u}) note(m.face(halfedge(Edge(i), side)));
-    if (sort == Element::Kind::vertex && m.is_alive(Vertex(i)))
-      for_each_copy(m, Vertex(i), [&](Vertex copy) {
-        for (Face f : faces_around(m, copy)) note(f);
-      });
+    if (sort == Element::Kind::vertex && m.is_alive(Vertex(i))) for_each_face_at(m, Vertex(i), note);
   }
 }
 

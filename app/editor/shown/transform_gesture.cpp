@@ -14,6 +14,7 @@
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/find_element.h"
 #include "ryosen/mesh/names.h"
 
@@ -69,11 +70,7 @@ glm::dvec3 mean_normal(const Mesh& mesh, std::span<const Element> elements, std:
     has_faces = true;
   }
   if (has_faces) return sum;
-  for (const Vertex v : points)
-    for_each_copy(mesh, v, [&](Vertex copy) {
-      for (const Face f : faces_around(mesh, copy))
-        if (f) sum += around.normal(f);
-    });
+  for (const Vertex v : points) for_each_face_at(mesh, v, [&](Face f) { sum += around.normal(f); });
   return sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ryosen/base/interruption.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
@@ -123,18 +124,12 @@ bool has_lower_equal_face(Neighbourhood& around, Face f) {
   std::vector<Vertex> mine, theirs;
   points_of_face(around, f, mine);
   std::sort(mine.begin(), mine.end());
-  bool found = false;
-  for_each_copy(mesh, lowest_valence_corner(mesh, f), [&](Vertex copy) {
-    if (found || mesh.is_isolated(copy)) return;
-    for (Face g : faces_around(mesh, copy)) {
-      if (!g || g >= f || !has_corner_count(mesh, g, mine.size())) continue;
-      points_of_face(around, g, theirs);
-      std::sort(theirs.begin(), theirs.end());
-      found |= mine == theirs;
-      if (found) return;
-    }
+  return any_of_faces_at(mesh, lowest_valence_corner(mesh, f), [&](Face g) {
+    if (g >= f || !has_corner_count(mesh, g, mine.size())) return false;
+    points_of_face(around, g, theirs);
+    std::sort(theirs.begin(), theirs.end());
+    return mine == theirs;
   });
-  return found;
 }
 
 std::vector<std::uint32_t> find_duplicate_faces(Neighbourhood& around) {

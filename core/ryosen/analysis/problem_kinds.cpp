@@ -15,6 +15,7 @@
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 
 namespace ryosen {
 
@@ -93,10 +94,7 @@ bool repeats_corner(const QuarantinedFace& face, std::uint32_t file_vertices) {
 
 std::vector<Face> faces_at(const Mesh& m, Vertex v) {
   std::vector<Face> faces;
-  for_each_copy(m, v, [&](Vertex copy) {
-    for (Face f : faces_around(m, copy))
-      if (f) faces.push_back(f);
-  });
+  for_each_face_at(m, v, [&](Face f) { faces.push_back(f); });
   sort_unique(faces);
   return faces;
 }

@@ -6,6 +6,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 
 namespace ryosen {
 
@@ -45,10 +46,8 @@ std::vector<Element> elements_of(const ProblemRow& row, Neighbourhood& around, c
 
 Face last_face_at(const Mesh& mesh, Vertex v) {
   Face last;
-  for_each_copy(mesh, v, [&](Vertex copy) {
-    if (mesh.is_isolated(copy)) return;
-    for (Face f : faces_around(mesh, copy))
-      if (f && (!last || f > last)) last = f;
+  for_each_face_at(mesh, v, [&](Face f) {
+    if (!last || f > last) last = f;
   });
   return last;
 }

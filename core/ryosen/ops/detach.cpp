@@ -7,6 +7,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
@@ -44,13 +45,7 @@ std::vector<Vertex> shared_points(const Mesh& m, const FaceSet& faces) {
   for (Face f : faces)
     for (Vertex v : vertices_around(m, f)) points.push_back(point(m, v));
   sort_unique(points);
-  std::erase_if(points, [&](Vertex p) {
-    bool alone = true;
-    for_each_copy(m, p, [&](Vertex copy) {
-      for (Face f : faces_around(m, copy)) alone = alone && (!f || faces.contains(f));
-    });
-    return alone;
-  });
+  std::erase_if(points, [&](Vertex p) { return !any_of_faces_at(m, p, [&](Face f) { return !faces.contains(f); }); });
   return points;
 }
 

@@ -17,6 +17,7 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/extrude.h"
 #include "ryosen/ops/make_face.h"
@@ -189,11 +190,7 @@ glm::dvec3 unit_or_zero(const glm::dvec3& vector, double least) {
 }
 
 bool has_face(const Mesh& m, Vertex p) {
-  return any_of_copies(m, p, [&](Vertex copy) {
-    for (Face f : faces_around(m, copy))
-      if (f) return true;
-    return false;
-  });
+  return any_of_faces_at(m, p, [](Face) { return true; });
 }
 
 // Quads are put on the free sides of edges and of each other where there are any, else beside them on vertices of their

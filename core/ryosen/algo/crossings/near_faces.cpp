@@ -6,6 +6,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
@@ -19,15 +20,6 @@ Primitive primitive_of(const Mesh& mesh, Face f) {
   return Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, f.index);
 }
 
-// Those at all copies of a vertex.
-template <class Visit>
-void for_each_face(const Mesh& mesh, Vertex v, Visit visit) {
-  for_each_copy(mesh, v, [&](Vertex copy) {
-    for (const Face f : faces_around(mesh, copy))
-      if (f) visit(f);
-  });
-}
-
 }  // namespace
 
 NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) {
@@ -36,7 +28,7 @@ NearFaces::NearFaces(const Mesh& mesh) : mesh_(mesh), spots_(mesh.face_slots()) 
   std::vector<Vertex> hubs;
   for (const Vertex v : live_vertices(mesh))
     if (point(mesh, v) == v && is_hub_point(mesh, v)) hubs.push_back(v);
-  for (Vertex v : hubs) for_each_face(mesh, v, [&](Face f) { primitives[f.index] = {}; });
+  for (Vertex v : hubs) for_each_face_at(mesh, v, [&](Face f) { primitives[f.index] = {}; });
   tree_.build(mesh.positions(), std::move(primitives));
   for (Vertex v : hubs) follow(v);
 }
@@ -101,7 +93,7 @@ void NearFaces::make_hub(Vertex v) {
   hub_of_.resize(std::max<std::size_t>(hub_of_.size(), mesh_.vertex_slots()), none);
   hub_of_[number] = static_cast<std::uint32_t>(hubs_.size());
   hubs_.push_back({number, mesh_.position(v)});
-  for_each_face(mesh_, v, [&](Face f) { put(f); });
+  for_each_face_at(mesh_, v, [&](Face f) { put(f); });
 }
 
 // What it holds is put anew, also where that is at another vertex by now.

@@ -7,6 +7,7 @@
 #include "ryosen/base/count_text.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/delete.h"
 
@@ -70,9 +71,8 @@ std::vector<Vertex> place_inwards(Edit& edit, std::vector<Vertex> asked) {
 
 template <class Is>
 void add_faces_at(const Mesh& m, Vertex of, std::vector<Face>& faces, Is is) {
-  for_each_copy(m, of, [&](Vertex copy) {
-    for (const Face f : faces_around(m, copy))
-      if (f && is(f)) faces.push_back(f);
+  for_each_face_at(m, of, [&](Face f) {
+    if (is(f)) faces.push_back(f);
   });
 }
 

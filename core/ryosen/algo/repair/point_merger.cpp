@@ -8,6 +8,7 @@
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
@@ -207,11 +208,7 @@ std::vector<Vertex> points_by_slot(const Mesh& mesh) {
 PointMerger::PointMerger(const Mesh& mesh, std::span<const Vertex> points) : mesh_(mesh) {
   for (Vertex p : points) classes_[p];
   std::vector<Face> faces;
-  for (Vertex p : points)
-    for_each_copy(mesh, p, [&](Vertex copy) {
-      for (Face f : faces_around(mesh, copy))
-        if (f) faces.push_back(f);
-    });
+  for (Vertex p : points) for_each_face_at(mesh, p, [&](Face f) { faces.push_back(f); });
   sort_unique(faces);
   std::vector<Vertex> corners;
   for (Face f : faces) add_face(f, corners);

@@ -13,6 +13,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/sheets.h"
@@ -96,11 +97,7 @@ std::vector<FaceOnPoints> faces_with_equals(const Mesh& m, const std::vector<std
   for (std::uint32_t i : duplicates)
     for (Vertex v : vertices_around(m, Face(i))) at.push_back(point(m, v));
   sort_unique(at);
-  for (Vertex p : at)
-    for_each_copy(m, p, [&](Vertex copy) {
-      for (Face f : faces_around(m, copy))
-        if (f) faces.push_back(f);
-    });
+  for (Vertex p : at) for_each_face_at(m, p, [&](Face f) { faces.push_back(f); });
   sort_unique(faces);
   std::vector<FaceOnPoints> found;
   for (Face f : faces) {

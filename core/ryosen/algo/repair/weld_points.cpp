@@ -20,6 +20,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/rules/turn_faces.h"
 
@@ -122,12 +123,8 @@ class Welding {
   }
 
   bool makes_flat(Vertex moved) const {
-    bool is_bad = false;
-    for_each_copy(m_, moved, [&](Vertex copy) {
-      for (Face f : faces_around(m_, copy))
-        is_bad = is_bad || (f && !is_flat(m_, f) && is_flat_at(m_, f, [&](Vertex v) { return place_of(v); }));
-    });
-    return is_bad;
+    return any_of_faces_at(
+        m_, moved, [&](Face f) { return !is_flat(m_, f) && is_flat_at(m_, f, [&](Vertex v) { return place_of(v); }); });
   }
 
   // Points that leave their own position by being welded now.

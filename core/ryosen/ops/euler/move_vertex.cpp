@@ -4,6 +4,7 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 
@@ -45,14 +46,11 @@ Verdict MoveVertex::check(const Mesh& mesh) const {
 std::vector<Reason> MoveVertex::warnings(const Mesh& mesh) const {
   ShapeDoubts shape;
   FacePolygon polygon;
-  for_each_copy(mesh, vertex, [&](Vertex copy) {
-    for (Face f : faces_around(mesh, copy)) {
-      if (!f) continue;
-      polygon.read(mesh, f);
-      const FaceGeometry before(polygon.keyhole_walk());
-      polygon.move(mesh, vertex, position);
-      shape.compare(before, FaceGeometry(polygon.keyhole_walk()), f);
-    }
+  for_each_face_at(mesh, vertex, [&](Face f) {
+    polygon.read(mesh, f);
+    const FaceGeometry before(polygon.keyhole_walk());
+    polygon.move(mesh, vertex, position);
+    shape.compare(before, FaceGeometry(polygon.keyhole_walk()), f);
   });
   std::vector<Reason> found;
   shape.add_to(found);
@@ -63,10 +61,7 @@ OpEffect MoveVertex::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   move_point(edit, vertex, position);
   OpEffect effect;
-  for_each_copy(edit.mesh(), vertex, [&](Vertex copy) {
-    for (Face f : faces_around(edit.mesh(), copy))
-      if (f) effect.changed.push_back(f);
-  });
+  for_each_face_at(edit.mesh(), vertex, [&](Face f) { effect.changed.push_back(f); });
   return effect;
 }
 

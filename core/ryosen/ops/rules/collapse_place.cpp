@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ryosen/mesh/faces_at.h"
+
 namespace ryosen {
 
 namespace {
@@ -134,11 +136,8 @@ bool CollapsePlace::may_equal_another(Halfedge corner) const {
                         : is_end(beside[1]) ? Vertex(beside[0])
                                             : loneliest_point(mesh, beside);
   const auto has = [&](Face g, std::uint32_t v) { return is_end(v) || touches(mesh, g, Vertex(v)); };
-  return any_of_copies(mesh, common, [&](Vertex copy) {
-    for (Face g : faces_around(mesh, copy))
-      if (g && g != f && are_of_similar_size(mesh, f, g) && reaches_beyond(g) && has(g, beside[0]) && has(g, beside[1]))
-        return true;
-    return false;
+  return any_of_faces_at(mesh, common, [&](Face g) {
+    return g != f && are_of_similar_size(mesh, f, g) && reaches_beyond(g) && has(g, beside[0]) && has(g, beside[1]);
   });
 }
 

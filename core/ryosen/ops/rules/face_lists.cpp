@@ -6,6 +6,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 
 namespace ryosen {
 
@@ -90,13 +91,10 @@ std::vector<Face> faces_on(const Mesh& mesh, std::span<const std::uint32_t> poin
   const auto is_in = [](std::span<const Face> faces, Face f) {
     return std::find(faces.begin(), faces.end(), f) != faces.end();
   };
-  any_of_copies(mesh, loneliest_point(mesh, points), [&](Vertex copy) {
-    for (Face f : faces_around(mesh, copy)) {
-      if (!f || is_in(except, f) || !has_points(mesh, f, points) || !seen.insert(f).second) continue;
-      found.push_back(f);
-      if (found.size() == most) return true;
-    }
-    return false;
+  any_of_faces_at(mesh, loneliest_point(mesh, points), [&](Face f) {
+    if (is_in(except, f) || !has_points(mesh, f, points) || !seen.insert(f).second) return false;
+    found.push_back(f);
+    return found.size() == most;
   });
   return found;
 }
@@ -109,13 +107,10 @@ Face face_on(const Mesh& mesh, std::span<const std::uint32_t> points, std::span<
 Face face_on_unless(const Mesh& mesh, std::span<const std::uint32_t> points,
                     const std::function<bool(Face)>& is_left_out) {
   Face found;
-  any_of_copies(mesh, loneliest_point(mesh, points), [&](Vertex copy) {
-    for (Face f : faces_around(mesh, copy)) {
-      if (!f || is_left_out(f) || !has_points(mesh, f, points)) continue;
-      found = f;
-      return true;
-    }
-    return false;
+  any_of_faces_at(mesh, loneliest_point(mesh, points), [&](Face f) {
+    if (is_left_out(f) || !has_points(mesh, f, points)) return false;
+    found = f;
+    return true;
   });
   return found;
 }
@@ -127,10 +122,8 @@ Face equal_face(const Mesh& mesh, Face f) {
 
 void EqualFaceIndex::read_faces_at(Vertex p) {
   read_.insert(p);
-  for_each_copy(mesh_, p, [&](Vertex copy) {
-    if (mesh_.is_isolated(copy)) return;
-    for (const Face f : faces_around(mesh_, copy))
-      if (f && known_.insert(f).second) ++count_[point_set(loops_of(mesh_, f).corners)];
+  for_each_face_at(mesh_, p, [&](Face f) {
+    if (known_.insert(f).second) ++count_[point_set(loops_of(mesh_, f).corners)];
   });
 }
 

@@ -4,6 +4,7 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/ops/rules/face_lists.h"
 
 namespace ryosen {
@@ -92,7 +93,7 @@ namespace {
 // touches one of the two.
 bool may_lie_on_both(const Mesh& m, Face third, Face f, Face g, std::uint32_t corners, LocalFacts& known,
                      std::uint64_t& looks) {
-  if (!third || third == f || third == g || known.corner_count(m, third) < corners) return false;
+  if (third == f || third == g || known.corner_count(m, third) < corners) return false;
   for (const Vertex v : vertices_around(m, third))
     if (!known.touches(m, f, v, looks) && !known.touches(m, g, v, looks)) return false;
   return true;
@@ -119,10 +120,8 @@ Union judge_union(const Mesh& m, std::span<const Halfedge> chain, LocalFacts& kn
     if (known.touches(m, larger, m.from(corner), look)) return Union::touching;
     united.push_back(m.from(corner).index);
   }
-  const bool is_unsure = any_of_copies(m, loneliest_point(m, united), [&](Vertex copy) {
-    for (const Face third : faces_around(m, copy))
-      if (may_lie_on_both(m, third, f, g, both - taken, known, look)) return true;
-    return false;
+  const bool is_unsure = any_of_faces_at(m, loneliest_point(m, united), [&](Face third) {
+    return may_lie_on_both(m, third, f, g, both - taken, known, look);
   });
   return is_unsure ? Union::unsure : Union::plain;
 }
@@ -154,10 +153,8 @@ bool changes_plainly(const Mesh& m, const CornerChange& change, LocalFacts& know
   const Face f = change.face;
   if (!known.is_one_simple_loop(m, f) || known.has_equal_face(m, f) || touches(m, f, change.gains)) return false;
   const std::uint32_t both[] = {change.stays.index, change.gains.index};
-  return !any_of_copies(m, loneliest_point(m, both), [&](Vertex copy) {
-    for (Face other : faces_around(m, copy))
-      if (other && other != f && other != change.beside && may_equal(m, other, change, known)) return true;
-    return false;
+  return !any_of_faces_at(m, loneliest_point(m, both), [&](Face other) {
+    return other != f && other != change.beside && may_equal(m, other, change, known);
   });
 }
 

@@ -8,6 +8,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/ops/op.h"
 #include "ryosen/ops/rules/face_lists.h"
 
@@ -73,11 +74,7 @@ class WeldJudge {
   }
 
   bool has_common_face(const Star& star) const {
-    return any_of_copies(m_, star.point, [&](Vertex copy) {
-      if (m_.is_isolated(copy)) return false;
-      const auto faces = faces_around(m_, copy);
-      return std::any_of(faces.begin(), faces.end(), [&](Face f) { return f && touches(m_, f, star.other); });
-    });
+    return any_of_faces_at(m_, star.point, [&](Face f) { return touches(m_, f, star.other); });
   }
 
   // Whatever two merged points share is found from either of them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/faces_at.h"
 
 namespace ryosen::forms {
 

@@ -5,6 +5,7 @@
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/textbook/forms/polygons.h"
 
 namespace ryosen::forms {
@@ -50,10 +51,7 @@ void Kernel::add_faces_beside(Halfedge h, std::vector<std::uint32_t>& out) const
 
 void Kernel::answer_about_vertex(Relation relation, std::uint32_t point, Answer& out) const {
   if (relation == Relation::vertex_faces) {
-    for_each_copy(mesh_, vertex_of(point), [&](Vertex copy) {
-      for (const Face f : faces_around(mesh_, copy))
-        if (f) out.numbers.push_back(f.index);
-    });
+    for_each_face_at(mesh_, vertex_of(point), [&](Face f) { out.numbers.push_back(f.index); });
     return sort_unique(out.numbers);
   }
   add_neighbours(point, out.numbers);

@@ -4,6 +4,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/textbook/forms/walk.h"
 

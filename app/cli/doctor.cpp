@@ -91,7 +91,7 @@ struct Diagnosis {
   }
 };
 
-Json to_json(const Diagnosis& d) {
+Json diagnosis_json(const Diagnosis& d) {
   Record<doctor_shape> json;
   for (const Version& v : versions()) json["versions"][v.of] = v.version;
   json["processors"] = std::thread::hardware_concurrency();
@@ -151,7 +151,7 @@ std::string to_text(const Diagnosis& d, const Console& console) {
 ExitCode doctor_command(const Arguments&, const Console& console) {
   const Diagnosis diagnosis;
   const ExitCode code = diagnosis.can_draw() ? ExitCode::done : ExitCode::found_problems;
-  return console.end(console.json ? line_of(to_json(diagnosis)) : to_text(diagnosis, console), code);
+  return console.end(console.json ? line_of(diagnosis_json(diagnosis)) : to_text(diagnosis, console), code);
 }
 
 }  // namespace ryosen::cli

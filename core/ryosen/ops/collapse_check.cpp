@@ -137,9 +137,7 @@ class CollapseJudge {
 
  private:
   bool has_fans_on_point(Vertex v) const {
-    bool found = false;
-    for_each_copy(m_, v, [&](Vertex copy) { found |= count_fans(m_, copy) > 0; });
-    return found;
+    return any_of_copies(m_, v, [&](Vertex copy) { return count_fans(m_, copy) > 0; });
   }
 
   // Refuses if two fans would meet at one point, or if an isolated edge would leave an isolated vertex.

@@ -141,12 +141,12 @@ class EditRun {
     message.code = code_of(step.outcome);
     message.text = step.outcome.sentence;
     const std::string rules = step.rules.empty() ? "" : " [" + step.rules + "]";
-    message.text = message.text + Text{rules, rules};
-    if (!step.remedy.empty()) message.text = message.text + Text{" Remedy: " + step.remedy, " 対処：" + step.remedy};
+    message.text += Text{rules, rules};
+    if (!step.remedy.empty()) message.text += Text{" Remedy: " + step.remedy, " 対処：" + step.remedy};
     if (stopped_ && !saved_.empty()) {
       std::string names;
       for (const std::string& name : saved_) names += (names.empty() ? "" : ", ") + name;
-      message.text = message.text + Text{" (saved before: " + names + ")", "（ここまでに保存：" + names + "）"};
+      message.text += Text{" (saved before: " + names + ")", "（ここまでに保存：" + names + "）"};
     }
     message.line = static_cast<std::uint64_t>(step.line.line);
     return message;

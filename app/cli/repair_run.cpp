@@ -14,7 +14,7 @@ namespace {
 AlgorithmResult joined(AlgorithmResult first, AlgorithmResult then) {
   if (first.changed == 0) return then;
   if (then.changed > 0) {
-    first.text = first.text + Text{" ", ""} + then.text;
+    first.text += Text{" ", ""} + then.text;
     first.changed += then.changed;
     if (then.crossings) first.crossings = first.crossings.value_or(0) + *then.crossings;
     first.drops_quarantined |= then.drops_quarantined;

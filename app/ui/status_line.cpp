@@ -53,8 +53,8 @@ Text counted(const Selection& selection) {
   for (const auto& [kind, one_en, many_en, many_ja] : words) {
     const std::size_t n = selection.count(kind);
     if (n == 0) continue;
-    if (!told.en.empty()) told = told + Text{", ", "、"};
-    told = told + count_text(n, one_en, many_en, many_ja);
+    if (!told.en.empty()) told += Text{", ", "、"};
+    told += count_text(n, one_en, many_en, many_ja);
   }
   return told;
 }

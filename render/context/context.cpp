@@ -82,9 +82,9 @@ Result<std::unique_ptr<Context>> make_headless_context(Backend backend) {
     Attempt attempt = row.make();
     if (attempt.context) return std::move(attempt.context);
     lacks_memory = lacks_memory || attempt.lacks_memory;
-    if (!causes.en.empty()) causes = causes + Text{"; ", "、"};
+    if (!causes.en.empty()) causes += Text{"; ", "、"};
     const std::string name = std::string(row.name) + ": ";
-    causes = causes + Text{name, name} + attempt.problem;
+    causes += Text{name, name} + attempt.problem;
   }
   if (lacks_memory)
     return make_failure(ExitCode::out_of_memory, "out_of_memory",

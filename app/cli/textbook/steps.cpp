@@ -165,12 +165,12 @@ Failure failure_of(steps::Sequence& sequence) {
   std::vector<std::string_view> rules;
   for (const Reason& reason : stop.reasons) rules.push_back(text_of(reason.rule).id);
   rules.erase(std::unique(rules.begin(), rules.end()), rules.end());
-  if (!rules.empty()) sentence = sentence + Text{":", "："};
+  if (!rules.empty()) sentence += Text{":", "："};
   for (const Text& each : describe_first(sequence.mesh_at(sequence.size()), stop.reasons))
-    sentence = sentence + Text{" " + each.en, each.ja};
+    sentence += Text{" " + each.en, each.ja};
   std::string names;
   for (const std::string_view rule : rules) names.append(names.empty() ? " [" : ", ").append(rule);
-  if (!names.empty()) sentence = sentence + Text{names + "]", names + "]"};
+  if (!names.empty()) sentence += Text{names + "]", names + "]"};
   return make_failure(stop.exit_code, stop.exit_code == ExitCode::refused ? Code("refused") : Code("command_failed"),
                       std::move(sentence));
 }

@@ -167,8 +167,8 @@ Outcome select_in(Session& session, const RegionCall& call, const ScreenRegion& 
         depth == Picker::Depth::seen
             ? Text{"nothing lies wholly in there and is seen; ", "全体が収まり見えている要素はありません。"}
             : Text{"nothing lies wholly in there; ", "全体が収まる要素はありません。"};
-  outcome.sentence = outcome.sentence + count_text(session.selecting.selection.size(), "one element is selected",
-                                                   "# elements are selected", "# 個を選択しています");
+  outcome.sentence += count_text(session.selecting.selection.size(), "one element is selected",
+                                 "# elements are selected", "# 個を選択しています");
   return outcome;
 }
 

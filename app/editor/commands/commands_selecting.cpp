@@ -76,7 +76,7 @@ Text meant_by(std::string_view word) {
   Text ids;
   for (const std::string& id : known)
     if (word.size() > 2 && id.find(word) != id.npos)
-      ids = ids + (ids.en.empty() ? Text() : Text{" or ", " か "}) + Text{id, id};
+      ids += (ids.en.empty() ? Text() : Text{" or ", " か "}) + Text{id, id};
   if (ids.en.empty()) return did_you_mean(word, known);
   return Text{"; did you mean ", "。"} + ids + Text{"?", " ですか？"};
 }

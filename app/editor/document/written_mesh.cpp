@@ -37,8 +37,8 @@ std::optional<Text> file_findings_text(const Document& document, const std::file
     const auto kind = static_cast<std::size_t>(row.kind);
     if (row.severity != ProblemSeverity::problem || before[kind] == after[kind]) continue;
     const std::string number = " " + std::to_string(before[kind]) + " -> " + std::to_string(after[kind]);
-    numbers = numbers + (numbers.en.empty() ? Text{} : Text{", ", "、"}) +
-              Text{std::string(row.id) + number, std::string(row.id) + number};
+    numbers += (numbers.en.empty() ? Text{} : Text{", ", "、"}) +
+               Text{std::string(row.id) + number, std::string(row.id) + number};
   }
   if (numbers.en.empty()) return std::nullopt;
   return Text{"In the file points at one place are one: ", "ファイルでは同じ位置の点が一つになります："} + numbers +

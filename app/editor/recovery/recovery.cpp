@@ -124,8 +124,8 @@ Text what_is_recovered(std::size_t entries, const Document::Unsaved& unsaved) {
     text = {count.en + " are recovered, of which the last " + last + (last == "1" ? " was" : " were") + " not saved.",
             count.ja + "を復元しました。そのうち最後の " + last + " 件は保存されていませんでした。"};
   if (unsaved.undone > 0)
-    text = text + Text{" The file holds " + undone + " more, which had been undone.",
-                       "ファイルには、取り消した " + undone + " 件も残っています。"};
+    text += Text{" The file holds " + undone + " more, which had been undone.",
+                 "ファイルには、取り消した " + undone + " 件も残っています。"};
   return text;
 }
 

@@ -63,7 +63,7 @@ Text asked_text(std::string_view line) {
     point = {std::string(row.point_en), std::string(row.point_ja)};
   }
   Text text = Text{said + ": ", said + "："} + point;
-  if (!fault_of_command(said)) text = text + Text{" Enter carries it out.", "Enter で実行します。"};
+  if (!fault_of_command(said)) text += Text{" Enter carries it out.", "Enter で実行します。"};
   return text;
 }
 

@@ -272,7 +272,7 @@ std::string shown_name(const Session& session, bool with_beneath) {
   if (!plays && !session.shown.shows(ShownBy::level)) return file;
   Text name = plays ? Text{"Playing: ", "再生中："} + player->name() : Text{"Level of detail", "詳細度の一段階"};
   const bool has_file = document.is_modified() || !document.path().empty();
-  if (has_file && with_beneath) name = name + Text{" (beneath: " + file + ")", "（下に " + file + "）"};
+  if (has_file && with_beneath) name += Text{" (beneath: " + file + ")", "（下に " + file + "）"};
   return name.in(session.preferences.language);
 }
 

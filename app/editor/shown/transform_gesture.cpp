@@ -336,9 +336,9 @@ Text TransformGesture::told() const {
       text = {"Scale" + letter + " " + amount, "拡大縮小" + letter + " " + amount};
     }
   }
-  text = text + told_snap();
-  if (!typed_.empty()) text = text + Text{" [" + typed_ + "]", " [" + typed_ + "]"};
-  if (falloff_ > 0) text = text + Text{", falloff " + short_text(falloff_), "、減衰半径 " + short_text(falloff_)};
+  text += told_snap();
+  if (!typed_.empty()) text += Text{" [" + typed_ + "]", " [" + typed_ + "]"};
+  if (falloff_ > 0) text += Text{", falloff " + short_text(falloff_), "、減衰半径 " + short_text(falloff_)};
   return text;
 }
 

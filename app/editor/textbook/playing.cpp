@@ -90,7 +90,7 @@ Text name_of_played(std::span<const std::string> words) {
     if (words[1] == history_word) return {"The history of this mesh", "このメッシュの履歴"};
   }
   Text name{std::string(row->en), std::string(row->ja)};
-  for (const std::string& word : words.subspan(1)) name = name + Text{" " + word, " " + word};
+  for (const std::string& word : words.subspan(1)) name += Text{" " + word, " " + word};
   return name;
 }
 

@@ -147,9 +147,9 @@ Text text_of_valence(const Mesh& mesh, Vertex v) {
     std::size_t copies = 0;
     for_each_copy(mesh, v, [&](Vertex) { ++copies; });
     const std::string n = std::to_string(copies);
-    text = text + Text{", at all " + n + " copies of its point together", "（点の複製 " + n + " 個すべてで）"};
+    text += Text{", at all " + n + " copies of its point together", "（点の複製 " + n + " 個すべてで）"};
   }
-  text = text + Text{"?", "。"};
+  text += Text{"?", "。"};
   bool has_sheets = false;
   for_each_copy(mesh, v, [&](Vertex copy) {
     if (!mesh.is_isolated(copy))
@@ -259,7 +259,7 @@ Solution solve_valence(const Mesh& mesh, Vertex v) {
       sentence = {"No edge meets " + name + ".", name + " に接続する稜線はありません。"};
     else if (here == 0)
       sentence = {"Around " + name + " there is no further one.", name + " の周囲に新しいものはありません。"};
-    solution.why = solution.why + Text{solution.why.en.empty() ? "" : " ", ""} + sentence;
+    solution.why += Text{solution.why.en.empty() ? "" : " ", ""} + sentence;
   });
   solution.answers = {std::to_string(ends.size())};
   return solution;

@@ -17,7 +17,7 @@ Text place_in_content(const Message& message) {
   }
   if (message.face) {
     const std::string face = "f" + std::to_string(*message.face) + ": ";
-    place = place + Text{face, face};
+    place += Text{face, face};
   }
   return place;
 }

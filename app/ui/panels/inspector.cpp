@@ -52,11 +52,11 @@ class Inspector {
     const std::string n = grouped(static_cast<std::int64_t>(others));
     Text told{others == 1 ? "One more element is selected. " : n + " more elements are selected. ",
               "ほかに " + n + " 個を選択中です。"};
-    told = told + (others < most_ringed ? Text{"This one was selected last: it has the ring.",
-                                               "最後に選んだのはこの要素で、輪で示します。"}
-                                        : Text{"This one was selected last.", "最後に選んだのはこの要素です。"});
+    told += (others < most_ringed
+                 ? Text{"This one was selected last: it has the ring.", "最後に選んだのはこの要素で、輪で示します。"}
+                 : Text{"This one was selected last.", "最後に選んだのはこの要素です。"});
     if (is_vertex)
-      told = told + Text{" Welding joins the others into it.", "縫合すると、ほかの頂点はこの頂点にまとまります。"};
+      told += Text{" Welding joins the others into it.", "縫合すると、ほかの頂点はこの頂点にまとまります。"};
     dim_text(context_, told.in(context_.language()).c_str());
   }
 

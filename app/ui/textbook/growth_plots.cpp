@@ -8,7 +8,7 @@ LogPlot growth_plot(std::span<const forms::GrowthCurve> curves, forms::GrowthOf 
   const forms::GrowthRow& row = forms::growth_rows()[static_cast<std::size_t>(of)];
   const forms::RelationRow& asked = forms::relations()[static_cast<std::size_t>(relation)];
   Text title{std::string(row.en), std::string(row.ja)};
-  if (of == forms::GrowthOf::query) title = title + Text{": " + std::string(asked.en), "：" + std::string(asked.ja)};
+  if (of == forms::GrowthOf::query) title += Text{": " + std::string(asked.en), "：" + std::string(asked.ja)};
   const Text up =
       is_count ? Text{std::string(row.counted_en), std::string(row.counted_ja)} : Text{"milliseconds", "ミリ秒"};
   LogPlot plot{title.in(language),

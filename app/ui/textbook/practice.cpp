@@ -194,7 +194,7 @@ class PracticePanel : public Panel {
     const bool tells = why.en.starts_with(right.en);       // as a rule does, with its elements
     if (const auto& element = asked_->solution.element) {  // as a click in the view is told, too
       const std::string name = name_of(context.mesh(), *element);
-      if (name != right.en) right = right + Text{" (" + name + ")", "（" + name + "）"};
+      if (name != right.en) right += Text{" (" + name + ")", "（" + name + "）"};
     }
     const auto show = [&](const ImVec4& colour, const Text& text) {
       coloured_text(colour, text.in(context.language()).c_str());

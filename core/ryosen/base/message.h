@@ -20,6 +20,7 @@ struct Text {
   const std::string& in(Language language) const { return language == Language::japanese ? ja : en; }
 };
 inline Text operator+(const Text& a, const Text& b) { return {a.en + b.en, a.ja + b.ja}; }
+inline Text& operator+=(Text& a, const Text& b) { return a = a + b; }
 
 enum class Severity { info, warning, error };
 

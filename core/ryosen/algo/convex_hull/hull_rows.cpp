@@ -94,8 +94,8 @@ AlgorithmResult hull(Edit& edit, const AlgorithmInput& input, Progress& progress
                        extent_sentence(all.extent));
   if (result.left > 0) {
     const std::string left = std::to_string(result.left);
-    result.text = result.text + Text{" Points that are not finite were left out: " + left + ".",
-                                     "有限でない点 " + left + " 個は除きました。"};
+    result.text +=
+        Text{" Points that are not finite were left out: " + left + ".", "有限でない点 " + left + " 個は除きました。"};
   }
   return result;
 }

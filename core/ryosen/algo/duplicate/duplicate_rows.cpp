@@ -121,8 +121,8 @@ AlgorithmResult mirror(Edit& edit, const AlgorithmInput& input, Progress& progre
   }
   if (welds) {
     const std::size_t welded = weld(edit, pairs, axis, at);
-    result.text = result.text + count_text(welded, "; one vertex was welded at the plane",
-                                           "; # vertices were welded at the plane", "（面上で頂点 # 個を縫合）");
+    result.text += count_text(welded, "; one vertex was welded at the plane", "; # vertices were welded at the plane",
+                              "（面上で頂点 # 個を縫合）");
   }
   end_sentence(result);
   return result;

@@ -42,8 +42,8 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
                            "面 # 個が " + after + " 個になりました") +
                 cut_text(made.cut_faces) + refused_text(made.refused) + Text{".", "。"};
   if (values.has("tolerance") && !options.adaptive)
-    result.text = result.text + Text{" The tolerance counts only where lengths are adaptive.",
-                                     "許容誤差は、曲率に適応させるときだけ効きます。"};
+    result.text += Text{" The tolerance counts only where lengths are adaptive.",
+                        "許容誤差は、曲率に適応させるときだけ効きます。"};
   edit.replace(std::move(made.columns));
   return result;
 }
@@ -59,9 +59,9 @@ AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progre
   result.text = count_text(made.swaps, "One edge was swapped", "# edges were swapped", "稜線 # 本を交換しました") +
                 cut_text(made.cut_faces);
   if (made.refused > 0)
-    result.text = result.text + count_text(made.refused, "; one is not Delaunay and stays",
-                                           "; # are not Delaunay and stay", "（交換できない稜線 # 本が残る）");
-  result.text = result.text + Text{".", "。"};
+    result.text += count_text(made.refused, "; one is not Delaunay and stays", "; # are not Delaunay and stay",
+                              "（交換できない稜線 # 本が残る）");
+  result.text += Text{".", "。"};
   if (result.changed > 0) edit.replace(std::move(made.columns));
   return result;
 }
@@ -83,9 +83,9 @@ AlgorithmResult unite_planar_regions(Edit& edit, const AlgorithmInput& input, Pr
                              "# regions with " + faces + " faces in all became polygons.",
                              "合わせて面 " + faces + " 個の領域 # 個を多角形にまとめました。");
   if (dropped > 0)
-    result.text = result.text + count_text(dropped, " One corner on a straight edge was taken out.",
-                                           " # corners on straight edges were taken out.",
-                                           "まっすぐな稜線上の角を # 個取り除きました。");
+    result.text +=
+        count_text(dropped, " One corner on a straight edge was taken out.",
+                   " # corners on straight edges were taken out.", "まっすぐな稜線上の角を # 個取り除きました。");
   std::vector<Element> left(united.left.begin(), united.left.end());
   add_left(result.left_for, {"the polygon would touch itself at a vertex", "まとめると多角形が頂点で自身に接します"},
            std::move(left));

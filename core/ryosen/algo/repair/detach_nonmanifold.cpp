@@ -235,8 +235,8 @@ AlgorithmResult detach_nonmanifold(Edit& edit, const AlgorithmInput&, Progress& 
   }
   result.text = count_text(made, "One point was added to take the surface apart",
                            "# points were added to take the surface apart", "曲面を切り離すため点を # 個追加しました");
-  if (made > 0) result.text = result.text + count_text(result.changed, " at # place", " at # places", "（# か所）");
-  result.text = result.text + Text{".", "。"};
+  if (made > 0) result.text += count_text(result.changed, " at # place", " at # places", "（# か所）");
+  result.text += Text{".", "。"};
   return result;
 }
 

@@ -19,11 +19,11 @@ Text names_of(const Mesh& mesh, std::span<const Element> elements) {
   const std::size_t named = std::min(most_names, elements.size());
   for (std::size_t i = 0; i < named; ++i) {
     const std::string name = name_of(mesh, elements[i]);
-    names = names + (i > 0 ? Text{", ", "、"} : Text{}) + Text{name, name};
+    names += (i > 0 ? Text{", ", "、"} : Text{}) + Text{name, name};
   }
   if (named < elements.size()) {
     const std::size_t more = elements.size() - named;
-    names = names + Text{with_number(" and # more", more), with_number("、ほか #", more)};
+    names += Text{with_number(" and # more", more), with_number("、ほか #", more)};
   }
   return names;
 }
@@ -48,7 +48,7 @@ LeftForReason left_for(const Mesh& mesh, const WhyOpenRow& row, std::span<const 
     for (Halfedge h : loop(mesh, hole.start)) lowest = std::min(lowest, edge(h));
     left.elements.emplace_back(lowest);
   }
-  if (row.cause == WhyOpen::crosses && !left.elements.empty()) left.reason = left.reason + crossed_text(mesh, holes);
+  if (row.cause == WhyOpen::crosses && !left.elements.empty()) left.reason += crossed_text(mesh, holes);
   return left;
 }
 
@@ -67,32 +67,31 @@ Text shapes(const FilledHoles& filled) {
   const auto add = [&](std::size_t n, const Text& what) {
     if (n == 0) return;
     const std::string number = n < filled.count() ? std::to_string(n) + " " : "";
-    text = text + (text.en.empty() ? Text{": ", "："} : Text{", ", "、"}) + Text{number + what.en, number + what.ja};
+    text += (text.en.empty() ? Text{": ", "："} : Text{", ", "、"}) + Text{number + what.en, number + what.ja};
   };
   add(filled.flat, {"flat", "平ら"});
   add(filled.fair, {"fair", "滑らか"});
   add(filled.unfaired, {"not fair since no fair patch is sound", "滑らかにすると不健全"});
   add(filled.bare, {"bare since no finer patch is sound", "細かくすると不健全"});
-  if (filled.flat > 0)
-    text = text + Text{" (shape=fair continues the surface)", "（shape=fair で曲面を滑らかに続けます）"};
+  if (filled.flat > 0) text += Text{" (shape=fair continues the surface)", "（shape=fair で曲面を滑らかに続けます）"};
   if (filled.crossing > 0)
-    text = text + count_text(filled.crossing, "; one patch crosses something", "; # patches cross something",
-                             "。# 個は何かと交わります");
+    text += count_text(filled.crossing, "; one patch crosses something", "; # patches cross something",
+                       "。# 個は何かと交わります");
   return text;
 }
 
 Text filled_text(const FilledHoles& filled) {
   Text text = count_text(filled.count(), "One hole was filled", "# holes were filled", "穴を # 個ふさぎました");
   if (filled.count() > 0) {
-    text = text + count_text(filled.faces, " by # triangle", " by # triangles", "（三角形 #");
+    text += count_text(filled.faces, " by # triangle", " by # triangles", "（三角形 #");
     if (filled.vertices > 0)
-      text = text + count_text(filled.vertices, " and # new vertex", " and # new vertices", "、新しい頂点 #");
-    text = text + Text{"", "）"} + shapes(filled);
+      text += count_text(filled.vertices, " and # new vertex", " and # new vertices", "、新しい頂点 #");
+    text += Text{"", "）"} + shapes(filled);
   }
   if (filled.mended > 0)
-    text = text + count_text(filled.mended, "; one face without area at a rim was removed first",
-                             "; # faces without area at rims were removed first",
-                             "。先に縁の面積ゼロの面を # 個なくしました");
+    text +=
+        count_text(filled.mended, "; one face without area at a rim was removed first",
+                   "; # faces without area at rims were removed first", "。先に縁の面積ゼロの面を # 個なくしました");
   return text;
 }
 
@@ -106,13 +105,13 @@ AlgorithmResult fill_report(const Mesh& mesh, const FilledHoles& filled, std::sp
     if (!left.elements.empty()) result.left_for.push_back(std::move(left));
   }
   if (result.left > 0)
-    result.text = result.text + count_text(result.left, "; # could not be", "; # could not be", "。ふさげない穴 #");
+    result.text += count_text(result.left, "; # could not be", "; # could not be", "。ふさげない穴 #");
   Text between{": ", "："};
   for (const LeftForReason& left : result.left_for) {
-    result.text = result.text + between + clause(mesh, left, result.left_for.size() == 1);
+    result.text += between + clause(mesh, left, result.left_for.size() == 1);
     between = {"; ", "、"};
   }
-  result.text = result.text + Text{".", "。"};
+  result.text += Text{".", "。"};
   return result;
 }
 

@@ -104,12 +104,12 @@ Text told(std::size_t placed, std::size_t faces, std::size_t vertices) {
                          "# vertices were put in the middle of their neighbours.",
                          "頂点 # 個を隣り合う頂点の平均の位置に置きました。");
   if (faces > 0)
-    text = text + count_text(faces, " One face that had no place was removed.",
-                             " # faces that had no place were removed.", "位置の決まらない面 # 個を削除しました。");
+    text += count_text(faces, " One face that had no place was removed.", " # faces that had no place were removed.",
+                       "位置の決まらない面 # 個を削除しました。");
   if (vertices > 0)
-    text = text + count_text(vertices, " One vertex beside none with a place was removed.",
-                             " # vertices beside none with a place were removed.",
-                             "位置の決まらない頂点 # 個を削除しました。");
+    text +=
+        count_text(vertices, " One vertex beside none with a place was removed.",
+                   " # vertices beside none with a place were removed.", "位置の決まらない頂点 # 個を削除しました。");
   return text;
 }
 

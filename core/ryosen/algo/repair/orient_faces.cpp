@@ -252,9 +252,9 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
       count_text(result.changed, "One face was turned round or joined to a neighbour",
                  "# faces were turned round or joined to their neighbours", "面を # 枚、裏返すか隣の面とつなぎました");
   if (result.left > 0)
-    result.text = result.text + count_text(result.left, "; # edge stays misoriented", "; # edges stay misoriented",
-                                           "（向きの揃わない稜線 #）");
-  result.text = result.text + Text{".", "。"};
+    result.text +=
+        count_text(result.left, "; # edge stays misoriented", "; # edges stay misoriented", "（向きの揃わない稜線 #）");
+  result.text += Text{".", "。"};
   return result;
 }
 

@@ -271,7 +271,7 @@ class Removal {
   Text ways() const {
     Text text;
     const auto add = [&](std::size_t n, const char* one, const char* many, const char* ja) {
-      if (n > 0) text = text + (text.en.empty() ? Text{": ", "（"} : Text{", ", "、"}) + count_text(n, one, many, ja);
+      if (n > 0) text += (text.en.empty() ? Text{": ", "（"} : Text{", ", "、"}) + count_text(n, one, many, ja);
     };
     add(collapsed_, "# edge collapsed", "# edges collapsed", "稜線削除 #");
     add(given_, "# corner given to the face across", "# corners given to the face across", "向かいの面への統合 #");
@@ -289,12 +289,12 @@ class Removal {
         {flat_.begin(), flat_.end()});
     result.text = count_text(result.changed, "One face without area was removed", "# faces without area were removed",
                              "面積ゼロの面を # 個なくしました");
-    if (result.changed > 0) result.text = result.text + ways();
+    if (result.changed > 0) result.text += ways();
     if (opened_ > 0)
-      result.text = result.text + count_text(opened_, "; this opened one boundary loop",
-                                             "; this opened # boundary loops", "。境界ループが # 本増えました");
-    if (result.left > 0) result.text = result.text + count_text(result.left, "; # stays", "; # stay", "。残り #");
-    result.text = result.text + Text{".", "。"};
+      result.text += count_text(opened_, "; this opened one boundary loop", "; this opened # boundary loops",
+                                "。境界ループが # 本増えました");
+    if (result.left > 0) result.text += count_text(result.left, "; # stays", "; # stay", "。残り #");
+    result.text += Text{".", "。"};
     return result;
   }
 

@@ -318,10 +318,9 @@ AlgorithmResult remove_isolated_vertices(Edit& edit, const AlgorithmInput& input
   result.text = count_text(result.changed, "One isolated vertex was removed.", "# isolated vertices were removed.",
                            "孤立頂点を # 個削除しました。");
   if (result.left > 0)
-    result.text =
-        result.text + count_text(result.left, " One stays: a face set aside, a line or a point of the file uses it.",
-                                 " # stay: faces set aside, lines or points of the file use them.",
-                                 "隔離された面・線・点が使う # 個は残しました。");
+    result.text += count_text(result.left, " One stays: a face set aside, a line or a point of the file uses it.",
+                              " # stay: faces set aside, lines or points of the file use them.",
+                              "隔離された面・線・点が使う # 個は残しました。");
   return result;
 }
 

@@ -97,9 +97,7 @@ void add_found(RepairReport& report, const RepairCall& call, std::span<const Alg
       add_left(report.left, reason_of(call, problem.row()), std::move(problem.elements), true);
 }
 
-void add_text(Text& text, const Text& more) {
-  text = text + Text{text.en.empty() || more.en.empty() ? "" : " ", ""} + more;
-}
+void add_text(Text& text, const Text& more) { text += Text{text.en.empty() || more.en.empty() ? "" : " ", ""} + more; }
 
 std::string count_change(const KindCount& kind, std::string_view name) {
   return std::string(name) + " " + std::to_string(kind.before) + " \u2192 " + std::to_string(kind.after);
@@ -180,9 +178,9 @@ Text names_of(std::span<const Element> elements, const Mesh& mesh) {
     if (named == most_names) break;
     if (!is_alive(mesh, element)) continue;
     const std::string name = name_of(mesh, element);
-    names = names + (named++ == 0 ? Text() : Text{", ", "、"}) + Text{name, name};
+    names += (named++ == 0 ? Text() : Text{", ", "、"}) + Text{name, name};
   }
-  if (named > 0 && named < elements.size()) names = names + Text{", ...", "…"};
+  if (named > 0 && named < elements.size()) names += Text{", ...", "…"};
   return names;
 }
 
@@ -208,7 +206,7 @@ Text told_with_subject(const LeftForReason& left, const Mesh& mesh) {
 // The first so many, and the number of the others.
 Text first_of(const std::vector<Text>& parts, std::size_t most, const Text& between) {
   Text text;
-  for (std::size_t i = 0; i < std::min(most, parts.size()); ++i) text = text + (i == 0 ? Text() : between) + parts[i];
+  for (std::size_t i = 0; i < std::min(most, parts.size()); ++i) text += (i == 0 ? Text() : between) + parts[i];
   if (most >= parts.size()) return text;
   return text + between + count_text(parts.size() - most, "and one more", "and # more", "ほか # 件");
 }

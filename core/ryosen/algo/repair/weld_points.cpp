@@ -223,13 +223,12 @@ AlgorithmResult result_of(const Welded& welded) {
   result.text = count_text(welded.points, "One point was welded to another", "# points were welded to others",
                            "点を # 個、ほかの点に縫合しました");
   if (welded.points > 0 && welded.turned > 0)
-    result.text =
-        result.text + count_text(welded.turned, "; one face was turned round to fit",
-                                 "; # faces were turned round to fit", "（向きを合わせるため面を # 枚裏返しました）");
+    result.text += count_text(welded.turned, "; one face was turned round to fit", "; # faces were turned round to fit",
+                              "（向きを合わせるため面を # 枚裏返しました）");
   if (result.left > 0)
-    result.text = result.text + count_text(result.left, "; # place was left apart", "; # places were left apart",
-                                           "（縫合できない箇所 #）");
-  result.text = result.text + Text{".", "。"};
+    result.text +=
+        count_text(result.left, "; # place was left apart", "; # places were left apart", "（縫合できない箇所 #）");
+  result.text += Text{".", "。"};
   return result;
 }
 

@@ -68,12 +68,12 @@ Text volume_text(const smooth::KeptVolume& kept) {
   Text text =
       count_text(kept.parts, "; one part kept its volume", "; # parts kept their volume", "（部分 # 個の体積を保持）");
   if (kept.open_parts > 0)
-    text = text + count_text(kept.open_parts, "; one part has no volume, since it is not closed",
-                             "; # parts have no volume, since they are not closed",
-                             "（閉じていない部分 # 個には体積がない）");
+    text +=
+        count_text(kept.open_parts, "; one part has no volume, since it is not closed",
+                   "; # parts have no volume, since they are not closed", "（閉じていない部分 # 個には体積がない）");
   if (kept.failed_parts > 0)
-    text = text + count_text(kept.failed_parts, "; one part could not get its volume back",
-                             "; # parts could not get their volume back", "（部分 # 個の体積は元に戻せない）");
+    text += count_text(kept.failed_parts, "; one part could not get its volume back",
+                       "; # parts could not get their volume back", "（部分 # 個の体積は元に戻せない）");
   return text;
 }
 
@@ -92,8 +92,8 @@ AlgorithmResult smooth_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
     ++result.changed;
   }
   result.text = count_text(result.changed, "One vertex was moved", "# vertices were moved", "頂点 # 個を動かしました");
-  if (options.keeps_volume) result.text = result.text + volume_text(made.volume);
-  result.text = result.text + Text{".", "。"};
+  if (options.keeps_volume) result.text += volume_text(made.volume);
+  result.text += Text{".", "。"};
   return result;
 }
 

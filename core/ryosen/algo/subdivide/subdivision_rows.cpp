@@ -67,13 +67,13 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
                            "面 # 個が " + count + " 個になりました") +
                 cut_text(made.cut_faces);
   if (made.seams > 0)
-    result.text = result.text + count_text(made.seams, "; one edge where the texture is torn stayed a crease",
-                                           "; # edges where the texture is torn stayed creases",
-                                           "（テクスチャの継ぎ目の稜線 # 本は折り目のまま）");
-  result.text = result.text + Text{".", "。"};
+    result.text += count_text(made.seams, "; one edge where the texture is torn stayed a crease",
+                              "; # edges where the texture is torn stayed creases",
+                              "（テクスチャの継ぎ目の稜線 # 本は折り目のまま）");
+  result.text += Text{".", "。"};
   if (options.sharp_steps && options.sharp.empty() && !options.crease_angle_rad)
-    result.text = result.text + Text{" No edges are named that would be sharp for some steps.",
-                                     "回数だけ鋭くする稜線は指定されていません。"};
+    result.text +=
+        Text{" No edges are named that would be sharp for some steps.", "回数だけ鋭くする稜線は指定されていません。"};
   result.has_normals = options.to_limit && options.scheme != subdivide::Scheme::midpoint;
   edit.replace(std::move(made.columns));
   return result;

@@ -117,10 +117,10 @@ class BuildPlay {
                         name + " の対を全ての面から探す（比較 " + n + " 回）："});
     step.marks.push_back({Role::asked, list_.sides[side].halfedge});
     if (found == end) {
-      step.caption = step.caption + Text{"none yet", "まだない"};
+      step.caption += Text{"none yet", "まだない"};
       return;
     }
-    step.caption = step.caption + Text{list_.name(found), list_.name(found)};
+    step.caption += Text{list_.name(found), list_.name(found)};
     step.marks.push_back({Role::answer, list_.sides[found].halfedge});
     for (const auto& [of, to] : {std::pair(side, found), std::pair(found, side)}) {
       const auto was = pairs_[of] == no_index ? std::nullopt : std::optional(list_.name(pairs_[of]));

@@ -164,10 +164,9 @@ class Telling {
     Step told{caption(step, witness ? slot_name(*witness) : ""), {}, {},
               step.seen.empty() ? hull_text : horizon_text,      {}, {}};
     const std::string made = std::to_string(hull_.made_so_far());
-    told.caption =
-        told.caption + (step.is_planar
-                            ? Text{" Edges made so far: " + made + ".", "これまでに作った稜線の数 " + made + "。"}
-                            : Text{" Faces made so far: " + made + ".", "これまでに作った面の数 " + made + "。"});
+    told.caption +=
+        (step.is_planar ? Text{" Edges made so far: " + made + ".", "これまでに作った稜線の数 " + made + "。"}
+                        : Text{" Faces made so far: " + made + ".", "これまでに作った面の数 " + made + "。"});
     mark_what_was(told, step);
     if (witness) add_mark(told, Role::compared, *witness);
     for (const DcelChange& change : step.changes) {

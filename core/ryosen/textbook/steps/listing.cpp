@@ -101,14 +101,13 @@ class ListingPlay : public EditPlay {
     Step step{{"Ryosen: " + line, "Ryosen：" + line}, {}, {}, {}, {}};
     const ParsedOp parsed = parse_line(mesh_, line);
     if (!parsed.op) {
-      step.caption = step.caption + Text{": ", "："} + parsed.sentence;
+      step.caption += Text{": ", "："} + parsed.sentence;
     } else if (const Verdict verdict = check(mesh_, *parsed.op); !verdict.legal()) {
       const RuleText& rule = ryosen::text_of(verdict.reasons[0].rule);
-      step.caption =
-          step.caption + Text{" is refused: " + std::string(rule.en), "：できません。" + std::string(rule.ja)};
+      step.caption += Text{" is refused: " + std::string(rule.en), "：できません。" + std::string(rule.ja)};
       mark_all(step, Role::missing, verdict.reasons[0].witnesses);
       if (is_complete_)
-        step.caption = step.caption + Text{" The code does it all the same.", "テキストのコードは実行してしまいます。"};
+        step.caption += Text{" The code does it all the same.", "テキストのコードは実行してしまいます。"};
     } else {
       apply(*parsed.op);
       if (is_complete_) compare(step);
@@ -292,9 +291,9 @@ class ListingPlay : public EditPlay {
                            text_of_corners(by_kernel)});
     }
     const std::string n = std::to_string(step.rows.size());
-    step.caption = step.caption + (step.rows.empty() ? Text{" gives the same faces", "：コードと同じ面になる"}
-                                                     : Text{" gives other corners to " + n + " faces",
-                                                            "：" + n + " 面の頂点がコードと異なる"});
+    step.caption +=
+        (step.rows.empty() ? Text{" gives the same faces", "：コードと同じ面になる"}
+                           : Text{" gives other corners to " + n + " faces", "：" + n + " 面の頂点がコードと異なる"});
   }
   static std::optional<std::string> text_of_corners(const Corners& corners) {
     std::string text;

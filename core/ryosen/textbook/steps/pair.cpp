@@ -121,10 +121,10 @@ class PairPlay {
                         name + "（" + from + " から " + to + "）を " + n + " 本と比べる"} +
                    own + Text{": " + where, "：" + where};
     if (found == no_index) {
-      step.caption = step.caption + Text{"no pair yet", "対はまだない"};
+      step.caption += Text{"no pair yet", "対はまだない"};
       return;
     }
-    step.caption = step.caption + Text{list_.name(found) + " is its pair", "対は " + list_.name(found)};
+    step.caption += Text{list_.name(found) + " is its pair", "対は " + list_.name(found)};
     step.marks.push_back({Role::answer, list_.sides[found].halfedge});
     set_pair(step, side, found);
     set_pair(step, found, side);
@@ -163,8 +163,8 @@ class PairPlay {
         step.marks.push_back({pair == no_index ? Role::missing : Role::answer, list_.sides[side].halfedge});
         set_pair(step, side, pair);
         if (pair == no_index || pair < side) continue;
-        step.caption = step.caption + Text{"; " + list_.name(side) + " and " + list_.name(pair) + " stay joined",
-                                           "。" + list_.name(side) + " と " + list_.name(pair) + " はつながる"};
+        step.caption += Text{"; " + list_.name(side) + " and " + list_.name(pair) + " stay joined",
+                             "。" + list_.name(side) + " と " + list_.name(pair) + " はつながる"};
       }
     }
   }

@@ -80,7 +80,7 @@ class ScriptPlay : public EditPlay {
   }
 
   bool refuse(Step step, const Text& why, const std::vector<Element>& witnesses) {
-    step.caption = step.caption + Text{": refused, " + why.en, "：できません。" + why.ja};
+    step.caption += Text{": refused, " + why.en, "：できません。" + why.ja};
     for (const Element element : witnesses) step.marks.push_back({Role::missing, element});
     add(std::move(step));
     return false;

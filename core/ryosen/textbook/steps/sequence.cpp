@@ -197,10 +197,10 @@ void RecordedSteps::add_changes(Step& step, std::size_t from, std::size_t to) {
   if (terms) step.delta = difference(*terms, euler_poincare(mesh_));
   const Text changes = text_of(*step.delta);
   const bool is_sentence = step.caption.en.ends_with('.');
-  step.caption = step.caption + Text{(is_sentence ? " " : ": ") + changes.en, (is_sentence ? "" : "：") + changes.ja};
+  step.caption += Text{(is_sentence ? " " : ": ") + changes.en, (is_sentence ? "" : "：") + changes.ja};
   if (left_out > 0) {
     const std::string n = std::to_string(left_out);
-    step.caption = step.caption + Text{" (and " + n + " more cells)", "（ほかに " + n + " 箇所）"};
+    step.caption += Text{" (and " + n + " more cells)", "（ほかに " + n + " 箇所）"};
   }
 }
 

@@ -105,10 +105,10 @@ Text text_of_extending(const HullStep& step) {
                 ", and each end of this chain is joined to it by an edge.",
             "点 " + p + " から稜線 " + seen + " 本が見えます。それらを削除し、その両端を点と稜線で結びます。"};
     if (!step.united.empty())
-      text = text + count_text(count_united(step),
-                               " One of these lies on the line of the edge beside it, and is one edge with it.",
-                               " # of these lie on the line of the edge beside them, and are one edge with it.",
-                               "うち # 本は隣の稜線と一直線上にあり、一本の稜線にまとまります。");
+      text += count_text(count_united(step),
+                         " One of these lies on the line of the edge beside it, and is one edge with it.",
+                         " # of these lie on the line of the edge beside them, and are one edge with it.",
+                         "うち # 本は隣の稜線と一直線上にあり、一本の稜線にまとまります。");
     return text;
   }
   text = {"Point " + p + " sees " + seen + (is_one ? " face: it goes" : " faces: they go") + ", and each of the " +
@@ -116,10 +116,9 @@ Text text_of_extending(const HullStep& step) {
           "点 " + p + " から面 " + seen + " 枚が見えます。それらを削除し、ホライゾンの稜線 " + horizon +
               " 本のそれぞれと点を結んで新しい面を作ります。"};
   if (!step.united.empty())
-    text = text + count_text(count_united(step),
-                             " One of them lies in the plane of its neighbour, and is one facet with it.",
-                             " # of them lie in the plane of their neighbour, and are one facet with it.",
-                             "うち # 枚は隣の面と同一平面上にあり、一枚の面にまとまります。");
+    text += count_text(count_united(step), " One of them lies in the plane of its neighbour, and is one facet with it.",
+                       " # of them lie in the plane of their neighbour, and are one facet with it.",
+                       "うち # 枚は隣の面と同一平面上にあり、一枚の面にまとまります。");
   return text;
 }
 

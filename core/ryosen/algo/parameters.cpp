@@ -130,12 +130,6 @@ Text fault_of_value(const ParameterRow& row, std::string_view text, std::string_
           name + " は" + expected.ja + "です（「" + wrong + "」は使えません）"};
 }
 
-// Whether the elements were set themselves and are all on this mesh.
-bool are_found(const Mesh& mesh, const std::vector<Element>& elements) {
-  return !elements.empty() &&
-         std::all_of(elements.begin(), elements.end(), [&](const Element& e) { return is_alive(mesh, e); });
-}
-
 ReadValues malformed(Text sentence) { return {std::nullopt, NameError::malformed, {}, std::move(sentence)}; }
 
 ReadValues of_no_extent(const ParameterRow& row, const std::string& share) {
@@ -252,16 +246,17 @@ ReadValues ParameterValues::on(const Mesh& mesh) const {
     const bool is_wrong_length = value.was_percent && !is_in_range(rows_[i], value.number);
     if (!std::isfinite(value.number) || !is_finite(value.place) || is_wrong_length)
       return malformed(fault_of_value(rows_[i], text_at(i), rows_[i].id));
-    if (are_found(mesh, value.elements)) continue;
-    value.elements.clear();
+    std::vector<Element>& set = value.elements;
+    if (!set.empty() && std::ranges::all_of(set, [&](const Element& e) { return is_alive(mesh, e); })) continue;
+    set.clear();
     for (const std::string& name : value.names) {
       if (const auto range = parse_slot_range(name)) {
-        add_living(mesh, *range, value.elements);
+        add_living(mesh, *range, set);
         continue;
       }
       NamedElement found = find_element(mesh, name);
       if (!found.element) return {std::nullopt, found.error, name, std::move(found.sentence)};
-      value.elements.push_back(*found.element);
+      set.push_back(*found.element);
     }
   }
   return read;

@@ -49,6 +49,12 @@ TEST_F(OperatorSelection, of_one_that_is_united_with_another) {
   EXPECT_TRUE(fits("weld"));
 }
 
+TEST_F(OperatorSelection, takes_the_elements_that_are_enough_alone_or_all_of_them) {
+  const Elements elements{Face(2), Vertex(1), Face(0)};
+  EXPECT_EQ(elements_taken(*find_op("detach"), elements, {}), (Elements{Face(2), Face(0)}));
+  EXPECT_EQ(elements_taken(*find_op("make_face"), elements, {}), elements) << "one vertex is not enough";
+}
+
 // What is told before is what happens: nothing that is refused or does not fit is done, and all else is; of what unites
 // several, or what stands in place of what is selected, only the turns tell.
 TEST_F(OperatorSelection, agrees_with_what_running_it_comes_to) {

@@ -101,8 +101,10 @@ class ParameterValues {
   void set_names(std::string_view id, std::vector<std::string> names) {
     value_to_set(id, ParameterKind::elements).names = std::move(names);
   }
-  // Elements that on() need not look up as long as they are alive, and their names for the line.
+  // Elements that on() need not look up as long as they are alive, and their names for the line; a halfedge is its edge.
   void set_elements(std::string_view id, std::vector<Element> elements, std::vector<std::string> names) {
+    for (Element& e : elements)
+      if (e.kind == Element::Kind::halfedge) e = edge(e.halfedge());
     set_names(id, std::move(names));
     values_[index_of(id)]->elements = std::move(elements);
   }

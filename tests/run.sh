@@ -8,6 +8,9 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 . "$root/app/setup.sh"
 parts="tests tidy walks compared fuzz"
+configure_arguments=
+has_tests=
+has_checked=
 peers=OFF
 long_packages=
 seconds=1500  # for one test
@@ -36,7 +39,7 @@ if [ "${1:-}" = --long ]; then
   guided=ON
   fuzz_seconds=240
   compared="hashes reports"
-elif [ $# -gt 0 ]; then
+elif [ -n "$*" ]; then
   parts=$*
 fi
 for part in $parts; do
@@ -49,7 +52,7 @@ done
 is_long() { [ -n "${RYOSEN_LONG:-}" ]; }
 
 configure_tests() {
-  [ -z "${has_tests:-}" ] || return 0
+  [ -z "$has_tests" ] || return 0
   has_tests=yes
   cmake -S "$root" -B "$root/build/tests" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" \
     -DRYOSEN_TESTS=ON -DRYOSEN_PEERS=$peers >&2
@@ -57,7 +60,7 @@ configure_tests() {
 
 # By another compiler, under the sanitizers, with the mesh checked after every edit.
 configure_checked() {
-  [ -z "${has_checked:-}" ] || return 0
+  [ -z "$has_checked" ] || return 0
   has_checked=yes
   # shellcheck disable=SC2086
   cmake -S "$root" -B "$root/build/fuzz" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ $checked_flags \

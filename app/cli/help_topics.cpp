@@ -14,16 +14,16 @@ namespace ryosen::cli {
 
 namespace {
 
-// With what its line may tell it besides elements.
+// With what its line may tell it besides elements, behind the words that the syntax has for that.
 std::string help_of(const OpInfo& op, Language language) {
   std::string help(choose(language, op.help_en, op.help_ja));
   for (const OpParameters& list : op.line.all_lists())
-    for (const OpParameter& place : list)
-      if (place.is_told())
-        help.append("; ")
-            .append(syntax_of(place))
-            .append(choose(language, ": ", "："))
-            .append(choose(language, place.help_en, place.help_ja));
+    for (const OpParameter& place : list) {
+      const std::string_view is = choose(language, place.help_en, place.help_ja);
+      std::string value = syntax_of(place);
+      value.append(choose(language, ": ", "：")).append(is);
+      if (place.is_told() && help.find(value) == std::string::npos) help += "; " + value;
+    }
   return help;
 }
 

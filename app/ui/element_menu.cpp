@@ -20,23 +20,25 @@ namespace ryosen {
 
 namespace {
 
-void operator_item(PanelContext& context, const OpInfo& op) {
-  const std::string line = std::string(op.id) + " selected", chord = chord_of(context.preferences, line);
-  const Offer offer = offer_on_selection(context.findings(), context.selecting, op);
-  if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, offer.may_be)) context.run(line);
+std::string help_of(const PanelContext& context, const OpInfo& op, const Offer& offer) {
   std::string help = context.text(op.help_en, op.help_ja);
   for (const Text& sentence : offer.why_not) help += "\n" + sentence.in(context.language());
-  tip(help, ImGuiHoveredFlags_AllowWhenDisabled);
+  return help;
 }
 
-// What may be told a number or a position as well: its fields.
-void values_item(PanelContext& context, const OpInfo& op) {
-  if (!has_values(op, true)) return;
+void operator_item(PanelContext& context, const OpInfo& op, const Offer& offer) {
+  const std::string line = std::string(op.id) + " selected", chord = chord_of(context.preferences, line);
+  if (ImGui::MenuItem(context.text(op.name_en, op.name_ja), chord.c_str(), false, offer.may_be)) context.run(line);
+  tip(help_of(context, op, offer), ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+// Asks for its numbers and positions first.
+void values_item(PanelContext& context, const OpInfo& op, const Offer& offer) {
+  if (!takes_numbers(op)) return;
   const std::string line = "values " + std::string(op.id), chord = chord_of(context.preferences, line),
                     name = std::string(context.text(op.name_en, op.name_ja)) + "...";
-  const Offer offer = offer_on_selection(context.findings(), context.selecting, op);
   if (ImGui::MenuItem(name.c_str(), chord.c_str(), false, offer.may_be)) context.run(line);
-  tip(context.text("Asks for the values first.", "先に値を入力します。"), ImGuiHoveredFlags_AllowWhenDisabled);
+  tip(help_of(context, op, offer), ImGuiHoveredFlags_AllowWhenDisabled);
 }
 
 // What unites several may do so in their middle too.
@@ -54,8 +56,9 @@ void middle_item(PanelContext& context, const OpInfo& op) {
 void operator_items(PanelContext& context, const OpGroupRow& group) {
   for (const OpInfo& op : all_ops()) {
     if (op.group != group.group || !fits_selection(context.findings(), context.selecting, op)) continue;
-    operator_item(context, op);
-    values_item(context, op);
+    const Offer offer = offer_on_selection(context.findings(), context.selecting, op);
+    operator_item(context, op, offer);
+    values_item(context, op, offer);
     middle_item(context, op);
   }
 }

@@ -360,7 +360,7 @@ TEST(contract, operators_tell_the_places_of_their_lines) {
       for (const Json& place : entry["places"]) {
         EXPECT_GE(place["list"], list) << syntax;
         list = place["list"];
-        EXPECT_FALSE(place["id"].get<std::string>().empty()) << syntax;
+        for (const char* key : {"id", "en", "ja"}) EXPECT_FALSE(place[key].get<std::string>().empty()) << syntax;
         for (const Json& value : place["values"]) {
           ASSERT_FALSE(left.empty()) << syntax << " lacks " << value;
           EXPECT_EQ(value["called"], left.back()) << syntax;

@@ -72,12 +72,11 @@ Text in_words(const OpLine& line) {
   if (line.all_lists().size() != 1) return {syntax, syntax};
   for (const OpParameter& parameter : line.lists[0]) {
     const OpValueKind kind = parameter.values[0].kind;
-    const bool is_element = kind == OpValueKind::vertex || kind == OpValueKind::edge || kind == OpValueKind::face;
     may_be_more = may_be_more || parameter.is_list();
     if (parameter.is_optional()) {
       may_name_face = may_name_face || kind == OpValueKind::face;
       may_name_sides = may_name_sides || kind == OpValueKind::edge;
-    } else if (!is_element || parameter.count() > 1) {
+    } else if (!is_element(kind) || parameter.count() > 1) {
       return {syntax, syntax};
     } else {
       ++(kind == OpValueKind::vertex ? vertices : kind == OpValueKind::edge ? edges : faces).wanted;

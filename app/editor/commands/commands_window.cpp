@@ -11,8 +11,8 @@
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/player.h"
 #include "ryosen/algo/algorithm_table.h"
-#include "ryosen/ops/all.h"
 #include "ryosen/base/rows.h"
+#include "ryosen/ops/all.h"
 
 namespace ryosen {
 
@@ -102,8 +102,9 @@ Outcome run_values(Layout& layout, Words arguments, std::string_view) {
     std::vector<std::string> ids = ids_of_rows(algorithm_table());
     for (const OpInfo& other : all_ops())
       if (has_values(other)) ids.emplace_back(other.id);
-    return usage_error(Text{"there is no algorithm '" + called + "'", "アルゴリズム「" + called + "」はありません"} +
-                       did_you_mean(called, ids));
+    return usage_error(
+        Text{"there is no algorithm or operator '" + called + "'", "アルゴリズムや操作「" + called + "」はありません"} +
+        did_you_mean(called, ids));
   }
   if (op && !has_values(*op))
     return usage_error("'" + called + "' takes nothing but elements", "「" + called + "」が取るのは要素だけです");

@@ -93,7 +93,7 @@ std::vector<PaletteEntry> palette_entries() {
   for (const OpInfo& op : all_ops())
     add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), syntax_of(op.line)});
   for (const OpInfo& op : all_ops())
-    if (has_values(op, true))
+    if (takes_numbers(op))
       add({"values " + std::string(op.id), name_in(std::string(op.name_en) + "...", std::string(op.name_ja) + "..."),
            name_in(op.help_en, op.help_ja), ""});
   for (const AlgorithmRow& row : algorithm_table())

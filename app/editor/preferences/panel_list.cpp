@@ -22,7 +22,6 @@ std::vector<PanelRow>& panel_rows() {
    help_en,                                                                                      \
    help_ja __VA_OPT__(, ) __VA_ARGS__},
 #include "app/editor/preferences/panels.def"
-#include "ryosen/base/rows.h"
 #undef RYOSEN_PANEL
   };
   return rows;

@@ -20,10 +20,8 @@ class AlgorithmValues final : public AskedValues {
   AlgorithmValues(const AlgorithmRow& row, const Mesh& mesh, const Selecting& selecting)
       : AskedValues({row.id, row.name_en, row.name_ja, row.help_en, row.help_ja}), row_(row) {
     const auto takes_elements = [](const ParameterRow& p) { return p.kind == ParameterKind::elements; };
-    if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements)) {
-      selected_ = selecting.selection;
-      names_ = selecting.selected_names();
-    }
+    if (std::any_of(row.parameters.begin(), row.parameters.end(), takes_elements))
+      selected_ = selecting.selected_names();
     for (const ParameterRow& parameter : row.parameters)
       fields_.push_back({parameter, parameter.is_worked_on && !selected_.empty() ? std::string(selection_word)
                                                                                  : first_text(parameter, mesh)});
@@ -42,7 +40,7 @@ class AlgorithmValues final : public AskedValues {
   void show_in(ValuesPreview& preview, Session& session) const override {
     ParameterValues shown = *values().values;
     for (const ParameterRow& row : row_.parameters)
-      if (means_selection(row, shown.text(row.id))) shown.set_elements(row.id, selected_, names_);
+      if (means_selection(row, shown.text(row.id))) shown.set_names(row.id, selected_);
     preview.show(session, row_, shown);
   }
 
@@ -56,34 +54,25 @@ class AlgorithmValues final : public AskedValues {
   }
 
   const AlgorithmRow& row_;
-  Elements selected_;  // when it was asked for
-  std::vector<std::string> names_;
+  std::vector<std::string> selected_;  // the names of what was selected when it was asked for
 };
 
-bool is_measure(const OpValue& value) {
-  return value.kind == OpValueKind::number || value.kind == OpValueKind::position;
+bool is_number_or_position(const OpValue& value) {
+  return !value.called.empty() && (value.kind == OpValueKind::number || value.kind == OpValueKind::position);
 }
 
-// The list of an operator's line that begins with an element of this kind; else the first one.
-OpParameters list_of(const OpInfo& op, std::optional<Element::Kind> kind) {
+template <class Is>
+bool any_place(const OpInfo& op, Is is) {
   const auto lists = op.line.all_lists();
-  for (const OpParameters& list : lists)
-    if (kind && next_element(OpLine{.lists = {list}}, {}) == kind) return list;
-  return lists.empty() ? OpParameters() : lists[0];
+  return std::any_of(lists.begin(), lists.end(),
+                     [&](const OpParameters& list) { return std::any_of(list.begin(), list.end(), is); });
 }
 
 class OperatorValues final : public AskedValues {
  public:
-  OperatorValues(const OpInfo& op, const Findings& findings, const Selecting& selecting)
+  OperatorValues(const OpInfo& op, const Document& document, const Findings& findings, const Selecting& selecting)
       : AskedValues({op.id, op.name_en, op.name_ja, op.help_en, op.help_ja}), op_(op) {
-    const Elements& selection = selecting.selection;
-    std::optional<Element::Kind> kind;
-    if (!selection.empty())
-      kind = selection[0].kind == Element::Kind::halfedge ? Element::Kind::edge : selection[0].kind;
-    for (const OpParameter& place : list_of(op, kind))
-      if (place.is_told()) add_fields(place, findings.mesh(), selection);
-    follow();
-    look_at_selection(findings, selecting);
+    look_at_selection(document, findings, selecting);
   }
 
   // The field of a number or a position is there where that value is chosen.
@@ -98,9 +87,11 @@ class OperatorValues final : public AskedValues {
       if (fields_[i].is_shown && fields_[i].row.is_required && fields_[i].text.empty()) return i;
     return std::nullopt;
   }
-  void look_at_selection(const Findings& findings, const Selecting& selecting) override {
-    if (std::exchange(looked_at_, selecting.selection.stamp()) == selecting.selection.stamp()) return;
+  void look_at_selection(const Document& document, const Findings& findings, const Selecting& selecting) override {
+    const Looked now{selecting.selection.stamp(), document.revision()};
+    if (std::exchange(looked_, now) == now) return;
     fits_ = op_.on_selection == OnSelection::none || fits_selection(findings, selecting, op_);
+    make_fields(findings.mesh(), selecting.selection);
   }
   std::optional<Text> fault() const override {
     std::vector<ParameterRow> rows;
@@ -117,7 +108,7 @@ class OperatorValues final : public AskedValues {
   Command command() const override { return line(); }
   void show_in(ValuesPreview& preview, Session& session) const override {
     const std::vector<std::string> words = arguments();
-    preview.show(session, op_, std::vector<std::string_view>(words.begin(), words.end()), looked_at_);
+    preview.show(session, op_, std::vector<std::string_view>(words.begin(), words.end()), looked_.stamp);
   }
 
  private:
@@ -127,6 +118,22 @@ class OperatorValues final : public AskedValues {
     std::optional<std::size_t> choice;
     std::vector<std::pair<const OpValue*, std::size_t>> written;
   };
+
+  // Other elements may have other fields. What was written stays in those that were there before.
+  void make_fields(const Mesh& mesh, const Elements& selection) {
+    const std::vector<ValueField> before = std::exchange(fields_, {});
+    const std::vector<std::string> first_before = std::exchange(first_texts_, {});
+    parts_.clear();
+    const OpArgument first = selection.empty() ? OpArgument(std::string_view()) : OpArgument(selection[0].kind);
+    const OpParameters list = list_meant(op_.line, first);
+    for (const OpParameter& place : list)
+      if (place.is_told()) add_fields(place, mesh, selection);
+    for (const ValueField& field : fields_) first_texts_.push_back(field.text);
+    if (std::exchange(list_, list.data()) == list.data())
+      for (std::size_t i = 0; i < fields_.size(); ++i)
+        if (before[i].text != first_before[i]) fields_[i].text = before[i].text;
+    follow();
+  }
 
   void add_fields(const OpParameter& place, const Mesh& mesh, const Elements& selection) {
     Part part{.place = &place, .choice = {}, .written = {}};
@@ -138,14 +145,14 @@ class OperatorValues final : public AskedValues {
       fields_.push_back({parameter_row(words, {.kind = ParameterKind::flag}), "off"});
     } else if (values.size() > 1) {
       std::vector<Choice> choices;
-      if (place.is_optional()) choices.push_back({"", "As usual", "既定"});
+      if (place.is_optional()) choices.push_back({"", "Default", "既定"});
       for (const OpValue& value : values) choices.push_back({value.called, value.name_en, value.name_ja});
       part.choice = fields_.size();
       const std::string first(choices[0].id);
       fields_.push_back({parameter_row(words, {.kind = ParameterKind::choice, .choices = std::move(choices)}), first});
     }
     for (const OpValue& value : values) {
-      if (!is_measure(value)) continue;
+      if (!is_number_or_position(value)) continue;
       part.written.emplace_back(&value, fields_.size());
       fields_.push_back({field_of(value, words, part.choice.has_value() || !place.is_optional()),
                          first_text_of(place, value, mesh, selection)});
@@ -193,8 +200,15 @@ class OperatorValues final : public AskedValues {
   }
 
   const OpInfo& op_;
+  const OpParameter* list_ = nullptr;  // of its line, that the fields are of
   std::vector<Part> parts_;
-  std::uint64_t looked_at_ = 0;  // the stamp of the selection
+  std::vector<std::string> first_texts_;  // of the fields
+  struct Looked {
+    std::uint64_t stamp = 0;  // of the selection
+    std::uint64_t revision = 0;
+    bool operator==(const Looked&) const = default;
+  };
+  Looked looked_;
   bool fits_ = false;
 };
 
@@ -204,15 +218,19 @@ std::unique_ptr<AskedValues> ask_values(const AlgorithmRow& row, const Mesh& mes
   return std::make_unique<AlgorithmValues>(row, mesh, selecting);
 }
 
-std::unique_ptr<AskedValues> ask_values(const OpInfo& op, const Findings& findings, const Selecting& selecting) {
-  return std::make_unique<OperatorValues>(op, findings, selecting);
+std::unique_ptr<AskedValues> ask_values(const OpInfo& op, const Document& document, const Findings& findings,
+                                        const Selecting& selecting) {
+  return std::make_unique<OperatorValues>(op, document, findings, selecting);
 }
 
-bool has_values(const OpInfo& op, bool measures) {
-  for (const OpParameters& list : op.line.all_lists())
-    for (const OpParameter& place : list)
-      if (place.is_told() && (!measures || is_measure(place.values[place.count() - 1]))) return true;
-  return false;
+bool has_values(const OpInfo& op) {
+  return any_place(op, [](const OpParameter& place) { return place.is_told(); });
+}
+
+bool takes_numbers(const OpInfo& op) {
+  return any_place(op, [](const OpParameter& place) {
+    return place.is_told() && std::any_of(place.values.begin(), place.values.end(), is_number_or_position);
+  });
 }
 
 }  // namespace ryosen

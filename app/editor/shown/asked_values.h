@@ -13,6 +13,7 @@
 
 namespace ryosen {
 
+class Document;
 class Findings;
 class Selecting;
 class Session;
@@ -34,8 +35,9 @@ class AskedValues {
   virtual void follow() {}
   // The first field that must be filled in and is empty.
   virtual std::optional<std::size_t> lacking() const = 0;
-  // Call while the view shows the document's mesh: whether it can be run may depend on what is selected.
-  virtual void look_at_selection(const Findings&, const Selecting&) {}
+  // Call while the view shows the document's mesh: what is selected may decide which fields there are, and whether it
+  // can be run.
+  virtual void look_at_selection(const Document&, const Findings&, const Selecting&) {}
   // Why it cannot be run with these values; none where it can.
   virtual std::optional<Text> fault() const = 0;
   // There must be no fault.
@@ -51,9 +53,12 @@ class AskedValues {
 
 // Elements begin with what is selected, other fields with what fits the mesh.
 std::unique_ptr<AskedValues> ask_values(const AlgorithmRow& row, const Mesh& mesh, const Selecting& selecting);
-std::unique_ptr<AskedValues> ask_values(const OpInfo& op, const Findings& findings, const Selecting& selecting);
+std::unique_ptr<AskedValues> ask_values(const OpInfo& op, const Document& document, const Findings& findings,
+                                        const Selecting& selecting);
 
-// Whether an operator may be told anything besides elements; that is a number or a position, where `is_measure`.
-bool has_values(const OpInfo& op, bool is_measure = false);
+// Whether an operator may be told anything besides elements.
+bool has_values(const OpInfo& op);
+// Whether that may be a number or a position.
+bool takes_numbers(const OpInfo& op);
 
 }  // namespace ryosen

@@ -12,7 +12,6 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
-#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/find_element.h"

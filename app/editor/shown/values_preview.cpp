@@ -7,7 +7,10 @@
 #include "app/editor/commands/text/command.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/session.h"
+#include "ryosen/base/count_text.h"
+#include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
+#include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
 
@@ -29,10 +32,9 @@ class ComingPlaces {
 
   std::vector<glm::dvec3> in(const Mesh& mesh) const {
     std::vector<glm::dvec3> places;
-    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-      if (!mesh.is_alive(Vertex(i))) continue;
-      const glm::dvec3& place = mesh.position(Vertex(i));
-      if (i >= new_from_ || !bounds_.encloses({place, place})) places.push_back(place);
+    for (const Vertex v : live_vertices(mesh)) {
+      const glm::dvec3& place = mesh.position(v);
+      if (v.index >= new_from_ || !bounds_.encloses({place, place})) places.push_back(place);
     }
     return places;
   }
@@ -40,14 +42,19 @@ class ComingPlaces {
  private:
   static Box box_of_live(const Mesh& mesh) {
     Box box;
-    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
-      if (mesh.is_alive(Vertex(i)) && is_finite(mesh.position(Vertex(i)))) box.add(mesh.position(Vertex(i)));
+    for (const Vertex v : live_vertices(mesh))
+      if (is_finite(mesh.position(v))) box.add(mesh.position(v));
     return box;
   }
 
   std::uint32_t new_from_;
   Box bounds_;
 };
+
+Text rule_of(Rule rule) {
+  const RuleText& text = text_of(rule);
+  return {std::string(text.en), std::string(text.ja)};
+}
 
 }  // namespace
 
@@ -75,14 +82,15 @@ void ValuesPreview::show(Session& session, const OpInfo& op, std::span<const std
     if (op.on_selection != OnSelection::each && op.on_selection != OnSelection::into_last) {
       const ParsedOp parsed = op_on_selection(session.findings(), session.selecting, op, words);
       if (!parsed.op) return parsed.sentence;
-      return session.shown.try_out(ShownBy::preview, *parsed.op).sentence;
+      const Outcome outcome = session.shown.try_out(ShownBy::preview, *parsed.op);
+      return outcome.reasons.empty() ? outcome.sentence : rule_of(outcome.reasons[0].rule);
     }
     const Elements selected = worked_on(session.findings(), session.selecting, op, words);
     const auto result = session.shown.try_out(ShownBy::preview, op, selected, words, std::move(report));
     if (!result) return std::nullopt;
     if (result->error != NameError::none || result->refused.empty()) return result->sentence;
-    const RuleText& rule = text_of(result->refused[0].rule);
-    return Text{std::string(rule.en), std::string(rule.ja)};
+    return count_text(result->refusals(), "One is refused: ", "# are refused: ", "# 件は実行できません：") +
+           rule_of(result->refused[0].rule);
   };
   show(session, {line, false, run});
 }

@@ -40,7 +40,7 @@ class ValuesPreview {
   const Text& told() const { return told_; }
 
  private:
-  // What would be done: a line that is the same where that is shown already; whether what it adds is a part of its
+  // What would be done: a line that identifies it; whether what it adds is a part of its
   // own; and what puts it on trial and tells its outcome, or none where it was cancelled.
   struct Trial {
     std::string line;

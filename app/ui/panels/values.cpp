@@ -37,6 +37,12 @@ std::string hint_of(const PanelContext& context, const ParameterRow& row) {
   return expected_value(row).in(context.language()) + (may_lack ? context.text("; may be left out", "、省略可") : "");
 }
 
+// In few words: the elements of a selection are not listed.
+std::string text_of_failure(const PanelContext& context) {
+  const LastOutcome& last = context.state.last;
+  return (last.shorter.empty() ? last.sentence : last.shorter.back()).in(context.language());
+}
+
 // One field per parameter of what is asked for; without that, all algorithms to choose from.
 class ValuesPanel : public Panel {
  public:
@@ -47,15 +53,14 @@ class ValuesPanel : public Panel {
     const bool begins = is_new || ImGui::IsWindowAppearing();
     if (begins && !has_failed) begin(context, is_new);
     if (!asked_) return draw_algorithms(context);
-    if (context.shown.by() == ShownBy::document) asked_->look_at_selection(context.findings(), context.selecting);
+    if (context.shown.by() == ShownBy::document)
+      asked_->look_at_selection(context.document(), context.findings(), context.selecting);
     const RowWords& words = asked_->words();
     bold_text(context, context.text(words.name_en, words.name_ja));
     dim_text(context, context.text(words.help_en, words.help_ja));
     ImGui::Separator();
     std::optional<Text> wrong = asked_->fault();
-    const std::string fault = wrong        ? wrong->in(context.language())
-                              : has_failed ? context.state.last.sentence.in(context.language())
-                                           : "";
+    const std::string fault = wrong ? wrong->in(context.language()) : has_failed ? text_of_failure(context) : "";
     const ImGuiStyle& style = ImGui::GetStyle();
     const std::string& told = fault.empty() ? preview_.told().in(context.language()) : fault;
     const float lines = wrapped_size(told, ImGui::GetContentRegionAvail().x).y + style.ItemSpacing.y;
@@ -146,7 +151,7 @@ class ValuesPanel : public Panel {
     asked_.reset();
     if (!row && !op) return;
     context.shown.end();  // what another one shows has no selection, and is another mesh
-    asked_ = op ? ask_values(*op, context.findings(), context.selecting)
+    asked_ = op ? ask_values(*op, context.document(), context.findings(), context.selecting)
                 : ask_values(*row, context.mesh(), context.selecting);
   }
 

@@ -84,7 +84,7 @@ std::vector<std::string_view> split_words(std::string_view line);
 std::optional<Text> fault_of_arguments(std::string_view id, std::span<const OpArgument> arguments);
 AnyOp op_at(const Mesh& mesh, std::string_view id, const OpTarget& target);
 
-// What each operator does by itself, of any of them.
+// Call the operator's own function of that name.
 const OpInfo& info_of(const AnyOp& op);
 Verdict check(const Mesh& mesh, const AnyOp& op);
 // The same for many questions about one mesh.

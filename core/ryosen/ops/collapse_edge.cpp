@@ -27,12 +27,11 @@ using namespace parameters;
 
 constexpr OpParameter collapse_parameters[] = {
     with_words(
-        {"edge", "Edge", "稜線", "the edge that is collapsed: A goes, B stays", "縮約する稜線。A が消え、B が残る"},
+        {"edge", "Edge", "稜線", "the edge that is collapsed (A goes, B stays)", "削除する稜線（A が消え、B が残る）"},
         missing(required(edge<&CollapseEdge::halfedge>("A-B")), "an edge A-B is missing",
                 "稜線 A-B の指定がありません")),
     with_words(
-        {"at", "Place", "位置", "where B comes to lie; it stays at the end if it is left out",
-         "B の位置。省くと終点のまま"},
+        {"at", "Place", "位置", "the position of B (B stays if it is left out)", "B の位置（省くと動かない）"},
         expecting(
             optional(named("At the start", "始点", word<&CollapseEdge::place, CollapseEdge::Place::start>("start")),
                      named("At the end", "終点", word<&CollapseEdge::place, CollapseEdge::Place::end>("end")),

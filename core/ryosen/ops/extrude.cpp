@@ -44,10 +44,12 @@ constexpr OpDrag drag_of_extrusion{.moved =
 constexpr OpParameter extrude_parameters[] = {
     with_words({"faces", "Faces", "面", "the faces that are moved together", "まとめて動かす面"},
                list(face<&Extrude::faces>("fN"), "fM")),
-    with_words({"by", "Movement", "移動量", "how far they move: a distance along their mean normal, or X,Y,Z",
-                "移動量：平均の法線方向の距離、または X,Y,Z"},
-               dragged(drag_of_extrusion, optional(named("Distance", "距離", number<&Extrude::distance>("DISTANCE")),
-                                                   named("Offset", "移動量", position<&Extrude::offset>()))))};
+    with_words(
+        {"by", "Movement", "移動量",
+         "how far they move along their mean normal, or by X,Y,Z (by the root of their mean area if it is left out)",
+         "平均の法線方向の距離、または移動量 X,Y,Z（省くと平均面積の平方根）"},
+        dragged(drag_of_extrusion, optional(named("Distance", "距離", number<&Extrude::distance>("DISTANCE")),
+                                            named("Offset", "移動量", position<&Extrude::offset>()))))};
 
 }  // namespace
 

@@ -64,8 +64,9 @@ constexpr OpParameter extrude_edges_parameters[] = {
     with_words({"edges", "Edges", "稜線", "the edges whose copies are moved together", "複製をまとめて動かす稜線"},
                list(edge<&ExtrudeEdges::edges>("A-B"), "C-D")),
     with_words(
-        {"by", "Movement", "移動量", "how far the copies move: a distance away from their faces, or X,Y,Z",
-         "複製の移動量：面から離れる方向の距離、または X,Y,Z"},
+        {"by", "Movement", "移動量",
+         "how far the copies move away from their faces, or by X,Y,Z (by the mean length if it is left out)",
+         "面から離れる方向の距離、または移動量 X,Y,Z（省くと長さの平均）"},
         dragged(drag_of_edge_extrusion, optional(named("Distance", "距離", number<&ExtrudeEdges::distance>("DISTANCE")),
                                                  named("Offset", "移動量", position<&ExtrudeEdges::offset>()))))};
 

@@ -20,8 +20,8 @@ using namespace parameters;
 constexpr OpParameter poke_parameters[] = {
     with_words({"face", "Face", "面", "the face that gets a vertex", "頂点を置く面"},
                required(face<&Poke::face>("fN"))),
-    with_words({"at", "Position", "座標", "where the vertex lies; in the middle of the corners if it is left out",
-                "頂点の座標。省くと角の中央"},
+    with_words({"at", "Position", "座標", "where the vertex lies (in the middle of the corners if it is left out)",
+                "頂点の座標（省くと角の中央）"},
                optional(position<&Poke::target>()))};
 
 }  // namespace

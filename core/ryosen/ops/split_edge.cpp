@@ -37,12 +37,13 @@ constexpr OpParameter split_parameters[] = {
     with_words(
         {"edge", "Edge", "稜線", "the edge that is split", "分割する稜線"},
         missing(required(edge<&SplitEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません")),
-    with_words(
-        {"at", "Place", "位置", "where the new vertex lies: the share of the way from A to B, or a position",
-         "新しい頂点の位置：A から B までの割合、または座標"},
-        dragged(drag_of_split, expecting(optional(named("Share of the way", "割合", number<&SplitEdge::along>("t")),
-                                                  named("Position", "座標", position<&SplitEdge::place>())),
-                                         "a number t or X,Y,Z", "数 t または X,Y,Z を")))};
+    with_words({"at", "Place", "位置",
+                "where the new vertex lies, from 0 at A to 1 at B or at a position (in the middle if it is left out)",
+                "新しい頂点の位置。A が 0、B が 1 の割合、または座標（省くと中央）"},
+               dragged(drag_of_split,
+                       expecting(optional(named("Fraction along the edge", "割合", number<&SplitEdge::along>("t")),
+                                          named("Position", "座標", position<&SplitEdge::place>())),
+                                 "a number t or X,Y,Z", "数 t または X,Y,Z を")))};
 
 }  // namespace
 

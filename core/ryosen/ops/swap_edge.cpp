@@ -24,7 +24,7 @@ constexpr OpParameter swap_parameters[] = {
         {"edge", "Edge", "稜線", "the edge that is turned", "回す稜線"},
         missing(required(edge<&SwapEdge::halfedge>("A-B")), "an edge A-B is missing", "稜線 A-B の指定がありません")),
     with_words({"back", "Backwards", "逆向き", "whether it is turned the other way", "反対の向きに回す"},
-               optional(named("Backwards", "逆向き", word<&SwapEdge::back, true>("back"))))};
+               optional(word<&SwapEdge::back, true>("back")))};
 
 }  // namespace
 

@@ -18,7 +18,7 @@ namespace {
 using namespace parameters;
 
 constexpr OpParameter triangulate_parameters[] = {with_words(
-    {"face", "Face", "面", "the face that is cut; all faces if it is left out", "分割する面。省くとすべての面"},
+    {"face", "Face", "面", "the face that is cut (all faces if it is left out)", "分割する面（省くとすべての面）"},
     optional(face<&Triangulate::face>("fN")))};
 
 }  // namespace

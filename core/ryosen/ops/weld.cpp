@@ -27,26 +27,26 @@ namespace {
 using namespace parameters;
 
 constexpr OpParameter weld_vertices[] = {
-    with_words({"first", "First vertex", "最初の頂点", "the vertex at whose place they meet", "一つになる位置の頂点"},
+    with_words({"first", "First vertex", "最初の頂点", "the vertex whose place they take", "一つになる位置の頂点"},
                required(copy<&Weld::a>("A"))),
     with_words(
         {"second", "Second vertex", "二番目の頂点", "the vertex that is merged into it", "最初の頂点にまとめる頂点"},
         required(copy<&Weld::b>("B"))),
     with_words(
-        {"at", "Place", "位置", "where they meet: in the middle, or at a position; at the first if it is left out",
-         "一つになる位置：中央、または座標。省くと最初の頂点の位置"},
+        {"at", "Place", "位置", "where they meet (at the first vertex if it is left out)",
+         "一つになる位置（省くと最初の頂点の位置）"},
         optional(named("In the middle", "中央", word<&Weld::place, Weld::Place::middle>("mid")),
                  named("At a position", "座標", position_if<&Weld::target, &Weld::place, Weld::Place::point>())))};
 constexpr OpParameter weld_edges[] = {
     with_words(
-        {"first", "First edge", "最初の稜線", "the boundary edge at whose place they meet", "一つになる位置の境界稜線"},
+        {"first", "First edge", "最初の稜線", "the boundary edge whose place they take", "一つになる位置の境界稜線"},
         required(edge<&Weld::first>("A-B"))),
     with_words({"second", "Second edge", "二番目の稜線", "the boundary edge that is merged into it",
                 "最初の稜線にまとめる境界稜線"},
                required(edge<&Weld::second>("C-D"))),
-    with_words({"at", "In the middle", "中央", "whether they meet in the middle, not at the first",
-                "最初の稜線の位置ではなく中央で一つにする"},
-               optional(named("In the middle", "中央", word<&Weld::place, Weld::Place::middle>("mid"))))};
+    with_words({"at", "In the middle", "中央", "whether they meet in the middle (at the first edge if it is left out)",
+                "中央で一つにする（省くと最初の稜線の位置）"},
+               optional(word<&Weld::place, Weld::Place::middle>("mid")))};
 
 }  // namespace
 

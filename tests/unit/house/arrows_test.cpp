@@ -76,6 +76,7 @@ void for_each_include(Visit visit) {
           visit(file, line.substr(directive.size(), line.find('>') + 1 - directive.size()));
           continue;
         }
+        if (line[directive.size()] != '"') continue;
         const std::string header = line.substr(directive.size() + 1, line.rfind('"') - directive.size() - 1);
         const bool is_there = fs::exists(source / header) || fs::exists(source / "core" / header);
         EXPECT_TRUE(is_there) << file << " includes " << header << ", which is no path from a root";

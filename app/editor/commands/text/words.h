@@ -1,4 +1,4 @@
-// Text parts of a command line: the rest after its first word, file names, and the ids that rows of tables have there.
+// Text parts of a command line: the rest after its first word, file names.
 #pragma once
 
 #include <span>

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "ryosen/analysis/disjoint_sets.h"
-#include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
 

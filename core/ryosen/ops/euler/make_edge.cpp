@@ -19,12 +19,14 @@ constexpr OpParameter make_edge_parameters[] = {
                required(copy<&MakeEdge::a>("A"))),
     with_words({"second", "Second vertex", "二番目の頂点", "where the edge ends", "稜線の終点"},
                required(copy<&MakeEdge::b>("B"))),
-    with_words({"into_first", "Corner at the first", "最初の頂点の角",
-                "the halfedge that ends in the corner, where A has several", "A に角が複数あるとき、角に着く半稜線"},
-               optional(element(OpValueKind::edge, "P-A"))),
-    with_words({"into_second", "Corner at the second", "二番目の頂点の角",
-                "the halfedge that ends in the corner, where B has several", "B に角が複数あるとき、角に着く半稜線"},
-               optional(element(OpValueKind::edge, "Q-B")))};
+    with_words(
+        {"into_first", "Corner at the first", "最初の頂点の角",
+         "the halfedge that ends in the corner, where A has several corners", "A に角が複数あるとき、角に着く半稜線"},
+        optional(element(OpValueKind::edge, "P-A"))),
+    with_words(
+        {"into_second", "Corner at the second", "二番目の頂点の角",
+         "the halfedge that ends in the corner, where B has several corners", "B に角が複数あるとき、角に着く半稜線"},
+        optional(element(OpValueKind::edge, "Q-B")))};
 
 // The boundary halfedges that end at v (its gaps), at most `most` of them.
 std::vector<Halfedge> some_gaps_at(const Mesh& mesh, Vertex v, std::size_t most) {

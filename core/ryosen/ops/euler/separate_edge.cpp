@@ -15,9 +15,9 @@ using namespace parameters;
 constexpr OpParameter separate_edge_parameters[] = {
     with_words({"edge", "Edge", "稜線", "the edge that gets a vertex", "頂点を入れる稜線"},
                required(edge<&SeparateEdge::halfedge>("A-B"))),
-    with_words({"at", "Share of the way", "割合",
-                "where the vertex lies, as a share of the way from A to B; 0.5 if it is left out",
-                "頂点の位置：A から B までの割合。省くと 0.5"},
+    with_words({"at", "Fraction along the edge", "割合",
+                "where the vertex lies, from 0 at A to 1 at B (in the middle if it is left out)",
+                "頂点の位置。A が 0、B が 1 の割合（省くと中央）"},
                optional(number<&SeparateEdge::along>("t")))};
 
 }  // namespace

@@ -202,11 +202,6 @@ constexpr OpValue position_if(std::string_view called = "X,Y,Z") {
     Access<Member>::of(op) = in.place();
   };
   value.is_held = [](const void* op) { return Access<Told>::of(op) == Value; };
-  value.clear = clear<Told>;
-  value.set = [](void* op, const glm::dvec3& position) {
-    Access<Told>::of(op) = Value;
-    Access<Member>::of(op) = position;
-  };
   return value;
 }
 
@@ -221,8 +216,7 @@ constexpr OpValue word(std::string_view called) {
                 in.skip();
                 Kept::of(op) = Value;
               },
-          .is_held = [](const void* op) { return Kept::of(op) == Value; },
-          .clear = clear<Member>};
+          .is_held = [](const void* op) { return Kept::of(op) == Value; }};
 }
 
 // A value as a list of choices calls it.

@@ -166,6 +166,8 @@ const OpValue* meant(const OpParameter& parameter, const OpArgument& argument) {
   return nullptr;
 }
 
+}  // namespace
+
 OpParameters list_meant(const OpLine& line, const OpArgument& first) {
   const auto lists = line.all_lists();
   if (lists.empty()) return {};
@@ -173,6 +175,8 @@ OpParameters list_meant(const OpLine& line, const OpArgument& first) {
     if (looks_like(list[0].values[0], first)) return list;
   return lists[0];
 }
+
+namespace {
 
 // Whether a list goes on with this argument, rather than the parameters after it.
 bool goes_on(const OpParameter& list, bool is_last, const OpArgument& argument) {

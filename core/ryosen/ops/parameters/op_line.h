@@ -102,6 +102,9 @@ std::string syntax_of(const OpLine& line);
 // "start|end|mid|X,Y,Z": what may be in a place.
 std::string syntax_of(const OpParameter& parameter);
 
+// The list that a line with this first argument is of; the first one where it fits none.
+OpParameters list_meant(const OpLine& line, const OpArgument& first);
+
 // Reads the arguments into the operator. The first error stays in the reader.
 void read_line(const OpLine& line, const Mesh& mesh, ArgumentReader& in, void* op);
 // Prints the arguments, each behind a blank. Inverse of read_line() on the mesh where it was printed.
@@ -114,7 +117,7 @@ const OpParameter* dragged_place(const OpLine& line);
 // Puts a position into that place, which must be there, and takes other values out of it.
 void set_dragged(const OpLine& line, void* op, const glm::dvec3& position);
 
-// The index of the first argument that fits none of the lists, whatever mesh its element may be of: arguments.size() if
+// The index of the first argument that fits none of the lists, whether or not its element exists: arguments.size() if
 // one is missing, none if all fit. Cost: the arguments times the parameters.
 std::optional<std::size_t> first_misfit(const OpLine& line, std::span<const OpArgument> arguments);
 // The kind of element that may come next: a vertex before an edge before a face; none where none may.

@@ -26,6 +26,10 @@ struct ColumnLengths;
 
 enum class OpValueKind { vertex, edge, face, number, position, word };
 
+constexpr bool is_element(OpValueKind kind) {
+  return kind == OpValueKind::vertex || kind == OpValueKind::edge || kind == OpValueKind::face;
+}
+
 // A kind of value, or a word, in a place of a line. The functions get the operator; a value without them is read and
 // printed by the operator itself (OpLine).
 struct OpValue {
@@ -78,7 +82,7 @@ struct OpParameter {
   // Whether it takes no element: a number, a position or a word.
   constexpr bool is_told() const {
     for (std::size_t i = 0; i < count(); ++i)
-      if (values[i].kind < OpValueKind::number) return false;
+      if (is_element(values[i].kind)) return false;
     return true;
   }
   constexpr bool is_optional() const { return need == Need::optional; }

@@ -51,5 +51,17 @@ TEST(parameters, elements_that_are_set_need_no_lookup_as_long_as_they_are_alive)
   EXPECT_EQ(found.name, "f0");
 }
 
+TEST(parameters, of_a_halfedge_are_those_of_its_name) {
+  const Mesh mesh = test::make_mesh(test::two_quads());
+  ParameterValues given(find_algorithm("translate")->parameters), named = given;
+  const Halfedge h = mesh.halfedge(Face(0));
+  given.set_place("by", {1, 0, 0});
+  named.set_place("by", {1, 0, 0});
+  given.set_elements("elements", {Element(h)}, {name_of(mesh, h)});
+  named.set_names("elements", {name_of(mesh, h)});
+  ASSERT_TRUE(given.on(mesh).values && named.on(mesh).values);
+  EXPECT_EQ(given.on(mesh).values->elements("elements"), named.on(mesh).values->elements("elements"));
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -19,7 +19,7 @@ class AskedValuesOf : public testing::Test {
   }
   std::unique_ptr<AskedValues> ask(std::string_view op, const std::string& selected = "") {
     EXPECT_TRUE(session_.run(selected.empty() ? "select none" : "select " + selected).done()) << selected;
-    return ask_values(*find_op(op), session_.findings(), session_.selecting);
+    return ask_values(*find_op(op), session_.document(), session_.findings(), session_.selecting);
   }
   std::string line_of(const AskedValues& asked) const { return asked.command().line(session_.mesh()); }
   static bool may_run(const AskedValues& asked) { return !asked.fault(); }
@@ -87,6 +87,27 @@ TEST_F(AskedValuesOf, an_operator_fit_the_kind_of_what_is_selected) {
   EXPECT_TRUE(may_run(*made)) << "it works on nothing that is selected";
   EXPECT_FALSE(may_run(*ask("poke"))) << "nothing is selected";
   EXPECT_FALSE(may_run(*ask("poke", "0-1"))) << "it takes faces";
+}
+
+TEST_F(AskedValuesOf, an_operator_follow_what_is_selected) {
+  const auto look_at = [&](AskedValues& asked, const std::string& selected) {
+    ASSERT_TRUE(session_.run("select " + selected).done());
+    asked.look_at_selection(session_.document(), session_.findings(), session_.selecting);
+  };
+  const auto weld = ask("weld", "v0 v1");
+  choose(*weld, 0, "X,Y,Z");
+  choose(*weld, 1, "1,2,3");
+  look_at(*weld, "0-1 2-3");
+  EXPECT_EQ(line_of(*weld), "weld selected") << "edges meet in the middle or at the first";
+  const auto move = ask("move_vertex", "v0");
+  const std::string first = line_of(*move);
+  look_at(*move, "v6");
+  EXPECT_NE(line_of(*move), first) << "another vertex begins at its own place";
+  choose(*move, 0, "1,2,3");
+  look_at(*move, "v0");
+  EXPECT_EQ(line_of(*move), "move_vertex selected 1,2,3") << "what was written stays";
+  look_at(*move, "f0");
+  EXPECT_FALSE(may_run(*move));
 }
 
 // Whatever is chosen and written, the line has the syntax of the operator.

@@ -138,5 +138,34 @@ TEST(shown, what_a_command_adds_is_added_to_the_document) {
   }
 }
 
+// Each element of a selection, on trial: nothing is on trial where nothing was done.
+TEST(shown, tries_an_operator_on_each_element) {
+  auto document = Document::open(test::asset("cube.obj"));
+  const auto session = std::make_unique<Session>(std::move(document).value());
+  const std::uint64_t before = session->mesh().hash();
+  const Elements faces{Face(0), Face(1)}, edges{Edge(0), Edge(1), Edge(2)};
+  const auto try_out = [&](std::string_view op, const Elements& elements, Words words, Progress::Report report = {}) {
+    return session->shown.try_out(ShownBy::preview, *find_op(op), elements, words, std::move(report));
+  };
+  auto result = try_out("poke", faces, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->done, 2u);
+  EXPECT_TRUE(session->document().is_on_trial());
+  EXPECT_EQ(session->document().position(), 0u);
+  result = try_out("fill", edges, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->done, 0u);
+  EXPECT_EQ(result->refusals(), 3u) << "a cube has no hole";
+  EXPECT_FALSE(session->document().is_on_trial()) << "the trial before has ended";
+  const std::string_view wrong[] = {"nowhere"};
+  result = try_out("poke", faces, wrong);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->done, 0u);
+  EXPECT_FALSE(session->document().is_on_trial());
+  EXPECT_FALSE(try_out("poke", faces, {}, [](double) { return false; })) << "cancelled";
+  EXPECT_FALSE(session->document().is_on_trial());
+  EXPECT_EQ(session->mesh().hash(), before);
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -179,12 +179,14 @@ TEST(OpLine, tells_of_each_place_what_it_is_for) {
         EXPECT_TRUE(ids.insert(place.id).second) << where << " is there twice";
         for (const std::string_view words : {place.name_en, place.name_ja, place.help_en, place.help_ja})
           EXPECT_FALSE(words.empty()) << where;
-        EXPECT_FALSE(place.help_en.ends_with('.')) << where << ": a clause, no sentence";
-        for (const OpValue& value : std::span(place.values).first(place.count())) {
-          const bool is_element = value.kind < OpValueKind::number;
-          EXPECT_FALSE(!is_element && place.count() > 1 && (value.name_en.empty() || value.name_ja.empty())) << where;
-          if (place.drag && place.is_told()) all.insert(where);
-        }
+        EXPECT_FALSE(place.help_en.ends_with('.') || place.help_ja.ends_with("。"))
+            << where << ": a clause, no sentence";
+        EXPECT_TRUE(place.help_en.find_first_of(":;") == std::string_view::npos)
+            << where << ": lists put these between";
+        if (place.drag) all.insert(where);
+        for (const OpValue& value : std::span(place.values).first(place.count()))
+          EXPECT_TRUE(!place.is_told() || place.count() == 1 || !(value.name_en.empty() || value.name_ja.empty()))
+              << where;
       }
     }
   EXPECT_EQ(all, (std::set<std::string>{"extrude by", "extrude_edges by", "split at"})) << "what is dragged";

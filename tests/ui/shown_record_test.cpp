@@ -14,6 +14,7 @@
 #include "app/editor/commands/commands.h"
 #include "app/editor/commands/text/words.h"
 #include "app/editor/session/session.h"
+#include "app/editor/shown/asked_values.h"
 #include "app/editor/shown/levels.h"
 #include "app/editor/shown/values_preview.h"
 #include "app/editor/textbook/playing.h"
@@ -204,8 +205,7 @@ class Stage {
   }
   void show_preview() {
     if (!is_preview_) return;
-    const AlgorithmRow& row = *find_algorithm("mirror");
-    preview_.show(*session_, row, ParameterValues(row.parameters));
+    preview_.show(*session_, ask_values(*find_algorithm("mirror"), session_->mesh(), session_->selecting)->trial());
     EXPECT_TRUE(session_->document().is_on_trial());
   }
 

@@ -7,6 +7,8 @@
 #include "app/editor/input/view/view_input.h"
 #include "app/editor/preferences/keys.h"
 #include "app/editor/session/session.h"
+#include "app/editor/shown/levels.h"
+#include "app/editor/shown/player.h"
 #include "ryosen/base/number_text.h"
 
 namespace ryosen {
@@ -131,6 +133,44 @@ Outcome run_key(Input& input, Words arguments, std::string_view) {
   const PressedKey pressed;
   if (pressed.is_too_deep()) return keys_press_each_other(arguments[0]);
   return input.key(std::string(arguments[0]));
+}
+
+namespace {
+
+Outcome leave_question(std::optional<AskedQuestion>& asked_question) {
+  asked_question.reset();
+  return done_with({"The question is left.", "問題を終えました。"});
+}
+
+}  // namespace
+
+// One step out of what was begun: first a band, then the open panel and what a tab has opened, a held verdict, a
+// question of the program, the tool, the selection, and last what is played, a level of detail, or a question of the
+// practice.
+Outcome run_cancel(Session& session, Words arguments, std::string_view) {
+  if (!arguments.empty()) return wrong_arguments("cancel");
+  if (session.view.band || session.view.armed_drag) {
+    session.view.band.reset();
+    session.view.armed_drag.reset();
+    return {};
+  }
+  if (!session.layout.open_panel.empty() || !session.layout.flyout.empty()) return session.run("panel none");
+  if (session.selecting.is_verdict_held()) {
+    session.selecting.release_verdict();
+    session.pointing.point_away();
+    return {};
+  }
+  if (!session.selecting.asked_line.empty()) {
+    session.selecting.asked_line.clear();
+    return {};
+  }
+  if (!session.selecting.tool.empty()) return session.run("tool none");
+  if (!session.shown.is_replaced() && !session.selecting.selection.empty()) return session.run("select none");
+  if (session.shown.player()) return leave_playing(session.view, session.framing, session.shown);
+  if (session.shown.by() == ShownBy::level) return leave_level(session.shown);
+  if (asked_element(session.document(), session.layout, session.asked_question))
+    return leave_question(session.asked_question);
+  return session.shown.is_replaced() ? Outcome() : session.run("select none");
 }
 
 }  // namespace ryosen

@@ -92,10 +92,6 @@ std::vector<PaletteEntry> palette_entries() {
   };
   for (const OpInfo& op : all_ops())
     add({std::string(op.id), name_in(op.name_en, op.name_ja), name_in(op.help_en, op.help_ja), syntax_of(op.line)});
-  for (const OpInfo& op : all_ops())
-    if (takes_numbers(op))
-      add({"values " + std::string(op.id), name_in(std::string(op.name_en) + "...", std::string(op.name_ja) + "..."),
-           name_in(op.help_en, op.help_ja), ""});
   for (const AlgorithmRow& row : algorithm_table())
     if (!find_op(row.id))
       add({std::string(row.id), name_in(row.name_en, row.name_ja), name_in(row.help_en, row.help_ja), ""});
@@ -112,6 +108,10 @@ std::vector<PaletteEntry> palette_entries() {
     add({"colours " + std::string(map.id), name_in(map.name_en, map.name_ja), name_in(map.legend_en, map.legend_ja),
          ""});
   for (const KeyRow& row : key_table()) add({row.command, name_in(row.help_en, row.help_ja), {}, ""});
+  for (const OpInfo& op : all_ops())
+    if (takes_numbers(op))
+      add({"values " + std::string(op.id), name_in(std::string(op.name_en) + "...", std::string(op.name_ja) + "..."),
+           name_in(op.help_en, op.help_ja), ""});
   for (const CommandRow* row : command_table()) {
     for (const NamedCall& call : row->named) add({std::string(call.line), name_in(call.en, call.ja), {}, ""});
     add({std::string(row->id), title_of(*row), name_in(row->help_en, row->help_ja), row->syntax});

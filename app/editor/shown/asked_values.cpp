@@ -6,7 +6,8 @@
 #include "app/editor/document/findings.h"
 #include "app/editor/session/operator_selection.h"
 #include "app/editor/session/selecting.h"
-#include "app/editor/shown/values_preview.h"
+#include "app/editor/shown/shown.h"
+#include "ryosen/base/count_text.h"
 #include "ryosen/base/number_text.h"
 #include "ryosen/mesh/face_polygon.h"
 #include "ryosen/ops/parameters/op_line.h"
@@ -37,11 +38,19 @@ class AlgorithmValues final : public AskedValues {
     return read.values ? std::nullopt : std::optional(read.sentence);
   }
   Command command() const override { return AlgorithmCall{&row_, *values().values}; }
-  void show_in(ValuesPreview& preview, Session& session) const override {
-    ParameterValues shown = *values().values;
+  ValuesTrial trial() const override {
+    ParameterValues named = *values().values;
     for (const ParameterRow& row : row_.parameters)
-      if (means_selection(row, shown.text(row.id))) shown.set_names(row.id, selected_);
-    preview.show(session, row_, shown);
+      if (means_selection(row, named.text(row.id))) named.set_names(row.id, selected_);
+    const auto run = [&row = row_, named](const Findings& findings, const Selecting&, Shown& shown,
+                                          Progress::Report progress) -> std::optional<Text> {
+      const ReadValues found = named.on(findings.mesh());
+      if (!found.values) return Text();
+      const auto result = shown.try_out(ShownBy::preview, row, *found.values, std::move(progress));
+      if (!result) return std::nullopt;
+      return result->refused ? *result->refused : result->fault ? *result->fault : result->text;
+    };
+    return {AlgorithmCall{&row_, named}.line(), row_.selects_added, run};
   }
 
  private:
@@ -66,6 +75,26 @@ bool any_place(const OpInfo& op, Is is) {
   const auto lists = op.line.all_lists();
   return std::any_of(lists.begin(), lists.end(),
                      [&](const OpParameters& list) { return std::any_of(list.begin(), list.end(), is); });
+}
+
+Text rule_of(Rule rule) {
+  const RuleText& text = text_of(rule);
+  return {std::string(text.en), std::string(text.ja)};
+}
+
+std::optional<Text> try_on_all(const ParsedOp& parsed, Shown& shown) {
+  if (!parsed.op) return parsed.sentence;
+  const Outcome outcome = shown.try_out(ShownBy::preview, *parsed.op);
+  return outcome.reasons.empty() ? outcome.sentence : rule_of(outcome.reasons[0].rule);
+}
+
+std::optional<Text> try_on_each(const OpInfo& op, const Elements& elements, std::span<const std::string_view> words,
+                                Shown& shown, Progress::Report progress) {
+  const auto result = shown.try_out(ShownBy::preview, op, elements, words, std::move(progress));
+  if (!result) return std::nullopt;
+  if (result->error != NameError::none || result->refused.empty()) return result->sentence;
+  return count_text(result->refusals(), "One is refused: ", "# are refused: ", "# 件は実行できません：") +
+         rule_of(result->refused[0].rule);
 }
 
 class OperatorValues final : public AskedValues {
@@ -106,9 +135,15 @@ class OperatorValues final : public AskedValues {
     return Text{"Nothing is selected that it works on.", "対象となる要素が選択されていません。"};
   }
   Command command() const override { return line(); }
-  void show_in(ValuesPreview& preview, Session& session) const override {
-    const std::vector<std::string> words = arguments();
-    preview.show(session, op_, std::vector<std::string_view>(words.begin(), words.end()), looked_.stamp);
+  ValuesTrial trial() const override {
+    const auto run = [&op = op_, texts = arguments()](const Findings& findings, const Selecting& selecting,
+                                                      Shown& shown, Progress::Report progress) {
+      const std::vector<std::string_view> words(texts.begin(), texts.end());
+      return op.on_selection == OnSelection::each || op.on_selection == OnSelection::into_last
+                 ? try_on_each(op, worked_on(findings, selecting, op, words), words, shown, std::move(progress))
+                 : try_on_all(op_on_selection(findings, selecting, op, words), shown);
+    };
+    return {std::to_string(looked_.stamp) + " " + line(), false, run};
   }
 
  private:

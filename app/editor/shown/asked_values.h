@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/commands/text/command.h"
+#include "app/editor/shown/values_preview.h"
 #include "ryosen/algo/parameters.h"
 #include "ryosen/base/message.h"
 
@@ -16,8 +17,6 @@ namespace ryosen {
 class Document;
 class Findings;
 class Selecting;
-class Session;
-class ValuesPreview;
 
 struct ValueField {
   ParameterRow row;
@@ -42,7 +41,8 @@ class AskedValues {
   virtual std::optional<Text> fault() const = 0;
   // There must be no fault.
   virtual Command command() const = 0;
-  virtual void show_in(ValuesPreview& preview, Session& session) const = 0;
+  // The same, to be shown before it is run.
+  virtual ValuesTrial trial() const = 0;
 
  protected:
   explicit AskedValues(const RowWords& words) : words_(words) {}

@@ -4,10 +4,7 @@
 #include <vector>
 
 #include "app/editor/camera/framing.h"
-#include "app/editor/commands/text/command.h"
-#include "app/editor/session/operator_selection.h"
 #include "app/editor/session/session.h"
-#include "ryosen/base/count_text.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/live_elements.h"
@@ -51,11 +48,6 @@ class ComingPlaces {
   Box bounds_;
 };
 
-Text rule_of(Rule rule) {
-  const RuleText& text = text_of(rule);
-  return {std::string(text.en), std::string(text.ja)};
-}
-
 }  // namespace
 
 bool ValuesPreview::is_offered(const Findings& findings, const Shown& shown) const {
@@ -63,39 +55,7 @@ bool ValuesPreview::is_offered(const Findings& findings, const Shown& shown) con
   return !is_costly_to_try(findings.mesh()) && findings.mesh().live().vertices > 0 && !findings.preparing();
 }
 
-void ValuesPreview::show(Session& session, const AlgorithmRow& row, const ParameterValues& values) {
-  const auto run = [&](Progress::Report report) -> std::optional<Text> {
-    const ReadValues found = values.on(session.mesh());
-    if (!found.values) return Text();
-    const auto result = session.shown.try_out(ShownBy::preview, row, *found.values, std::move(report));
-    if (!result) return std::nullopt;
-    return result->refused ? *result->refused : result->fault ? *result->fault : result->text;
-  };
-  show(session, {AlgorithmCall{&row, values}.line(), row.selects_added, run});
-}
-
-void ValuesPreview::show(Session& session, const OpInfo& op, std::span<const std::string_view> words,
-                         std::uint64_t stamp) {
-  std::string line = std::to_string(stamp) + " " + std::string(op.id);
-  for (const std::string_view word : words) line.append(" ").append(word);
-  const auto run = [&](Progress::Report report) -> std::optional<Text> {
-    if (op.on_selection != OnSelection::each && op.on_selection != OnSelection::into_last) {
-      const ParsedOp parsed = op_on_selection(session.findings(), session.selecting, op, words);
-      if (!parsed.op) return parsed.sentence;
-      const Outcome outcome = session.shown.try_out(ShownBy::preview, *parsed.op);
-      return outcome.reasons.empty() ? outcome.sentence : rule_of(outcome.reasons[0].rule);
-    }
-    const Elements selected = worked_on(session.findings(), session.selecting, op, words);
-    const auto result = session.shown.try_out(ShownBy::preview, op, selected, words, std::move(report));
-    if (!result) return std::nullopt;
-    if (result->error != NameError::none || result->refused.empty()) return result->sentence;
-    return count_text(result->refusals(), "One is refused: ", "# are refused: ", "# 件は実行できません：") +
-           rule_of(result->refused[0].rule);
-  };
-  show(session, {line, false, run});
-}
-
-void ValuesPreview::show(Session& session, const Trial& trial) {
+void ValuesPreview::show(Session& session, const ValuesTrial& trial) {
   const Document& document = session.document();
   if (trial.line == line_ && serial_ == document.serial() && revision_ == document.revision()) return;
   take_back(session.document(), session.view, session.framing, session.shown);
@@ -105,7 +65,8 @@ void ValuesPreview::show(Session& session, const Trial& trial) {
   const PreviewClock::time_point until = PreviewClock::now() + patience;
   // A picture is the same however long it takes.
   const bool is_patient = !session.trials.in_background;
-  told_ = trial.run([&](double) { return is_patient || PreviewClock::now() < until; })
+  const auto is_in_time = [&](double) { return is_patient || PreviewClock::now() < until; };
+  told_ = trial.run(session.findings(), session.selecting, session.shown, is_in_time)
               .value_or(Text{"Too slow to preview.", "時間がかかるため、事前には表示しません。"});
   serial_ = document.serial();
   revision_ = document.revision();

@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "ryosen/algo/algorithm.h"
-#include "ryosen/ops/op.h"
+#include "ryosen/base/message.h"
+#include "ryosen/base/progress.h"
 #include "ryosen/scene/view/camera.h"
 
 namespace ryosen {
@@ -17,9 +17,20 @@ class Findings;
 class Document;
 class Framing;
 class Mesh;
+class Selecting;
 class Session;
-struct ViewState;
 class Shown;
+struct ViewState;
+
+// What would be done: a line that identifies it; whether what it adds is a part of its own; and what puts it on trial
+// and tells its outcome, or none where it was cancelled. Values that do not fit the mesh put nothing on trial.
+struct ValuesTrial {
+  std::string line;
+  bool adds_part = false;
+  std::function<std::optional<Text>(const Findings& findings, const Selecting& selecting, Shown& shown,
+                                    Progress::Report progress)>
+      run;
+};
 
 // The session's Shown shows it. Only what is quick is shown: on meshes that are not large, and cancelled where it takes
 // longer than somebody who types would wait. What comes beyond the bounds of the mesh, or as a new part, is brought
@@ -27,11 +38,8 @@ class Shown;
 class ValuesPreview {
  public:
   bool is_offered(const Findings& findings, const Shown& shown) const;
-  // Shows it, unless it is what is shown; values that do not fit the mesh show nothing.
-  void show(Session& session, const AlgorithmRow& row, const ParameterValues& values);
-  // The same with an operator, on what is selected where it works on that, with these words behind; `stamp` is that of
-  // the selection.
-  void show(Session& session, const OpInfo& op, std::span<const std::string_view> words, std::uint64_t stamp);
+  // Shows it, unless it is what is shown.
+  void show(Session& session, const ValuesTrial& trial);
   // Takes it back, where nothing else has taken its place.
   void end(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   // As it is about to be done: what was brought into view stays there.
@@ -40,14 +48,6 @@ class ValuesPreview {
   const Text& told() const { return told_; }
 
  private:
-  // What would be done: a line that identifies it; whether what it adds is a part of its
-  // own; and what puts it on trial and tells its outcome, or none where it was cancelled.
-  struct Trial {
-    std::string line;
-    bool adds_part = false;
-    std::function<std::optional<Text>(Progress::Report)> run;
-  };
-  void show(Session& session, const Trial& trial);
   void take_back(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   void bring_into_view(const Mesh& mesh, const ViewState& view, Framing& framing, std::span<const glm::dvec3> places);
 

@@ -180,7 +180,7 @@ class ValuesPanel : public Panel {
                      "実行結果をビューに示します（20,000 面までの、すぐ終わるものだけ）。"),
         ImGuiHoveredFlags_AllowWhenDisabled);
     if (has_preview_ && is_complete && is_offered)
-      asked_->show_in(preview_, context.session);
+      preview_.show(context.session, asked_->trial());
     else
       preview_.end(context.document(), context.view, context.framing, context.shown);
   }

@@ -101,7 +101,8 @@ class ParameterValues {
   void set_names(std::string_view id, std::vector<std::string> names) {
     value_to_set(id, ParameterKind::elements).names = std::move(names);
   }
-  // Elements that on() need not look up as long as they are alive, and their names for the line; a halfedge is its edge.
+  // Elements that on() need not look up as long as they are alive, and their names for the line; a halfedge is its
+  // edge.
   void set_elements(std::string_view id, std::vector<Element> elements, std::vector<std::string> names) {
     for (Element& e : elements)
       if (e.kind == Element::Kind::halfedge) e = edge(e.halfedge());

@@ -88,8 +88,8 @@ class Document {
   // Does an operator on trial, beside the history: until the next change, or until the trial is ended, the mesh is as
   // if it had been applied. Undo, redo and what is saved stay as they are.
   Outcome try_out(const AnyOp& op);
-  // The same with an operator on each of these elements (each.h); nothing is on trial where nothing was done. None where
-  // it is cancelled.
+  // The same with an operator on each of these elements (each.h); nothing is on trial where nothing was done. None
+  // where it is cancelled.
   std::optional<EachResult> try_out(const OpInfo& op, std::span<const Element> elements,
                                     std::span<const std::string_view> arguments, Progress::Report progress = {});
   // The same with an algorithm; nothing is on trial where it changes nothing. None where it is cancelled.

@@ -11,7 +11,8 @@
 
 namespace ryosen {
 
-// automatic tries OSMesa (the reference: identical pixels everywhere), then EGL.
+// How a context without a display is made. automatic tries OSMesa (the reference: identical pixels everywhere), then
+// EGL.
 enum class Backend { automatic, osmesa, egl };
 
 // An OpenGL 3.3 core context without a usable default framebuffer: draw into your own framebuffers. Objects made in a

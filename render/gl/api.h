@@ -1,4 +1,5 @@
-// Loading of the OpenGL 3.3 core functions.
+// Loading of the OpenGL 3.3 core functions, which the passes call, too. Beyond WebGL 2 they need buffer textures
+// (TexelArray) and mapped buffers.
 #pragma once
 
 #include <glad/gl.h>

@@ -60,7 +60,7 @@ class Session {
   // How the mesh is looked at. What stands below is made from it, in this order.
   ViewState view;
   Framing framing{*this, view};
-  // Places the view in this rectangle of the picture; the left half of it where a mesh stands beside.
+  // Places the view in space in this rectangle of the picture; the left half of it where a mesh stands beside.
   void place_view(Size whole, glm::dvec2 origin);
   Selecting selecting{*this};
   Pointing pointing{*this, open_};

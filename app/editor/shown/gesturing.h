@@ -23,7 +23,7 @@ class Gesturing {
   explicit Gesturing(Session& session) : session_(session) {}
 
   Outcome begin(PointTransform::Kind kind);
-  // Does an operator with a value that can be dragged (OpDrag) and moves what it makes: one command in the end, and
+  // Does an operator with a position that can be dragged (OpDrag) and moves what it makes: one command in the end, and
   // nothing where it is given up.
   Outcome begin(const AnyOp& op);
   // The same: extrudes the selected faces, else edges; splits the edge under the tool in hand, else the selected one;

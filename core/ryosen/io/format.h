@@ -28,7 +28,8 @@ struct Format {
   Text name;                                 // for menus and help
   std::vector<std::string_view> extensions;  // lower case with the dot; the first is the default
   // Gets at most sniffed_bytes, and the size of the file. The first row that is sure gets the file, else the format of
-  // its name, else the first row that may be.
+  // its name, else the first row that may be. Nobody asks where the content is packed, UTF-16 or empty: formats.cpp
+  // refuses that before (refuse_before_sniffing()), where a format inside of an archive has to be let through.
   Likeness (*sniff)(std::string_view head, std::uint64_t size);
   Result<MeshFile> (*read)(std::string_view bytes, const std::filesystem::path& path);
   // Serialises the file; null where the format is read-only.

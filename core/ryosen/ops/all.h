@@ -1,6 +1,6 @@
 // The list of operators. Menus, keys, scripts, the command line, previews and tests are generated from it; a new
 // operator adds its include and a word here, its id to the rules that it can break (ryosen/base/reasons.cpp), and its
-// random arguments for the tests (tests/support/core/random_ops.cpp).
+// random arguments for the tests (tests/support/core/random_ops.cpp), and a row in tests/property/laws_test.cpp.
 #pragma once
 
 #include <optional>

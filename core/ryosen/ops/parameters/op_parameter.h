@@ -47,8 +47,8 @@ struct OpValue {
   std::string_view name_en = "", name_ja = "";                  // where one of several values is chosen
 };
 
-// How the position in a place of a line is dragged by hand: a gesture does the operator on trial and moves what it
-// made; its end gives the operator the position.
+// How the position in a place of a line is dragged by hand: a gesture (Gesturing::begin) does the operator on trial and
+// moves what it made, all of it the same way; its end gives the operator the position.
 struct OpDrag {
   // The elements that move, on a mesh that had so many elements before the operator was applied.
   std::vector<Element> (*moved)(const Mesh& mesh, const void* op, const ColumnLengths& before);

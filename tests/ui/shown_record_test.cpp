@@ -205,7 +205,9 @@ class Stage {
   }
   void show_preview() {
     if (!is_preview_) return;
-    preview_.show(*session_, ask_values(*find_algorithm("mirror"), session_->mesh(), session_->selecting)->trial());
+    const auto asked = ask_values(*find_algorithm("mirror"), session_->mesh(), session_->selecting);
+    for (ValueField& field : asked->fields()) field.text = field.row.initial;
+    preview_.show(*session_, asked->trial());
     EXPECT_TRUE(session_->document().is_on_trial());
   }
 

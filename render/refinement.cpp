@@ -21,8 +21,10 @@ void Refinement::spoil(const PixelRect& rect) {
   const PixelRect inside = intersection(rect, PixelRect::all(size_));
   if (inside.empty()) return;
   for (int y = inside.y0 / tile_px; y <= (inside.y1 - 1) / tile_px; ++y)
-    for (int x = inside.x0 / tile_px; x <= (inside.x1 - 1) / tile_px; ++x)
-      is_coarse_[static_cast<std::size_t>(y * columns_ + x)] = true;
+    for (int x = inside.x0 / tile_px; x <= (inside.x1 - 1) / tile_px; ++x) {
+      const int tile = y * columns_ + x;
+      is_coarse_[static_cast<std::size_t>(tile)] = true;
+    }
   if (!parts_.empty() && overlap(parts_.back().tile, rect)) parts_.clear();
 }
 

@@ -231,14 +231,12 @@ void Gesturing::follow(glm::dvec2 pixel, Modifiers modifiers) {
 
 std::optional<Outcome> Gesturing::key(const std::string& chord) {
   if (!ongoing_) return std::nullopt;
-  if (chord == "Escape") {
-    return give_up();
-  } else if (chord == "Enter") {
-    return end();
-  } else if (chord == "O" && !ongoing_->transform.takes_falloff()) {
+  if (chord == "Escape") return give_up();
+  if (chord == "Enter") return end();
+  if (chord == "O" && !ongoing_->transform.takes_falloff())
     return done_with({"What is made here moves alone; a falloff is for what is there.",
                       "ここで作られる要素は単独で動きます。減衰は既存の要素の移動に使えます。"});
-  } else if (ongoing_->transform.key(mesh(), chord)) {
+  if (ongoing_->transform.key(mesh(), chord)) {
     follow_what_moves();
     follow(ongoing_->pixel, ongoing_->modifiers);
   }

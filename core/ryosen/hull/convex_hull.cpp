@@ -126,7 +126,8 @@ class InnerStar {
     const double u = s - i, v = t - j;
     if (!(std::min(u, v) > near_border && std::max(u, v) < 1 - near_border)) return false;
     const int side = 2 * axis + ((axis == 0 ? d.x : axis == 1 ? d.y : d.z) > 0 ? 1 : 0);
-    return depth < depths_[static_cast<std::size_t>((side * cells + i) * cells + j)];
+    const int cell = (side * cells + i) * cells + j;
+    return depth < depths_[static_cast<std::size_t>(cell)];
   }
 
  private:

@@ -26,7 +26,7 @@ class BuildPlay {
   }
 
  private:
-  Step& begin(int number, int line, Text caption) {
+  Step& begin(int number, int line, const Text& caption) {
     const std::string n = "(" + std::to_string(number) + ") ";
     steps_.push_back({Text{n, n} + caption, {}, {}, code_2(line), {}});
     return steps_.back();

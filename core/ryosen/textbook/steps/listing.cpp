@@ -187,7 +187,7 @@ class ListingPlay : public EditPlay {
     return h;
   }
 
-  void set_halfedge(int line, std::uint32_t v, std::uint32_t h, Text what) {
+  void set_halfedge(int line, std::uint32_t v, std::uint32_t h, const Text& what) {
     const std::string is = h == no_index ? "?" : halfedge_name(h);
     Step& step = begin(
         line, what + Text{": " + vertex_name(v) + ".halfedge = " + is, "：" + vertex_name(v) + ".halfedge = " + is});

@@ -143,8 +143,10 @@ HullSteps::HullSteps(std::span<const glm::dvec3> points, HullOrder order, std::u
   std::erase_if(numbers, [&](std::uint32_t i) { return !is_finite(points[i]); });
   const hull::FirstPoints first = hull::first_points(points, numbers);
   dimension_ = first.dimension;
-  if (dimension_ == 2) builder_ = hull::planar_steps(points, order, std::move(numbers), first);
-  if (dimension_ == 3) builder_ = hull::solid_steps(points, order, std::move(numbers), first);
+  if (dimension_ == 2)
+    builder_ = hull::planar_steps(points, order, std::move(numbers), first);
+  else if (dimension_ == 3)
+    builder_ = hull::solid_steps(points, order, std::move(numbers), first);
 }
 
 HullSteps::~HullSteps() = default;

@@ -1,4 +1,4 @@
-// What an algorithm or an operator would do with the values that are in its fields, shown in the view beforehand.
+// Shows in the view beforehand what an algorithm or an operator would do with the values that are in its fields.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Session;
 class Shown;
 struct ViewState;
 
-// What would be done: a line that identifies it; whether what it adds is a part of its own; and what puts it on trial
+// A trial: a line that identifies it; whether what it adds is a part of its own; and the function that puts it on trial
 // and tells its outcome, or none where it was cancelled. Values that do not fit the mesh put nothing on trial.
 struct ValuesTrial {
   std::string line;
@@ -44,7 +44,7 @@ class ValuesPreview {
   void end(const Document& document, ViewState& view, Framing& framing, Shown& shown);
   // As it is about to be done: what was brought into view stays there.
   void hand_over(Session& session);
-  // Of what was shown last: what is said of it, or why nothing is shown. Empty where nothing was.
+  // Returns what is said of the last one that was shown, or why nothing is shown. Empty where nothing was.
   const Text& told() const { return told_; }
 
  private:

@@ -139,7 +139,7 @@ class ValuesPanel : public Panel {
     return entered;
   }
 
-  // What fields begin with may depend on the mesh and on what is selected.
+  // The first values may depend on the mesh and on what is selected.
   void begin(PanelContext& context, bool is_new) {
     const Layout& layout = context.layout;
     has_run_ = false;

@@ -24,7 +24,7 @@ struct AlgorithmWants {
   bool descent = false;     // of what its elements come, see Lineage
 };
 
-// What an algorithm gets; of an open file Document::run() fills it.
+// The input of an algorithm; of an open file Document::run() fills it.
 struct AlgorithmInput {
   ParameterValues values = ParameterValues();  // lengths in units of the mesh, elements looked up
   // Vertices that something beside the mesh refers to (quarantined faces, lines and points of the file), ascending.

@@ -77,7 +77,7 @@ class ArgumentReader {
   const OpArgument& take() { return arguments_[next_++]; }
   // The element of an argument as handles of this kind have it; none where it is of another kind or not alive.
   std::optional<Element> element_as(Element::Kind kind, const OpArgument& argument) const;
-  // What find() is asked for in place of an argument that is no word or not such an element, for it to tell why.
+  // The word that find() is asked for in place of an argument that is not such an element, for it to tell why.
   std::string word_to_find(const OpArgument& argument) const;
   template <class Handle>
   Named<Handle> named(const OpArgument& argument, Named<Handle> (*find)(const Mesh&, std::string_view)) const {

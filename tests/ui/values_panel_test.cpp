@@ -240,7 +240,7 @@ TEST_F(ValuesPanel, begins_with_what_is_selected_where_that_is_worked_on) {
   EXPECT_EQ(test::DrawnText(gui).count("selectedSelection"), 0u) << "what stays sharp is not what is worked on";
 }
 
-// Of an operator: where the new vertex lies, seen before it is run.
+// An operator has fields as well: where the new vertex lies is seen before it is run.
 TEST_F(ValuesPanel, asks_what_an_operator_may_be_told) {
   ASSERT_TRUE(session.run("select f0").done());
   ASSERT_TRUE(gui.run(session, "values poke").done());

@@ -36,7 +36,7 @@ std::size_t longest_side(const TrianglePlaces& t) {
   return longest;
 }
 
-// Of the plane through a side of a triangle, at a right angle to it: positive on the side of the triangle.
+// The plane through a side of a triangle, at a right angle to it: positive on the side of the triangle.
 Signs beside_side(const TrianglePlaces& t, std::size_t side, const TrianglePlaces& cell) {
   const glm::dvec3 way = t[(side + 1) % 3] - t[side];
   const glm::dvec3 inwards = glm::cross(glm::cross(way, t[(side + 2) % 3] - t[side]), way);

@@ -52,7 +52,7 @@ FlatRegions::FlatRegions(const TriangleTree& to) : to_(to), region_of_(to.size()
     if (region_of_[t] == no_index) grow(t, neighbours);
 }
 
-// By side, from corner i on; none where a border is, or more than two meet.
+// The neighbour at each side, from corner i on; none where a border is, or more than two meet.
 std::vector<std::array<std::uint32_t, 3>> FlatRegions::find_neighbours() const {
   struct Half {
     std::uint32_t from, to, triangle, side;
@@ -204,7 +204,7 @@ double FlatRegions::bound_of(const FarthestCell& cell) const {
   const double uneven = region.uneven > 0 ? 3.5 * region.uneven + 0x1p-50 : 0;
   if (holds(region, number, nearest, cell.near[0].triangle))
     return std::max({cell.near[0].distance, cell.near[1].distance, cell.near[2].distance}) + uneven;
-  // By rounding they may lie outside of the border: a little towards the middle of the region, or of themselves.
+  // Rounding may put them outside of the border: tries a little towards the middle of the region, or of themselves.
   for (const glm::dvec3& middle : {region.middle, (nearest[0] + nearest[1] + nearest[2]) / 3.0}) {
     TrianglePlaces pulled;
     double most = 0;

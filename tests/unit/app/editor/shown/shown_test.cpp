@@ -42,7 +42,7 @@ std::unique_ptr<Session> shown_by(ShownBy owner, bool has_view = true) {
 }
 
 // A command of this effect that is done, or fails as asked.
-CommandRow row_of_effect(Effect effect, std::function<Outcome(Session&)> run) {
+CommandRow row_of_effect(Effect effect, const std::function<Outcome(Session&)>& run) {
   return {.id = "effect",
           .syntax = "",
           .help_en = "has an effect",

@@ -288,11 +288,10 @@ AlgorithmCall TransformGesture::call() const {
     call.values.set_place("about", middle_);
   }
   if (falloff_ > 0) call.values.set_length("falloff", falloff_);
-  const Elements points(points_.begin(), points_.end());
+  Elements points(points_.begin(), points_.end());
   const std::string ranges = slot_ranges(points);
-  std::vector<std::string> names;
-  for (const std::string_view name : split_words(ranges)) names.emplace_back(name);
-  call.values.set_names("elements", std::move(names));
+  const std::vector<std::string_view> names = split_words(ranges);
+  call.values.set_elements("elements", std::move(points), {names.begin(), names.end()});
   return call;
 }
 

@@ -77,7 +77,7 @@ TEST(every_element, a_defect_elsewhere_changes_no_verdict) {
     const SeededMesh random = seeded_mesh(seed);
     const auto n = static_cast<std::uint32_t>(random.points);
     Polygons with_defects = random.faces;
-    for (std::vector<std::uint32_t> face :
+    for (const std::vector<std::uint32_t>& face :
          {std::vector<std::uint32_t>{n, n + 1, n + 2}, {n, n + 3, n + 4}, {n + 5, n + 6, n + 7}, {n + 5, n + 7, n + 6}})
       with_defects.push_back(face);
     const Mesh alone = make_mesh(random.faces, random.points), beside = make_mesh(with_defects, n + 8);

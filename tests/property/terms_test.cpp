@@ -110,7 +110,8 @@ TEST(terms, after_random_operators_are_those_of_the_oracle_and_kept_where_an_ope
         ASSERT_EQ(anew.outside(), before.outside());
         EulerPoincare followed = before;
         BoundaryLoopCount loops;
-        if (Neighbourhood around(after); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
+        Neighbourhood around(after);
+        loops.search(around, sets.of(ProblemKind::boundary_loop));
         ASSERT_EQ(loops.has_open_chain(), anew.open_chain);
         if (follow_operator(followed, after, sets, loops)) {
           ASSERT_EQ(followed, anew);

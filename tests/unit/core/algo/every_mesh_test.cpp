@@ -24,7 +24,7 @@ struct KindOfInput {
   Mesh mesh;
 };
 
-Mesh scaled(Mesh mesh, double size) {
+Mesh scaled(const Mesh& mesh, double size) {
   MeshColumns columns = mesh.columns();
   for (glm::dvec3& p : columns.positions) p *= size;
   return Mesh(std::move(columns));

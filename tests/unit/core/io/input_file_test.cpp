@@ -15,14 +15,14 @@
 namespace ryosen {
 namespace {
 
-class input_file : public testing::Test {
+class InputFileTest : public testing::Test {
  protected:
-  input_file() {
+  InputFileTest() {
     std::string name = (std::filesystem::temp_directory_path() / "ryosen-input-XXXXXX").string();
     EXPECT_NE(mkdtemp(name.data()), nullptr);
     folder_ = name;
   }
-  ~input_file() override { std::filesystem::remove_all(folder_); }
+  ~InputFileTest() override { std::filesystem::remove_all(folder_); }
 
   std::string at(const char* name) const { return (folder_ / name).string(); }
   static void expect_refused(const std::string& path, std::string_view code) {
@@ -37,17 +37,17 @@ class input_file : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(input_file, a_file_comes_whole) {
+TEST_F(InputFileTest, a_file_comes_whole) {
   const std::string text(300000, 'x');
   std::ofstream(at("a")) << text;
-  std::ofstream(at("empty"));
+  const std::ofstream made(at("empty"));
   const Result<FileBytes> bytes = read_whole_file(at("a")), empty = read_whole_file(at("empty"));
   ASSERT_TRUE(bytes && empty);
   EXPECT_EQ(bytes->view(), text);
   EXPECT_EQ(empty->size, 0u);
 }
 
-TEST_F(input_file, what_is_no_file_is_refused_at_once) {
+TEST_F(InputFileTest, what_is_no_file_is_refused_at_once) {
   ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
   const int plug = socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{};
@@ -63,7 +63,7 @@ TEST_F(input_file, what_is_no_file_is_refused_at_once) {
   close(plug);
 }
 
-TEST_F(input_file, a_pipe_that_was_handed_over_is_read_to_its_end) {
+TEST_F(InputFileTest, a_pipe_that_was_handed_over_is_read_to_its_end) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   const std::string text(200000, 'y');

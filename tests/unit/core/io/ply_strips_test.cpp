@@ -33,8 +33,8 @@ std::string binary_strips(std::initializer_list<std::int32_t> numbers, bool is_b
                     std::string(vertices_and_strips);
   out.replace(out.find("list int int"), 12, "list int " + std::string(type));
   for (int v = 0; v < 6; ++v)
-    for (const float coordinate : {float(v % 2), float(v / 2), 0.f})
-      append_number(out, std::bit_cast<std::uint32_t>(coordinate), is_big);
+    for (const int coordinate : {v % 2, v / 2, 0})
+      append_number(out, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)), is_big);
   append_number(out, static_cast<std::uint32_t>(numbers.size()), is_big);
   for (const std::int32_t number : numbers) append_number(out, static_cast<std::uint32_t>(number), is_big);
   return out;

@@ -485,11 +485,10 @@ TEST(ply_read, whole_numbers_of64_bits_are_kept_and_rounded_coordinates_named) {
     EXPECT_EQ(io_test::difference(file, again), "");
     EXPECT_TRUE(again.messages.empty()) << "what is written is what the mesh has";
     const std::string text = bytes_of(again, *target.format, Encoding::ascii);
-    for (const char* word : {"property int64 id\n", "property uint64 key\n",
-                             " 9007199254740993 18446744073709551615 1 "
-                             "9007199254740995\n",
-                             " -9223372036854775807 9223372036854775809 0\n", " 3 4 2 1 18446744073709551613\n",
-                             "3 0 1 2 -9007199254740993\n"}) {
+    for (const char* word :
+         {"property int64 id\n", "property uint64 key\n", " 9007199254740993 18446744073709551615 1 9007199254740995\n",
+          " -9223372036854775807 9223372036854775809 0\n", " 3 4 2 1 18446744073709551613\n",
+          "3 0 1 2 -9007199254740993\n"}) {
       EXPECT_NE(text.find(word), std::string::npos) << word << text;
     }
   }

@@ -34,7 +34,8 @@ Mesh with_corner_values(const SeededMesh& seeded) {
   IndexedMesh source = indexed(seeded.faces, seeded.points);
   source.texcoords.components = 2;
   for (std::size_t i = 0; i < source.corners.size(); ++i) {
-    source.texcoords.pool.emplace_back(static_cast<double>(i / 3), 0, 0);
+    const std::size_t face = i / 3;
+    source.texcoords.pool.emplace_back(static_cast<double>(face), 0, 0);
     source.texcoords.index.push_back(static_cast<std::uint32_t>(i));
   }
   return from_indexed(std::move(source));

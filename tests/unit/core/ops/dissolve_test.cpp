@@ -118,7 +118,7 @@ TEST(dissolve_vertex, refusals_name_their_rule) {
   EXPECT_NE(rules_against(make_mesh(doubled), "dissolve v0@f0"), "");
   // Both points of a bow of closed fans are copies.
   Polygons bow = closed_fan(3);
-  for (std::vector<std::uint32_t> face : {std::vector<std::uint32_t>{0, 4, 5}, {0, 5, 6}, {0, 6, 4}})
+  for (const std::vector<std::uint32_t>& face : {std::vector<std::uint32_t>{0, 4, 5}, {0, 5, 6}, {0, 6, 4}})
     bow.push_back(face);
   EXPECT_EQ(rules_against(make_mesh(bow), "dissolve v0@f0"), "copies");
 }

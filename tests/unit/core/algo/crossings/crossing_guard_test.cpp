@@ -127,9 +127,11 @@ IndexedMesh crossing_sheets(std::uint32_t n, std::uint32_t sheets, double rough,
   Dice dice(seed);
   for (std::uint32_t sheet = 0; sheet < sheets; ++sheet) {
     const auto first = static_cast<std::uint32_t>(source.positions.size());
-    for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i)
-      source.positions.emplace_back(i % (n + 1) + 0.2 * dice.unit(), i / (n + 1) + 0.2 * dice.unit(),
+    for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+      const std::uint32_t column = i % (n + 1), row = i / (n + 1);
+      source.positions.emplace_back(column + 0.2 * dice.unit(), row + 0.2 * dice.unit(),
                                     0.3 * sheet + rough * dice.unit());
+    }
     for (std::uint32_t i = 0; i < n * n; ++i) {
       const std::uint32_t a = first + i / n * (n + 1) + i % n, c = a + n + 2;
       for (const std::uint32_t corner : {a, a + 1, c, a, c, c - 1}) source.corners.push_back(corner);

@@ -47,8 +47,9 @@ IndexedMesh on_its_side(IndexedMesh list) {
 // Faces and corners in another order.
 IndexedMesh shuffled(IndexedMesh list) {
   IndexedMesh other;
-  for (const glm::dvec3& p : list.positions) other.positions.insert(other.positions.begin(), p);
-  const auto last = static_cast<std::uint32_t>(list.positions.size() - 1);
+  other.positions = std::move(list.positions);
+  std::reverse(other.positions.begin(), other.positions.end());
+  const auto last = static_cast<std::uint32_t>(other.positions.size() - 1);
   for (std::size_t f = list.face_count(); f-- > 0;) {
     for (const std::uint32_t corner : list.face(f)) other.corners.push_back(last - corner);
     std::rotate(other.corners.begin() + other.face_offsets.back(), other.corners.end() - 1, other.corners.end());

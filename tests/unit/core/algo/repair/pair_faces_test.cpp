@@ -109,7 +109,7 @@ TEST(pair_faces, cubes_that_share_faces_stay_closed_each) {
   for (const LatticePoint& size : {LatticePoint{2, 1, 1}, {1, 1, 3}, {2, 2, 1}, {2, 2, 2}, {3, 2, 2}})
     for (const bool triangles : {false, true})
       for (const IndexedMesh& mesh : variations(block(size, triangles).indexed())) {
-        const std::uint64_t cubes = static_cast<std::uint64_t>(size[0] * size[1] * size[2]);
+        const auto cubes = static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1] * size[2]);
         const Figures figures = repaired(from_indexed(mesh));
         EXPECT_EQ(figures[ProblemKind::boundary_loop], 0u);
         EXPECT_EQ(figures.components, cubes);

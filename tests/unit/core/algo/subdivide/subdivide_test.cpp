@@ -499,8 +499,10 @@ TEST(Subdivide, values_stay_where_they_are_on_the_surface) {
   constexpr std::uint32_t side = 6;
   Dice dice(5);
   IndexedMesh list;
-  for (std::uint32_t i = 0; i < (side + 1) * (side + 1); ++i)
-    list.positions.emplace_back(i % (side + 1) + 0.4 * dice.unit(), i / (side + 1) + 0.4 * dice.unit(), 0);
+  for (std::uint32_t i = 0; i < (side + 1) * (side + 1); ++i) {
+    const std::uint32_t column = i % (side + 1), row = i / (side + 1);
+    list.positions.emplace_back(column + 0.4 * dice.unit(), row + 0.4 * dice.unit(), 0);
+  }
   for (std::uint32_t i = 0; i < side * side; ++i) {
     const std::uint32_t a = i / side * (side + 1) + i % side, c = a + side + 2;
     if (i % 3 == 0) {
@@ -532,8 +534,10 @@ TEST(Subdivide, values_stay_where_they_are_on_the_surface) {
 // A chart is torn along one inner edge: its end has one value, which is that of its place; the other has two.
 TEST(Subdivide, values_at_the_end_of_a_slit_are_those_of_the_place) {
   IndexedMesh list;
-  for (std::uint32_t i = 0; i < 25; ++i)
-    list.positions.emplace_back(i % 5 + 0.1 * (i * 7 % 4), i / 5 + 0.1 * (i % 3), 0);
+  for (std::uint32_t i = 0; i < 25; ++i) {
+    const std::uint32_t column = i % 5, row = i / 5;
+    list.positions.emplace_back(column + 0.1 * (i * 7 % 4), row + 0.1 * (i % 3), 0);
+  }
   for (std::uint32_t i = 0; i < 16; ++i) {
     const std::uint32_t a = i / 4 * 5 + i % 4;
     list.corners.insert(list.corners.end(), {a, a + 1, a + 6, a, a + 6, a + 5});

@@ -51,9 +51,9 @@ class Builder {
   std::vector<std::uint64_t> hashes;
 };
 
-class exercise : public testing::TestWithParam<Exercise> {};
+class ExerciseTest : public testing::TestWithParam<Exercise> {};
 
-TEST_P(exercise, is_built_and_undone) {
+TEST_P(ExerciseTest, is_built_and_undone) {
   const Exercise& expected = GetParam();
   Builder b;
   ASSERT_NO_FATAL_FAILURE(b.replay(RYOSEN_SOURCE_DIR "/assets/exercises/" + expected.name + ".ryosen"));
@@ -85,7 +85,7 @@ TEST_P(exercise, is_built_and_undone) {
   EXPECT_EQ(b.mesh.hash(), b.hashes.back());
 }
 
-INSTANTIATE_TEST_SUITE_P(texts, exercise,
+INSTANTIATE_TEST_SUITE_P(texts, ExerciseTest,
                          testing::Values(Exercise{"triangle", 3, 3, 1, 0, 0}, Exercise{"square", 4, 4, 1, 0, 0},
                                          Exercise{"triangular_pyramid", 4, 6, 4, 0, 0},
                                          Exercise{"cube", 8, 12, 6, 0, 0}, Exercise{"cube_with_hole", 16, 24, 10, 2, 1},

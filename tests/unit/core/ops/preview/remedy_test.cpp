@@ -18,7 +18,7 @@ void apply_line(Mesh& mesh, const std::string& line) {
   edit.commit();
 }
 
-void expect_remedy_works(Polygons faces, const std::string& line) {
+void expect_remedy_works(const Polygons& faces, const std::string& line) {
   Mesh mesh = make_mesh(faces);
   const MeshColumns before = mesh.columns();
   const ParsedOp op = parse_line(mesh, line);
@@ -55,7 +55,7 @@ TEST(remedy, there_is_none_where_more_faces_hold_both_points_than_it_has_steps) 
   EXPECT_TRUE(RemedySearch(mesh).find("weld 0 1").empty());
 }
 
-std::vector<std::string> remedy_for(Polygons faces, const std::string& line) {
+std::vector<std::string> remedy_for(const Polygons& faces, const std::string& line) {
   Mesh mesh = make_mesh(faces);
   return RemedySearch(mesh).find(line);
 }

@@ -30,10 +30,10 @@ class PanelsTest : public testing::Test, protected test::Laid {
 class FacesPanel : public Panel {
  public:
   void draw(PanelContext& context) override {
-    faces_.push_back(static_cast<float>(context.session.mesh().live().faces));
-    ImGui::PlotLines("##faces", faces_.data(), static_cast<int>(faces_.size()), 0, nullptr, 0, 12, {0, 80});
+    shown_faces.push_back(static_cast<float>(context.session.mesh().live().faces));
+    ImGui::PlotLines("##faces", shown_faces.data(), static_cast<int>(shown_faces.size()), 0, nullptr, 0, 12, {0, 80});
   }
-  std::vector<float> faces_;
+  std::vector<float> shown_faces;
 };
 
 constexpr PanelRow faces_row{"face_curve", PanelPlace::right, "Faces over time", "面の数の推移"};
@@ -72,7 +72,7 @@ TEST_F(PanelsTest, one_of_another_program_is_drawn_with_what_it_keeps) {
   EXPECT_GT(with_one, before);
   ASSERT_TRUE(session.run("poke f0").done());
   frames(2);
-  EXPECT_EQ(panel.faces_, (std::vector<float>{6, 6, 6, 9, 9}));
+  EXPECT_EQ(panel.shown_faces, (std::vector<float>{6, 6, 6, 9, 9}));
   EXPECT_GT(gui.draw_data().TotalVtxCount, with_one) << "a longer curve";
 }
 
@@ -84,10 +84,10 @@ TEST_F(PanelsTest, one_that_is_hidden_at_first_is_drawn_when_it_is_asked_for) {
   FacesPanel& panel = *made;
   gui.add_panel(row, std::move(made));
   EXPECT_EQ(drawn(), before);
-  EXPECT_TRUE(panel.faces_.empty());
+  EXPECT_TRUE(panel.shown_faces.empty());
   ASSERT_TRUE(session.run("panel face_curve").done());
   EXPECT_GT(drawn(), before);
-  EXPECT_EQ(panel.faces_.size(), 3u);
+  EXPECT_EQ(panel.shown_faces.size(), 3u);
 }
 
 TEST_F(PanelsTest, one_of_another_program_is_known_to_the_command_and_its_help_while_it_is_there) {
@@ -128,12 +128,12 @@ TEST_F(PanelsTest, one_of_another_program_is_the_last_of_the_panels_in_the_view_
   };
   press_its_entry();
   EXPECT_EQ(session.layout.switched, std::set<std::string>{"face_curve"});
-  const std::size_t seen = panel.faces_.size();
+  const std::size_t seen = panel.shown_faces.size();
   frames(3);
-  EXPECT_EQ(panel.faces_.size(), seen) << "it is not drawn while it is hidden";
+  EXPECT_EQ(panel.shown_faces.size(), seen) << "it is not drawn while it is hidden";
   press_its_entry();
   EXPECT_TRUE(session.layout.switched.empty());
-  EXPECT_GT(panel.faces_.size(), seen);
+  EXPECT_GT(panel.shown_faces.size(), seen);
 }
 
 }  // namespace

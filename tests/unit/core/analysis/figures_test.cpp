@@ -186,10 +186,10 @@ TEST(figures, of_no_faces) {
 
 TEST(figures, count_quarantined_faces_where_the_file_has_them) {
   IndexedMesh source = indexed({{0, 1, 2}, {}, {}, {}, {}}, 4);
-  const auto aside = [&](std::uint32_t face, std::vector<std::int64_t> corners) {
+  const auto aside = [&](std::uint32_t face, const std::vector<std::int64_t>& corners) {
     QuarantinedFace q;
     q.face = face;
-    q.corners = std::move(corners);
+    q.corners = corners;
     source.quarantine.push_back(std::move(q));
   };
   aside(1, {0, 1});

@@ -97,7 +97,10 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
     Journal journal;
     ProblemSets sets(mesh);
     BoundaryLoopCount loops;
-    if (Neighbourhood around(mesh); true) loops.search(around, sets.of(ProblemKind::boundary_loop));
+    {
+      Neighbourhood around(mesh);
+      loops.search(around, sets.of(ProblemKind::boundary_loop));
+    }
     for (int step = 0; step < 25; ++step) {
       const ProblemSets before = sets;
       const auto transaction =
@@ -124,11 +127,10 @@ TEST(problem_sets, are_kept_current_through_edits_undo_and_redo) {
       other_loops += loops.count() != loops_before;
       kept_loops += loops.count() > 0 && loops.revision() == revision_before;
       // What is listed leads from the sets before to those after.
-      ProblemSets replayed = before;
       std::array<Numbers, most_problem_kinds> members;
       for (const ProblemRow& row : problem_table()) {
         Numbers& set = members[static_cast<std::size_t>(row.kind)];
-        set = replayed.of(row.kind).to_vector();
+        set = before.of(row.kind).to_vector();
         for (const ProblemSets::Change& change : sets.changes()) {
           if (change.kind != row.kind) continue;
           const auto place = std::lower_bound(set.begin(), set.end(), change.index);

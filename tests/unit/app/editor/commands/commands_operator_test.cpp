@@ -413,7 +413,7 @@ TEST(on_selection, says_in_words_what_an_operator_takes) {
     EXPECT_TRUE(told.find("vertex") != told.npos || told.find("vertices") != told.npos ||
                 told.find("edge") != told.npos || told.find("face") != told.npos || op.id == "vertex_split")
         << told;
-    EXPECT_TRUE(told.find("[") == told.npos || op.id == "vertex_split") << told;
+    EXPECT_TRUE(told.find('[') == told.npos || op.id == "vertex_split") << told;
   }
   ASSERT_TRUE(session.run("select v0").done());
   EXPECT_NE(session.run("make_edge selected").sentence.en.find("two vertices, in order"), std::string::npos);

@@ -42,11 +42,11 @@ struct Divided {
   std::size_t faces;  // of one quad
 };
 
-class what_is_divided : public testing::TestWithParam<Divided> {};
+class WhatIsDividedTest : public testing::TestWithParam<Divided> {};
 
 // The face z = 1 of the cube and one of its edges lie in planes that the midpoint scheme keeps; the others move them,
 // but divide all alike.
-TEST_P(what_is_divided, is_kept_and_selected_with_all_its_parts) {
+TEST_P(WhatIsDividedTest, is_kept_and_selected_with_all_its_parts) {
   const auto session = memory_session("cube.obj");
   const Mesh& mesh = session->mesh();
   const Edge side = edge(mesh.halfedge(Face(0)));
@@ -66,7 +66,7 @@ TEST_P(what_is_divided, is_kept_and_selected_with_all_its_parts) {
   EXPECT_EQ(what_is_kept(*session, "patch"), faces);
 }
 
-INSTANTIATE_TEST_SUITE_P(schemes, what_is_divided,
+INSTANTIATE_TEST_SUITE_P(schemes, WhatIsDividedTest,
                          testing::Values(Divided{"midpoint", 16}, Divided{"catmull_clark", 16}, Divided{"loop", 32},
                                          Divided{"sqrt3", 18}),
                          [](const auto& each) { return each.param.scheme; });

@@ -26,7 +26,7 @@ TEST(selection, has_another_stamp_after_each_change_and_the_same_where_it_only_i
   const Selection moved = std::move(selection);
   EXPECT_EQ(moved, copy);
   EXPECT_TRUE(is_new()) << "nothing is left in what was moved";
-  EXPECT_TRUE(selection.empty());
+  EXPECT_TRUE(selection.empty());  // NOLINT(bugprone-use-after-move): that is what is asked
   EXPECT_NE(moved.stamp(), selection.stamp());
 }
 

@@ -65,7 +65,7 @@ Polygons moebius_strip() { return {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {
 
 Polygons two_tetrahedra_on_an_edge() {
   Polygons faces = tetrahedron();
-  for (std::vector<std::uint32_t> face : {std::vector<std::uint32_t>{0, 1, 4}, {0, 5, 1}, {1, 5, 4}, {0, 4, 5}})
+  for (const std::vector<std::uint32_t>& face : {std::vector<std::uint32_t>{0, 1, 4}, {0, 5, 1}, {1, 5, 4}, {0, 4, 5}})
     faces.push_back(face);
   return faces;
 }

@@ -173,8 +173,9 @@ IndexedMesh spokes_on_a_line(std::uint32_t n) {
 
 IndexedMesh seams_at_a_point(std::uint32_t n) {
   IndexedMesh mesh;
-  const auto end = static_cast<double>(n / 2);
-  for (std::uint32_t i = 0; i < n / 2; ++i) {
+  const std::uint32_t half = n / 2;
+  const auto end = static_cast<double>(half);
+  for (std::uint32_t i = 0; i < half; ++i) {
     const double x = 1.0 + i;  // a whole multiple of (x, end) leads along the seam
     mesh.positions.insert(mesh.positions.end(),
                           {{-x, -end, 0}, {x, end, 0}, {0, 0, x}, {0, 0, 0}, {x, end, 0}, {0, 0, -x}});

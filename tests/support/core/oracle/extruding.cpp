@@ -37,7 +37,7 @@ std::vector<Pair> border_of(const Complex& points, const std::vector<int>& faces
 
 }  // namespace
 
-Extruded extruded(const Complex& points, std::vector<int> faces) {
+Extruded extruded(const Complex& points, const std::vector<int>& faces) {
   std::vector<int> named;
   for (int f : faces)
     if (!std::count(named.begin(), named.end(), f)) named.push_back(f);

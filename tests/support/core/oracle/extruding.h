@@ -14,7 +14,7 @@ struct Extruded {
   int walls = 0;
 };
 // `points` is a list whose vertices are their points. The faces in the order in which they are named.
-Extruded extruded(const Complex& points, std::vector<int> faces);
+Extruded extruded(const Complex& points, const std::vector<int>& faces);
 
 // Each side a -> b gets a quad, against it if it is one of a face, else along it in the place of a wire. New points are
 // numbered from the end on, as the sides meet them.

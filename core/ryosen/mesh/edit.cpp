@@ -13,7 +13,7 @@ namespace ryosen {
 void Edit::commit() {
 #ifdef RYOSEN_CHECKED
   constexpr std::uint32_t largest_checked = 4000;
-  if (mesh_.halfedge_slots() <= largest_checked) {
+  if (std::max(mesh_.halfedge_slots(), mesh_.vertex_slots()) <= largest_checked) {
     if (const auto broken = check_invariants(mesh_)) {
       std::fprintf(stderr, "invariant broken at commit: %s\n", broken->sentence.c_str());
       std::abort();

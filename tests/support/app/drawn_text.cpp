@@ -55,7 +55,7 @@ DrawnText::DrawnText(const Gui& gui) {
         is_read[static_cast<std::size_t>(k)] = true;
         const ImVec2 &corner = list.VtxBuffer[k].pos, &across = list.VtxBuffer[k + 2].pos;
         if (letter->second == 0x2026) ellipses_.push_back(letters_.size());
-        letters_ += letter->second;
+        letters_.push_back(letter->second);
         places_.emplace_back((corner.x + across.x) / 2, (corner.y + across.y) / 2);
         glyphs_.push_back({{std::min(corner.x, across.x), std::min(corner.y, across.y)},
                            {std::max(corner.x, across.x), std::max(corner.y, across.y)},

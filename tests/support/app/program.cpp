@@ -15,8 +15,6 @@
 #include "app/cli/run.h"
 #include "tests/support/app/contract.h"
 
-extern char** environ;
-
 namespace ryosen::test {
 
 namespace {

@@ -129,8 +129,11 @@ IndexedMesh crossing_sheets(std::uint32_t n, std::uint32_t sheets, double rough,
     const auto first = static_cast<std::uint32_t>(source.positions.size());
     for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
       const std::uint32_t column = i % (n + 1), row = i / (n + 1);
-      source.positions.emplace_back(column + 0.2 * dice.unit(), row + 0.2 * dice.unit(),
-                                    0.3 * sheet + rough * dice.unit());
+      glm::dvec3 place(column, row, 0.3 * sheet);
+      place.z += rough * dice.unit();
+      place.y += 0.2 * dice.unit();
+      place.x += 0.2 * dice.unit();
+      source.positions.push_back(place);
     }
     for (std::uint32_t i = 0; i < n * n; ++i) {
       const std::uint32_t a = first + i / n * (n + 1) + i % n, c = a + n + 2;

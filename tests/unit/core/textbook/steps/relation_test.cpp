@@ -206,7 +206,7 @@ std::multiset<std::string> answer_of(const Mesh& mesh, const Step& step) {
       continue;
     }
     const Halfedge h = halfedge(mark.element.edge());
-    const auto [a, b] = std::minmax(mesh.copy_point(mesh.from(h)).index, mesh.copy_point(mesh.to(h)).index);
+    const auto [a, b] = std::minmax({mesh.copy_point(mesh.from(h)).index, mesh.copy_point(mesh.to(h)).index});
     found.insert(std::to_string(a) + "-" + std::to_string(b));
   }
   return found;

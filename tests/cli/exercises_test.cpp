@@ -11,9 +11,9 @@ struct Exercise {
   int vertices, edges, faces, rings, genus, exit_code;
 };
 
-class exercise_script : public testing::TestWithParam<Exercise> {};
+class ExerciseScriptTest : public testing::TestWithParam<Exercise> {};
 
-TEST_P(exercise_script, is_replayed_and_confirmed) {
+TEST_P(ExerciseScriptTest, is_replayed_and_confirmed) {
   const Exercise& expected = GetParam();
   const TemporaryFolder folder;
   const std::string out = folder.at(expected.name + ".obj");
@@ -39,7 +39,7 @@ TEST(exercises, the_triangle_stands_where_the_sample_program_puts_it) {
   EXPECT_EQ(read_file(out), "OFF\n3 1 0\n0 10 0\n-10 -10 0\n10 -10 0\n3 0 1 2\n");
 }
 
-INSTANTIATE_TEST_SUITE_P(texts, exercise_script,
+INSTANTIATE_TEST_SUITE_P(texts, ExerciseScriptTest,
                          testing::Values(Exercise{"triangle", 3, 3, 1, 0, 0, 0}, Exercise{"square", 4, 4, 1, 0, 0, 0},
                                          Exercise{"triangular_pyramid", 4, 6, 4, 0, 0, 0},
                                          Exercise{"cube", 8, 12, 6, 0, 0, 0},

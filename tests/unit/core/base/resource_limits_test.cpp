@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t mib = std::uint64_t{1} << 20;
 
-class resource_limits : public testing::Test {
+class ResourceLimitsTest : public testing::Test {
  protected:
   void SetUp() override {
     rlimit limit;
@@ -53,14 +53,14 @@ class resource_limits : public testing::Test {
   io_test::TemporaryFolder folder_;
 };
 
-TEST_F(resource_limits, of_a_group_of_version_2) {
+TEST_F(ResourceLimitsTest, of_a_group_of_version_2) {
   write("list", "0::/user/session\n");
   group_v2("user/session", bytes(300), 100);
   EXPECT_EQ(lack(200), "");
   EXPECT_EQ(lack(201), sentence("201 MiB", "200 MiB", "300 MiB"));
 }
 
-TEST_F(resource_limits, of_the_groups_around_a_group) {
+TEST_F(ResourceLimitsTest, of_the_groups_around_a_group) {
   write("list", "0::/user/session\n");
   group_v2("user/session", "max", 100);
   group_v2("user", bytes(2048), 1900);
@@ -74,7 +74,7 @@ TEST_F(resource_limits, of_the_groups_around_a_group) {
 }
 
 // Within a container the list may name groups of which only the outermost is seen, at the root.
-TEST_F(resource_limits, of_a_root_that_is_not_the_systems) {
+TEST_F(ResourceLimitsTest, of_a_root_that_is_not_the_systems) {
   write("list", "0::/outside/of/the/container\n");
   group_v2(".", bytes(64), 16);
   EXPECT_EQ(lack(48), "");
@@ -83,7 +83,7 @@ TEST_F(resource_limits, of_a_root_that_is_not_the_systems) {
   EXPECT_NE(lack(49), "");
 }
 
-TEST_F(resource_limits, of_groups_of_version_1) {
+TEST_F(ResourceLimitsTest, of_groups_of_version_1) {
   constexpr std::uint64_t none = 9223372036854771712u;
   write("list", "12:cpu,cpuacct:/a\n4:memory:/a/b:c\n1:name=systemd:/\n0::/\n");
   group_v1("/a/b:c", none, 700);
@@ -100,7 +100,7 @@ TEST_F(resource_limits, of_groups_of_version_1) {
 }
 
 // Caches of files are given back when something needs the room.
-TEST_F(resource_limits, but_for_what_can_be_taken_back) {
+TEST_F(ResourceLimitsTest, but_for_what_can_be_taken_back) {
   write("list", "0::/g\n");
   group_v2("g", bytes(500), 450);
   write("g/memory.stat", "anon 5\ninactive_file " + bytes(200) + "\nactive_file " + bytes(100) + "\nslab_reclaimable " +
@@ -116,7 +116,7 @@ TEST_F(resource_limits, but_for_what_can_be_taken_back) {
   EXPECT_EQ(lack(201), sentence("201 MiB", "200 MiB", "500 MiB"));
 }
 
-TEST_F(resource_limits, none_where_nothing_is_told) {
+TEST_F(ResourceLimitsTest, none_where_nothing_is_told) {
   EXPECT_EQ(lack(1u << 20), "");
   write("list", "");
   EXPECT_EQ(lack(1u << 20), "");

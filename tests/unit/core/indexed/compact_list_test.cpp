@@ -32,7 +32,7 @@ TEST(compact_list, copies_are_their_own_and_a_move_leaves_nothing) {
   EXPECT_EQ(list.size(), 2u);
   const List moved = std::move(list);
   EXPECT_EQ(moved, (List{1, 2}));
-  list.clear();
+  list.clear();  // NOLINT(bugprone-use-after-move): it goes on as an empty one
   EXPECT_EQ(list, List());
   copy = list;
   EXPECT_TRUE(copy.empty());

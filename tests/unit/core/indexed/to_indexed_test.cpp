@@ -22,11 +22,11 @@ Polygons faces_of(const IndexedMesh& mesh) {
   return faces;
 }
 
-QuarantinedFace aside(std::uint32_t face, std::vector<std::int64_t> corners) {
+QuarantinedFace aside(std::uint32_t face, const std::vector<std::int64_t>& corners) {
   QuarantinedFace q;
   q.face = face;
   q.line = face + 1;
-  q.corners = std::move(corners);
+  q.corners = corners;
   return q;
 }
 

@@ -37,9 +37,9 @@ class Interface {
   }
 };
 
-class canvas : public testing::Test {
+class CanvasTest : public testing::Test {
  protected:
-  canvas() : view_(front_view(square_scene(4), {200, 200}, 3)), canvas_(make()) {
+  CanvasTest() : view_(front_view(square_scene(4), {200, 200}, 3)), canvas_(make()) {
     canvas_->set_fonts(*ImGui::GetIO().Fonts);
   }
 
@@ -59,7 +59,7 @@ class canvas : public testing::Test {
   std::unique_ptr<Canvas> canvas_;
 };
 
-TEST_F(canvas, shows_the_view_in_its_place_and_text_over_it) {
+TEST_F(CanvasTest, shows_the_view_in_its_place_and_text_over_it) {
   const auto contents = [] { ImGui::TextUnformatted("MMMMMMMM"); };
   settle(contents);
   canvas_->compose(*view_, 180, 50, interface_.frame(contents));
@@ -75,14 +75,14 @@ TEST_F(canvas, shows_the_view_in_its_place_and_text_over_it) {
   EXPECT_GT(light, 100);
 }
 
-TEST_F(canvas, draws_nothing_when_nothing_changed) {
+TEST_F(CanvasTest, draws_nothing_when_nothing_changed) {
   const auto contents = [] { ImGui::TextUnformatted("same"); };
   settle(contents);
   EXPECT_EQ(canvas_->compose(*view_, 0, 0, interface_.frame(contents)), 400 * 300);
   EXPECT_EQ(canvas_->compose(*view_, 0, 0, interface_.frame(contents)), 0);
 }
 
-TEST_F(canvas, partial_picture_equals_a_new_one) {
+TEST_F(CanvasTest, partial_picture_equals_a_new_one) {
   const char* words[] = {"one", "one two", "three", "", "one"};
   settle([] {});
   for (int step = 0; step < 15; ++step) {

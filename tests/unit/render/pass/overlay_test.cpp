@@ -132,7 +132,8 @@ TEST(overlay, the_rim_of_an_arrow_lies_all_round_it) {
   view->set_overlay(Layer::highlights, overlay);
   view->draw();
   const Image picture = view->read_pixels();
-  const auto at = [&](int x, int y) { return picture.pixels[static_cast<std::size_t>(y * overlay_size.width + x)]; };
+  const auto width = static_cast<std::size_t>(overlay_size.width);
+  const auto at = [&](std::size_t x, std::size_t y) { return picture.pixels[y * width + x]; };
   const auto is_arrow = [&](int x, int y) { return at(x, y)[0] > 128 && at(x, y)[1] < 128; };
   const auto is_rim = [&](int x, int y) { return at(x, y)[0] < 128 && at(x, y)[1] > 150 && at(x, y)[2] < 128; };
   int columns = 0, across = 0, lopsided = 0;  // across: where it is cut across behind the head

@@ -10,10 +10,10 @@ namespace {
 
 constexpr Size size{200, 100};
 
-class ui_damage : public testing::Test {
+class UiDamageTest : public testing::Test {
  protected:
-  ui_damage() { ImGui::CreateContext(); }
-  ~ui_damage() override { ImGui::DestroyContext(); }
+  UiDamageTest() { ImGui::CreateContext(); }
+  ~UiDamageTest() override { ImGui::DestroyContext(); }
 };
 
 // A list of draw commands that is filled by hand.
@@ -54,7 +54,7 @@ PixelRect hull(const std::vector<PixelRect>& rects) {
   return all;
 }
 
-TEST_F(ui_damage, the_first_drawing_is_all_new_and_the_same_again_is_nothing) {
+TEST_F(UiDamageTest, the_first_drawing_is_all_new_and_the_same_again_is_nothing) {
   UiDamage damage;
   EXPECT_EQ(hull(damage.update(Drawing().triangle(5, 5).data(), size)), PixelRect::all(size));
   EXPECT_TRUE(hull(damage.update(Drawing().triangle(5, 5).data(), size)).empty());
@@ -62,7 +62,7 @@ TEST_F(ui_damage, the_first_drawing_is_all_new_and_the_same_again_is_nothing) {
   EXPECT_EQ(hull(damage.update(Drawing().triangle(5, 5).data(), size)), PixelRect::all(size));
 }
 
-TEST_F(ui_damage, a_changed_triangle_costs_its_own_rectangle) {
+TEST_F(UiDamageTest, a_changed_triangle_costs_its_own_rectangle) {
   UiDamage damage;
   damage.update(Drawing().triangle(5, 5).triangle(50, 50).triangle(150, 5).data(), size);
   const PixelRect coloured =
@@ -73,7 +73,7 @@ TEST_F(ui_damage, a_changed_triangle_costs_its_own_rectangle) {
   EXPECT_EQ(moved, (PixelRect{49, 49, 81, 61})) << "the old place and the new";
 }
 
-TEST_F(ui_damage, a_triangle_that_comes_or_goes_leaves_those_behind_it_alone) {
+TEST_F(UiDamageTest, a_triangle_that_comes_or_goes_leaves_those_behind_it_alone) {
   UiDamage damage;
   damage.update(Drawing().triangle(5, 5).triangle(150, 5).data(), size);
   const PixelRect place{49, 49, 61, 61};
@@ -81,7 +81,7 @@ TEST_F(ui_damage, a_triangle_that_comes_or_goes_leaves_those_behind_it_alone) {
   EXPECT_EQ(hull(damage.update(Drawing().triangle(5, 5).triangle(150, 5).data(), size)), place);
 }
 
-TEST_F(ui_damage, rectangles_end_with_the_window) {
+TEST_F(UiDamageTest, rectangles_end_with_the_window) {
   UiDamage damage;
   damage.update(Drawing().data(), size);
   EXPECT_EQ(hull(damage.update(Drawing().triangle(195, 95).data(), size)), (PixelRect{194, 94, 200, 100}));

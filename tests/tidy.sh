@@ -38,7 +38,7 @@ while IFS= read -r command; do
   checked=$lists/$number.cpp
   own=
   case "$compiled" in
-    *"/tests/"*) own=--checks=-bugprone-integer-division ;;  # places of grids
+    "$root/tests/"* | "$build/tests/"*) own=--checks=-bugprone-integer-division ;;  # places of grids
   esac
   case "$compiled" in
     *"/Unity/"*) grep '^#include' "$compiled" | grep -v "\"$build" >"$checked" || continue ;;

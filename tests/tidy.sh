@@ -5,8 +5,8 @@
 # Sources that the build compiles as one are checked as one: parsing their headers is what takes the time.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
-most=30        # of the product's files changed by commits: a minute on two cores
-most_tests=3   # of the tests: half a minute
+most=25        # of the product's files changed by commits: a minute on two cores
+most_tests=2   # of the tests: half a minute
 build=$root/build/tidy
 lists=$(mktemp -d)
 trap 'rm -rf "$lists"' EXIT

@@ -97,8 +97,9 @@ run_tidy() {
   fi
 }
 
-# The walks again, in a long run also the tests of each class, with as many tries as in a short run: all would take hours
-# there. The oracles and what goes over whole tables or real meshes are slow there and touch nothing that the walks do not.
+# The walks again, in a long run also the tests of each class, with as many tries as in a short run: all would take
+# hours. The oracles and what goes over whole tables or real meshes are slow here and touch nothing that the walks do
+# not.
 run_walks() {
   configure_checked
   for kind in $walked; do

@@ -18,13 +18,13 @@ namespace {
 
 // By index into a pool: the first index with the same value.
 std::vector<std::uint32_t> first_equals(const AttributeColumn& pool) {
-  const std::size_t count = pool.data.size() / pool.words;
+  const std::size_t count = pool.data.size() / pool.words();
   std::vector<std::uint32_t> first(count);
   std::unordered_map<std::string_view, std::uint32_t> known;
   known.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto* const bytes = reinterpret_cast<const char*>(pool.data.data() + i * pool.words);
-    first[i] = known.emplace(std::string_view(bytes, pool.words * sizeof(std::uint32_t)), i).first->second;
+    const auto* const bytes = reinterpret_cast<const char*>(pool.data.data() + i * pool.words());
+    first[i] = known.emplace(std::string_view(bytes, pool.words() * sizeof(std::uint32_t)), i).first->second;
   }
   return first;
 }

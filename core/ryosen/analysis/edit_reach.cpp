@@ -16,6 +16,9 @@ void add_valued_cell(const Mesh& mesh, TouchedCell cell, EditReach& reach) {
     case ElementKind::vertex:
       reach.vertices.emplace_back(cell.index);
       break;
+    case ElementKind::edge:
+      reach.edges.emplace_back(cell.index);
+      break;
     case ElementKind::corner:
       reach.edges.push_back(edge(Halfedge(cell.index)));
       break;

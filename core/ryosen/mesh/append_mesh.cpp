@@ -13,10 +13,10 @@ void copy_attributes(Edit& edit, const Mesh& part, ElementKind kind, std::uint32
   for (std::size_t i = 0; i < edit.mesh().attributes().size(); ++i) {
     const AttributeColumn& column = edit.mesh().attributes()[i];
     const AttributeColumn* const same = column.element == kind ? find_column(part, column.name) : nullptr;
-    if (!same || same->words != column.words) continue;
+    if (!same || same->type != column.type) continue;
     const std::span words = same->data;
     for (std::uint32_t k = 0; k < count; ++k)
-      edit.set_attribute(i, first + k, words.subspan(std::size_t{k} * column.words, column.words));
+      edit.set_attribute(i, first + k, words.subspan(std::size_t{k} * column.words(), column.words()));
   }
 }
 
@@ -53,6 +53,7 @@ void append_mesh(Edit& edit, const Mesh& part, AppendedAttributes attributes) {
       edit.set_copy_links(moved(v, vertices), moved(part.next_copy(v), vertices), moved(part.copy_point(v), vertices));
   if (attributes == AppendedAttributes::none) return;
   copy_attributes(edit, part, ElementKind::vertex, vertices, part.vertex_slots());
+  copy_attributes(edit, part, ElementKind::edge, halfedges / 2, part.edge_slots());
   copy_attributes(edit, part, ElementKind::corner, halfedges, part.halfedge_slots());
   copy_attributes(edit, part, ElementKind::face, faces, part.face_slots());
 }

@@ -2,6 +2,11 @@
 
 namespace ryosen {
 
+CornerColumns make_corner_columns(std::string_view index_name, std::string_view pool_name) {
+  return {make_column(index_name, ElementKind::corner, ValueRule::first, no_index),
+          make_column(pool_name, ElementKind::pool, ValueRule::blend, glm::dvec3(0))};
+}
+
 std::vector<CornerAttribute> corner_attributes(const Mesh& mesh) {
   std::vector<CornerAttribute> found;
   const auto add = [&](std::string_view index_name, std::string_view pool_name) {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,27 +32,39 @@ inline const AttributeColumn* find_column(const Mesh& mesh, std::string_view nam
   return i < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(i)];
 }
 
-// The value of type T at an index of a column; sizeof(T) must equal the column's words.
-template <class T>
+// The value at an index of a column of type T.
+template <AttributeValue T>
 T attribute_value(const AttributeColumn& column, std::uint32_t index) {
   T value;
-  std::memcpy(&value, column.data.data() + std::size_t{index} * column.words, sizeof(T));
+  std::memcpy(&value, column.data.data() + std::size_t{index} * column.words(), sizeof(T));
   return value;
 }
-// All values of a column.
-template <class T>
-std::vector<T> attribute_values(const AttributeColumn& column) {
-  std::vector<T> values(column.data.size() / column.words);
+// All values of a column of type T, which fills whole words.
+template <AttributeValue T>
+requires(sizeof(T) % sizeof(std::uint32_t) == 0) std::vector<T> attribute_values(const AttributeColumn& column) {
+  std::vector<T> values(column.data.size() / column.words());
   if (!values.empty()) std::memcpy(values.data(), column.data.data(), values.size() * sizeof(T));
   return values;
 }
 // A value as the words of a column.
-template <class T>
-std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> attribute_words(const T& value) {
-  std::array<std::uint32_t, sizeof(T) / sizeof(std::uint32_t)> words;
+template <AttributeValue T>
+std::array<std::uint32_t, value_type<T>.words()> attribute_words(const T& value) {
+  std::array<std::uint32_t, value_type<T>.words()> words{};
   std::memcpy(words.data(), &value, sizeof(T));
   return words;
 }
+
+// A column without elements, in which new ones get the value `fill`.
+template <AttributeValue T>
+AttributeColumn make_column(std::string_view name, ElementKind element, ValueRule rule, const T& fill) {
+  const auto words = attribute_words(fill);
+  return {std::string(name), element, value_type<T>, rule, {}, {words.begin(), words.end()}};
+}
+// A corner attribute with its pool, both without values.
+struct CornerColumns {
+  AttributeColumn index, pool;
+};
+CornerColumns make_corner_columns(std::string_view index_name, std::string_view pool_name);
 
 // A corner column with its pool, as indices into Mesh::attributes().
 struct CornerAttribute {

@@ -10,6 +10,7 @@
 
 #include "ryosen/base/column_memory.h"
 #include "ryosen/base/handle.h"
+#include "ryosen/mesh/value_type.h"
 
 namespace ryosen {
 
@@ -28,19 +29,30 @@ struct HalfedgeLinks {
 inline constexpr Halfedge dead_halfedge{0xfffffffeu};
 inline constexpr Vertex dead_from{0xfffffffeu};
 
-enum class ElementKind : std::uint8_t { vertex, corner, face, pool };
+enum class ElementKind : std::uint8_t { vertex, edge, corner, face, pool };
+// The rule by which an element gets a value from others: value_rules.h has the table.
+enum class ValueRule : std::uint8_t { blend, first, greatest, sum };
 
-// An attribute column read from a file: `words` 32-bit words per vertex, corner (= halfedge) or face, or an append-only
-// pool of values that another column refers to by index.
+// An attribute: a value per vertex, edge, corner (= halfedge) or face, or an append-only pool of values that another
+// column refers to by index.
 struct AttributeColumn {
   std::string name;
   ElementKind element = ElementKind::vertex;
-  std::uint32_t words = 1;
+  ValueType type;
+  ValueRule rule = ValueRule::first;
   std::vector<std::uint32_t> data;
-  std::vector<std::uint32_t> fill;  // the value of a new element, `words` long
+  std::vector<std::uint32_t> fill;  // the value of a new element, words() long
 
+  std::uint32_t words() const { return type.words(); }
   friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
 };
+
+// The number of values in a column of this kind in a mesh of these lengths; not for pools.
+constexpr std::uint32_t length_of(const ElementKind element, std::uint32_t vertices, std::uint32_t halfedges,
+                                  std::uint32_t faces) {
+  const std::uint32_t lengths[] = {vertices, halfedges / 2, halfedges, faces};
+  return lengths[static_cast<std::size_t>(element)];
+}
 
 // An inner loop of a face, in the side table of rings.
 struct Ring {

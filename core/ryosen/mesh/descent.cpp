@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ryosen/mesh/attribute.h"
+
 namespace ryosen {
 
 namespace {
@@ -30,7 +32,7 @@ class Standing {
 }  // namespace
 
 void add_origins(MeshColumns& columns) {
-  AttributeColumn column{std::string(origin_column), ElementKind::face, 1, {}, {no_index}};
+  AttributeColumn column = make_column(origin_column, ElementKind::face, ValueRule::first, no_index);
   column.data.resize(columns.face_halfedge.size());
   std::iota(column.data.begin(), column.data.end(), 0u);
   columns.attributes.push_back(std::move(column));

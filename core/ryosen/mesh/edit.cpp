@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 #ifdef RYOSEN_CHECKED
 #include "ryosen/mesh/invariants.h"
@@ -84,6 +85,7 @@ Halfedge Edit::add_edge(Vertex from, Vertex to) {
   const Halfedge h(c.halfedges.size());
   c.halfedges.push_back({from, Halfedge(), Halfedge(), Face()});
   c.halfedges.push_back({to, Halfedge(), Halfedge(), Face()});
+  extend_attributes(ElementKind::edge, 1);
   extend_attributes(ElementKind::corner, 2);
   ++c.live.edges;
   return h;
@@ -114,19 +116,94 @@ void Edit::remove(Face f) {
   --mesh_.columns_.live.faces;
 }
 
+std::span<const CornerAttribute> Edit::pooled() {
+  if (!std::exchange(knows_pooled_, true)) pooled_ = corner_attributes(mesh_);
+  return pooled_;
+}
+
+std::uint32_t Edit::derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
+                                   std::span<const double> weights) {
+  std::vector<std::uint32_t> with_weight;
+  std::vector<double> positive;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (weights[i] == 0) continue;
+    with_weight.push_back(sources[i]);
+    positive.push_back(weights[i]);
+  }
+  const std::uint32_t first = with_weight.front();
+  if (std::all_of(with_weight.begin(), with_weight.end(), [&](std::uint32_t index) { return index == first; }))
+    return first;
+  if (std::find(with_weight.begin(), with_weight.end(), no_index) != with_weight.end()) return no_index;
+  const AttributeColumn& pool = mesh_.columns_.attributes[pool_attribute];
+  std::vector<std::uint32_t> value(pool.words());
+  derive_value(pool, with_weight, positive, Derivation::copies, value);
+  return append_value(pool_attribute, value);
+}
+
+void Edit::derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+                      std::span<const double> weights, Derivation derivation) {
+  std::vector<std::uint32_t> value, indices;
+  const auto is_pooled = [&](std::size_t k) {
+    const auto own = pooled();
+    return std::any_of(own.begin(), own.end(), [&](const CornerAttribute& each) { return each.index_column == k; });
+  };
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
+    const AttributeColumn& column = mesh_.columns_.attributes[k];
+    if (column.element != element || (element == ElementKind::corner && is_pooled(k))) continue;
+    value.resize(column.words());
+    derive_value(column, sources, weights, derivation, value);
+    set_attribute(k, to, value);
+  }
+  if (element != ElementKind::corner) return;
+  for (const CornerAttribute& attribute : pooled()) {
+    indices.clear();
+    for (const std::uint32_t source : sources)
+      indices.push_back(mesh_.columns_.attributes[attribute.index_column].data[source]);
+    const std::uint32_t index = derive_in_pool(attribute.pool_column, indices, weights);
+    set_attribute(attribute.index_column, to, {&index, 1});
+  }
+}
+
+void Edit::reset(ElementKind element, std::uint32_t to) {
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k)
+    if (const AttributeColumn& column = mesh_.columns_.attributes[k]; column.element == element)
+      set_attribute(k, to, column.fill);
+}
+
+void Edit::move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from) {
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
+    const AttributeColumn& column = mesh_.columns_.attributes[k];
+    if (column.element != ElementKind::corner) continue;
+    const std::size_t words = column.words();
+    std::vector<std::uint32_t> values;
+    for (const auto& [to, from] : to_from) {
+      const auto begin = column.data.begin() + static_cast<std::ptrdiff_t>(from.index * words);
+      values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(words));
+    }
+    for (const auto& [to, from] : to_from) set_attribute(k, from.index, column.fill);
+    std::span<const std::uint32_t> rest(values);
+    for (const auto& [to, from] : to_from) {
+      set_attribute(k, to.index, rest.first(words));
+      rest = rest.subspan(words);
+    }
+  }
+}
+
 void Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words) {
   AttributeColumn& a = mesh_.columns_.attributes[attribute];
-  std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words;
+  std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words();
   if (std::equal(words.begin(), words.end(), cell)) return;
   const auto column = static_cast<Column>(static_cast<std::size_t>(Column::first_attribute) + attribute);
-  if (journal_) journal_->record(column, index, cell, a.words * sizeof(std::uint32_t));
+  const bool is_new = a.element == ElementKind::pool ||
+                      index >= length_of(a.element, before_.vertices, before_.halfedges, before_.faces);
+  if (journal_ && !is_new) journal_->record(column, index, cell, a.words() * sizeof(std::uint32_t));
   std::copy(words.begin(), words.end(), cell);
 }
 
 std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words) {
   AttributeColumn& a = mesh_.columns_.attributes[pool_attribute];
   a.data.insert(a.data.end(), words.begin(), words.end());
-  return static_cast<std::uint32_t>(a.data.size() / a.words - 1);
+  return static_cast<std::uint32_t>(a.data.size() / a.words() - 1);
 }
 
 void Edit::replace(MeshColumns columns) {

@@ -3,9 +3,13 @@
 
 #include <cstring>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/mesh/value_rules.h"
 
 namespace ryosen {
 
@@ -65,6 +69,38 @@ class Edit {
   void remove(Edge e);
   void remove(Face f);
 
+  // Gives an element the values that the rule of each attribute makes of its sources, which exist and have weights as
+  // in value_rules.h. A corner is the halfedge that leaves its vertex along its face. O(attributes x sources).
+  template <class Handle>
+  void derive(Handle to, std::span<const Handle> sources, std::span<const double> weights, Derivation derivation) {
+    if (!mesh_.columns_.attributes.empty()) derive_all(kind_of(to), to.index, indices_of(sources), weights, derivation);
+  }
+  // One source.
+  template <class Handle>
+  void derive(Handle to, Handle source, Derivation derivation) {
+    constexpr double weight[] = {1};
+    if (!mesh_.columns_.attributes.empty()) derive_all(kind_of(to), to.index, {&source.index, 1}, weight, derivation);
+  }
+  // Between two sources: t from the first to the second.
+  template <class Handle>
+  void derive(Handle to, Handle first, Handle second, double t, Derivation derivation) {
+    if (mesh_.columns_.attributes.empty()) return;
+    const std::uint32_t sources[] = {first.index, second.index};
+    const double weights[] = {1 - t, t};
+    derive_all(kind_of(to), to.index, sources, weights, derivation);
+  }
+  // The same for a value in a pool: the index of one of the sources where one alone has a weight or all are equal,
+  // no_index where one with a weight is none, else that of a value that is appended.
+  std::uint32_t derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
+                               std::span<const double> weights);
+  // Gives a new element, or a corner that lies outside now, the default of each attribute.
+  template <class Handle>
+  void fresh(Handle to) {
+    if (!mesh_.columns_.attributes.empty()) reset(kind_of(to), to.index);
+  }
+  // The first corner of each pair gets what the second had; what is only second gets the defaults.
+  void move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from);
+
   // Attribute values as raw words; append_value appends to a pool and returns the new index.
   void set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
   std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
@@ -82,10 +118,27 @@ class Edit {
     cell = value;
   }
   void extend_attributes(ElementKind element, std::uint32_t count);
+  static constexpr ElementKind kind_of(Vertex) { return ElementKind::vertex; }
+  static constexpr ElementKind kind_of(Edge) { return ElementKind::edge; }
+  static constexpr ElementKind kind_of(Halfedge) { return ElementKind::corner; }
+  static constexpr ElementKind kind_of(Face) { return ElementKind::face; }
+  template <class Handle>
+  static std::vector<std::uint32_t> indices_of(std::span<const Handle> handles) {
+    std::vector<std::uint32_t> indices;
+    for (const Handle handle : handles) indices.push_back(handle.index);
+    return indices;
+  }
+  void derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+                  std::span<const double> weights, Derivation derivation);
+  void reset(ElementKind element, std::uint32_t to);
+  // The corner attributes with pools; an edit adds none.
+  std::span<const CornerAttribute> pooled();
 
   Mesh& mesh_;
   Journal* journal_;
   ColumnLengths before_;
+  std::vector<CornerAttribute> pooled_;
+  bool knows_pooled_ = false;
   bool open_ = true;
 };
 

@@ -35,12 +35,12 @@ Broken check_lengths(const Mesh& m) {
   if (!c.first_ring.empty() && c.first_ring.size() != c.face_halfedge.size())
     return wrong("there is not one chain of rings per face");
   for (const AttributeColumn& a : c.attributes) {
-    const std::size_t elements = a.element == ElementKind::vertex   ? c.vertex_halfedge.size()
-                                 : a.element == ElementKind::corner ? c.halfedges.size()
-                                 : a.element == ElementKind::face   ? c.face_halfedge.size()
-                                                                    : a.data.size() / std::max(a.words, 1u);
-    if (a.words == 0 || a.data.size() != elements * a.words)
-      return wrong("attribute " + a.name + " does not have one value per element");
+    const std::size_t words = a.words();
+    if (words == 0 || a.fill.size() != words) return wrong("attribute " + a.name + " has no default of its type");
+    const std::size_t elements = a.element == ElementKind::pool
+                                     ? a.data.size() / words
+                                     : length_of(a.element, m.vertex_slots(), m.halfedge_slots(), m.face_slots());
+    if (a.data.size() != elements * words) return wrong("attribute " + a.name + " does not have one value per element");
   }
   return {};
 }

@@ -24,12 +24,12 @@ void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit vi
   visit(c.copy_point, lengths.copies, 1);
   visit(c.first_ring, lengths.ringed_faces, 1);
   visit(c.rings, lengths.rings, 1);
-  const std::uint32_t elements[] = {lengths.vertices, lengths.halfedges, lengths.faces};
   std::size_t pool = 0;
   for (AttributeColumn& a : c.attributes)
     visit(a.data,
-          a.element == ElementKind::pool ? lengths.pools[pool++] : elements[static_cast<std::size_t>(a.element)],
-          a.words);
+          a.element == ElementKind::pool ? lengths.pools[pool++]
+                                         : length_of(a.element, lengths.vertices, lengths.halfedges, lengths.faces),
+          a.words());
 }
 
 std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& before) {

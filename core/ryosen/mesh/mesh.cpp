@@ -26,7 +26,7 @@ ColumnLengths Mesh::lengths() const {
   std::size_t pool = 0;
   for (const AttributeColumn& attribute : columns_.attributes)
     if (attribute.element == ElementKind::pool)
-      lengths.pools[pool++] = static_cast<std::uint32_t>(attribute.data.size() / attribute.words);
+      lengths.pools[pool++] = static_cast<std::uint32_t>(attribute.data.size() / attribute.words());
   return lengths;
 }
 
@@ -67,8 +67,8 @@ std::pair<std::byte*, std::size_t> Mesh::cell(Column column, std::uint32_t index
   }
   AttributeColumn& attribute =
       c.attributes[static_cast<std::size_t>(column) - static_cast<std::size_t>(Column::first_attribute)];
-  return {reinterpret_cast<std::byte*>(attribute.data.data() + std::size_t{index} * attribute.words),
-          attribute.words * sizeof(std::uint32_t)};
+  return {reinterpret_cast<std::byte*>(attribute.data.data() + std::size_t{index} * attribute.words()),
+          attribute.words() * sizeof(std::uint32_t)};
 }
 
 namespace {

@@ -100,8 +100,7 @@ void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effec
   const Face dropped = m.face(staying), face = m.face(beyond);
   const Vertex apex = m.from(going) == m.to(staying) ? m.from(going) : m.to(going);
   const Halfedge from_apex = m.from(going) == apex ? going : beyond;
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, staying, corners.index(k, beyond));
+  edit.derive(staying, beyond, Derivation::copies);
   edit.connect(m.prev(beyond), staying);
   edit.connect(staying, m.next(beyond));
   edit.set_face(staying, face);

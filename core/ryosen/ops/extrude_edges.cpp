@@ -232,7 +232,7 @@ class ExtrudedEdges {
     if (is_new) {
       const glm::dvec3 moved = m_.position(v) + by_;
       at->second = edit_.add_vertex(is_finite(moved) ? moved : m_.position(v));
-      blend_vertex_values(edit_, v, v, 0, at->second);
+      edit_.derive(at->second, v, Derivation::copies);
     }
     return {p, at->second};
   }
@@ -246,7 +246,7 @@ class ExtrudedEdges {
     const bool is_free = !is_shared(side) && !has_quad(corners[1], corners[2]) && !has_quad(corners[3], corners[0]);
     if (is_free) rises_.insert({{corners[1], corners[2]}, {corners[3], corners[0]}});
     const Face quad = is_free ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
-    if (face) copy_face_values(edit_, face, quad);
+    if (face) edit_.derive(quad, face, Derivation::copies);
     std::size_t corner = 0;
     for (Halfedge h : halfedges_around(m_, quad)) {
       const bool is_at_b = corner == 0 || corner == 3;
@@ -282,7 +282,7 @@ class ExtrudedEdges {
   Vertex vertex_without_edges(Vertex p) {
     if (m_.is_isolated(p)) return p;
     const Vertex copy = edit_.add_vertex(m_.position(p));
-    blend_vertex_values(edit_, p, p, 0, copy);
+    edit_.derive(copy, p, Derivation::copies);
     beside_[p].push_back(copy);
     return copy;
   }

@@ -7,7 +7,6 @@
 #include "ryosen/mesh/face_polygon.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 
@@ -80,22 +79,20 @@ OpEffect poke(Edit& edit, Face face, const glm::dvec3& place) {
   effect.created.push_back(centre);
   std::vector<Vertex> around;
   for (Halfedge h : sides) around.push_back(m.from(h));
-  mean_vertex_values(edit, around, centre);
+  const std::vector<double> equal_weights(n, 1 / static_cast<double>(n));
+  edit.derive<Vertex>(centre, around, equal_weights, Derivation::copies);
 
   std::vector<Halfedge> spokes;  // from corner i to the centre
   for (Halfedge h : sides) spokes.push_back(edit.add_edge(m.from(h), centre));
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const std::uint32_t mean = corners.mean(k, sides);
-    for (std::size_t i = 0; i < n; ++i) {
-      corners.set(k, spokes[i], corners.index(k, sides[i]));
-      corners.set(k, twin(spokes[i]), mean);
-    }
+  edit.derive<Halfedge>(twin(spokes[0]), sides, equal_weights, Derivation::copies);
+  for (std::size_t i = 0; i < n; ++i) {
+    edit.derive(spokes[i], sides[i], Derivation::copies);
+    if (i > 0) edit.derive(twin(spokes[i]), twin(spokes[0]), Derivation::copies);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Face f = i == 0 ? face : edit.add_face(sides[i]);
     const Halfedge in = spokes[(i + 1) % n], out = twin(spokes[i]);
-    if (i > 0) copy_face_values(edit, face, f);
+    if (i > 0) edit.derive(f, face, Derivation::copies);
     edit.connect(sides[i], in);
     edit.connect(in, out);
     edit.connect(out, sides[i]);

@@ -6,7 +6,6 @@
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/face_triangles.h"
@@ -71,8 +70,7 @@ Cut cut_of(const Mesh& m, Face f) { return cut_of(m, f, has_more_than_three(m, f
 // Finds the halfedges between corners and creates new edges on first use.
 class Sides {
  public:
-  Sides(Edit& edit, const FacePolygon& polygon, OpEffect& effect)
-      : edit_(edit), polygon_(polygon), effect_(effect), corners_(edit) {}
+  Sides(Edit& edit, const FacePolygon& polygon, OpEffect& effect) : edit_(edit), polygon_(polygon), effect_(effect) {}
 
   Halfedge between(std::uint32_t a, std::uint32_t b) {
     if (polygon_.is_side(a, b)) return polygon_.corners()[a];
@@ -88,7 +86,7 @@ class Sides {
       effect_.created.push_back(edge(h));
       open_.push_back({a, b, h});
     }
-    for (std::size_t k = 0; k < corners_.count(); ++k) corners_.set(k, h, corners_.index(k, polygon_.corners()[a]));
+    edit_.derive(h, polygon_.corners()[a], Derivation::copies);
     return h;
   }
 
@@ -101,7 +99,6 @@ class Sides {
   Edit& edit_;
   const FacePolygon& polygon_;
   OpEffect& effect_;
-  CornerWriter corners_;
   std::vector<New> open_;  // new edges with one side used
 };
 
@@ -116,7 +113,7 @@ void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
     if (is_first) {
       edit.set_halfedge(f, a);
     } else {
-      copy_face_values(edit, f, face);
+      edit.derive(face, f, Derivation::copies);
       effect.created.push_back(face);
     }
     is_first = false;

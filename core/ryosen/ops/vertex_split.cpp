@@ -227,7 +227,7 @@ class Splitter {
  public:
   Splitter(Edit& edit, Vertex v, const glm::dvec3& place) : edit_(edit), m_(edit.mesh()), corners_(edit) {
     fresh_ = edit.add_vertex(place);
-    blend_vertex_values(edit, v, v, 0, fresh_);
+    edit.derive(fresh_, v, Derivation::copies);
     between_ = edit.add_edge(v, fresh_);
     effect_.created = {fresh_, edge(between_)};
   }
@@ -275,7 +275,7 @@ class Splitter {
     edit_.set_face(fresh, part);
     if (part) replace_start(edit_, part, old, fresh);
     const Face face = edit_.add_face(sides[0]);
-    copy_face_values(edit_, beside, face);
+    edit_.derive(face, beside, Derivation::copies);
     for (std::size_t i = 0; i < 3; ++i) {
       edit_.connect(sides[i], sides[(i + 1) % 3]);
       edit_.set_face(sides[i], face);

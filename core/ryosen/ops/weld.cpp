@@ -12,7 +12,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op_series.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/pinch.h"
@@ -236,7 +235,7 @@ void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
   const Mesh& m = edit.mesh();
   move_point(edit, goes, m.position(stays));
   for_each_copy(m, goes, [&](Vertex copy) {
-    blend_vertex_values(edit, stays, stays, 0, copy);
+    edit.derive(copy, stays, Derivation::copies);
     sheets.changed_around(copy);
   });
   sheets.join_points(goes, stays);

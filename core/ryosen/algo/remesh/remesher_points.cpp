@@ -2,7 +2,6 @@
 // they move, those of one part of the surface beside those of others.
 #include <algorithm>
 #include <cmath>
-#include <glm/vec4.hpp>
 
 #include "ryosen/algo/remesh/remesher.h"
 #include "ryosen/analysis/disjoint_sets.h"
@@ -99,17 +98,6 @@ bool Remesher::relax(Progress& progress) {
 
 namespace {
 
-using Words = std::span<const std::uint32_t>;
-
-// The sum of the values at the indices by their weights. Numbers without a weight may be infinite.
-template <class T>
-T mixed(const AttributeColumn& column, const std::array<std::uint32_t, 3>& at, const std::array<double, 3>& weights) {
-  T sum(0);
-  for (std::size_t i = 0; i < 3; ++i)
-    if (weights[i] != 0) sum += weights[i] * attribute_value<T>(column, at[i]);
-  return sum;
-}
-
 std::size_t largest(const std::array<double, 3>& weights) {
   return static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
 }
@@ -141,22 +129,25 @@ class ShareWriter {
     for (const CornerAttribute& attribute : attributes_) {
       const std::uint32_t index = value_of(attribute, corners, share);
       for (const Halfedge h : outgoing(edit_.mesh(), v))
-        edit_.set_attribute(attribute.index_column, h.index, Words(&index, 1));
+        edit_.set_attribute(attribute.index_column, h.index, {&index, 1});
     }
   }
 
  private:
+  // The nearest source comes first.
   void write_vertex_values(Vertex v, const std::array<Vertex, 3>& corners, const Target::Share& share) {
-    const std::array<std::uint32_t, 3> at{corners[0].index, corners[1].index, corners[2].index};
-    const std::size_t nearest = largest(share.weights);
+    std::array<std::uint32_t, 3> at{corners[0].index, corners[1].index, corners[2].index};
+    std::array<double, 3> weights = share.weights;
+    const std::size_t nearest = largest(weights);
+    std::swap(at[0], at[nearest]);
+    std::swap(weights[0], weights[nearest]);
+    std::vector<std::uint32_t> value;
     for (std::size_t k = 0; k < before_.attributes().size(); ++k) {
       const AttributeColumn& column = before_.attributes()[k];
       if (column.element != ElementKind::vertex) continue;
-      if (share.weights[nearest] != 1 && column.words == sizeof(glm::dvec4) / sizeof(std::uint32_t))
-        edit_.set_attribute(k, v.index, attribute_words(mixed<glm::dvec4>(column, at, share.weights)));
-      else
-        edit_.set_attribute(k, v.index,
-                            Words(column.data).subspan(std::size_t{at[nearest]} * column.words, column.words));
+      value.resize(column.words());
+      derive_value(column, at, weights, Derivation::copies, value);
+      edit_.set_attribute(k, v.index, value);
     }
   }
 
@@ -165,11 +156,7 @@ class ShareWriter {
     const std::vector<std::uint32_t>& indices = before_.attributes()[attribute.index_column].data;
     const std::array<std::uint32_t, 3> at{indices[corners[0].index], indices[corners[1].index],
                                           indices[corners[2].index]};
-    const std::size_t nearest = largest(share.weights);
-    if (share.weights[nearest] == 1 || (at[0] == at[1] && at[1] == at[2])) return at[nearest];
-    if (std::find(at.begin(), at.end(), no_index) != at.end()) return no_index;
-    const AttributeColumn& pool = before_.attributes()[attribute.pool_column];
-    return edit_.append_value(attribute.pool_column, attribute_words(mixed<glm::dvec3>(pool, at, share.weights)));
+    return edit_.derive_in_pool(attribute.pool_column, at, share.weights);
   }
 
   Edit& edit_;

@@ -11,13 +11,17 @@
 #include "ryosen/algo/repair/side_effects.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
 
 namespace {
+
+void derive_as_mean(Edit& edit, std::span<const Vertex> sources, Vertex to) {
+  const std::vector<double> weights(sources.size(), 1 / static_cast<double>(sources.size()));
+  edit.derive(to, sources, weights, Derivation::copies);
+}
 
 // Puts a planned patch into the mesh. The faces take the values (material, group) of a face at the loop, new vertices
 // the mean of those around them. The boundary vertices may then need Sheets::make_manifold. Cost: the patch and the
@@ -38,9 +42,9 @@ void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) {
     vertices.push_back(edit.add_vertex(patch.places[v]));
     const auto& [a, b, c] = patch.parents[v - n];
     if (a == no_index)
-      mean_vertex_values(edit, loop, vertices[v]);
+      derive_as_mean(edit, loop, vertices[v]);
     else
-      mean_vertex_values(edit, std::array{vertices[a], vertices[b], vertices[c]}, vertices[v]);
+      derive_as_mean(edit, std::array{vertices[a], vertices[b], vertices[c]}, vertices[v]);
   }
   const auto side = [&](std::uint32_t a, std::uint32_t b) {
     if (const Halfedge h = known(a, b)) return h;
@@ -58,7 +62,7 @@ void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) {
       edit.connect(h[k], h[(k + 1) % 3]);
       edit.set_face(h[k], f);
     }
-    copy_face_values(edit, edit.mesh().face(twin(hole.sides[0])), f);
+    edit.derive(f, edit.mesh().face(twin(hole.sides[0])), Derivation::copies);
   }
   for (Vertex v : loop) hold_outside(edit, v);
 }

@@ -10,7 +10,6 @@
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
 
@@ -130,11 +129,8 @@ class Joiner {
     if (before != back) edit_.connect(before, out);
     if (after != back) edit_.connect(in, after);
     const Face f = m_.face(g);
-    CornerWriter corners(edit_);
-    for (std::size_t k = 0; k < corners.count(); ++k) {
-      corners.set(k, there, corners.index(k, g));
-      corners.set(k, g, no_index);
-    }
+    edit_.derive(there, g, Derivation::copies);
+    edit_.fresh(g);
     replace_start(edit_, f, g, there);
     edit_.connect(m_.prev(g), there);
     edit_.connect(there, m_.next(g));

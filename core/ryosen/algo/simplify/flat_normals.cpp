@@ -55,8 +55,7 @@ bool take_flat_normals(Mesh& mesh) {
 
 void put_flat_normals(Mesh& mesh) {
   MeshColumns columns = mesh.columns();
-  AttributeColumn index{std::string(attribute_names::normal), ElementKind::corner, 1, {}, {no_index}};
-  AttributeColumn pool{std::string(attribute_names::normal_pool), ElementKind::pool, 6, {}, {0, 0, 0, 0, 0, 0}};
+  auto [index, pool] = make_corner_columns(attribute_names::normal, attribute_names::normal_pool);
   index.data.assign(columns.halfedges.size(), no_index);
   std::uint32_t values = 0;
   for (const Face f : live_faces(mesh)) {

@@ -1,7 +1,6 @@
 #include "ryosen/algo/simplify/ring_values.h"
 
 #include <algorithm>
-#include <glm/vec4.hpp>
 
 #include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/mesh/circulate.h"
@@ -11,16 +10,6 @@ namespace ryosen {
 namespace {
 
 constexpr std::size_t most_around = 48;  // faces of a vertex, to either side
-
-// From a, so that equal values stay to the bit.
-template <class T, class ValueAt>
-T mixed(const RingPlace& place, const ValueAt& value_at) {
-  const T a = value_at(0);
-  T sum = a;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (place.shares[i] != 0) sum += place.shares[i] * (value_at(i) - a);
-  return sum;
-}
 
 }  // namespace
 
@@ -66,14 +55,9 @@ void RingValues::write_vertex(Edit& edit, Vertex to) const {
   const RingPlace* const place = nearest([](Halfedge) { return true; });
   if (!place) return;
   const Mesh& mesh = edit.mesh();
-  for (std::size_t k = 0; k < mesh.attributes().size(); ++k) {
-    const AttributeColumn& column = mesh.attributes()[k];
-    if (column.element != ElementKind::vertex || column.words != sizeof(glm::dvec4) / sizeof(std::uint32_t)) continue;
-    const auto value_at = [&](std::size_t i) {
-      return attribute_value<glm::dvec4>(column, mesh.from(place->corners[i]).index);
-    };
-    edit.set_attribute(k, to.index, attribute_words(mixed<glm::dvec4>(*place, value_at)));
-  }
+  const std::array<Vertex, 3> sources{mesh.from(place->corners[0]), mesh.from(place->corners[1]),
+                                      mesh.from(place->corners[2])};
+  edit.derive<Vertex>(to, sources, place->shares, Derivation::copies);
 }
 
 void RingValues::write_corners(Edit& edit, Halfedge h) const {
@@ -100,13 +84,10 @@ void RingValues::write_corners(Edit& edit, Halfedge h) const {
     };
     for (Chart& chart : charts) {
       const RingPlace* const place = nearest([&](Halfedge corner) { return is_in(corner, chart); });
-      const auto has_none = [&](Halfedge corner) { return index(corner) == no_index; };
-      if (!place || std::any_of(place->corners.begin(), place->corners.end(), has_none)) continue;
-      const auto value_at = [&](std::size_t i) {
-        return attribute_value<glm::dvec3>(mesh.attributes()[attribute.pool_column], index(place->corners[i]));
-      };
-      const auto value = mixed<glm::dvec3>(*place, value_at);
-      chart.made = edit.append_value(attribute.pool_column, attribute_words(value));
+      if (!place) continue;
+      const std::array<std::uint32_t, 3> indices{index(place->corners[0]), index(place->corners[1]),
+                                                 index(place->corners[2])};
+      chart.made = edit.derive_in_pool(attribute.pool_column, indices, place->shares);
     }
     for (const Vertex end : {gone, kept})
       for (const Halfedge corner : outgoing(mesh, end)) {

@@ -14,7 +14,6 @@
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/collapse_edge.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/plain_check.h"
 
 namespace ryosen {
@@ -256,7 +255,7 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
 void Simplifier::carry_values(Halfedge h, const Placing& placing) {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   if (placing.at == kept || !(has_vertex_values_ || has_corner_values_)) return;
-  if (placing.at) return blend_vertex_values(*edit_, gone, gone, 0, kept);
+  if (placing.at) return edit_->derive(kept, gone, Derivation::copies);
   const RingValues values(surface_, h, placing.place);
   values.write_corners(*edit_, h);
   values.write_vertex(*edit_, kept);

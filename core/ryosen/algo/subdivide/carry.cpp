@@ -172,13 +172,14 @@ class Charts {
 // Each new face as the one it comes of.
 template <class Child>
 void carry_faces(const Mesh& mesh, AttributeColumn& column, std::size_t faces, const Child& child) {
-  column.data.resize(faces * column.words);
+  column.data.resize(faces * column.words());
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (mesh.is_outside(h)) continue;
     const Face from = mesh.face(h), to = child(h);
-    const std::uint32_t* const words = column.data.data() + std::size_t{from.index} * column.words;
-    if (from != to) std::copy(words, words + column.words, column.data.data() + std::size_t{to.index} * column.words);
+    const std::uint32_t* const words = column.data.data() + std::size_t{from.index} * column.words();
+    if (from != to)
+      std::copy(words, words + column.words(), column.data.data() + std::size_t{to.index} * column.words());
   }
 }
 
@@ -209,13 +210,13 @@ void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, 
                     AttributeColumn& column) {
   const AttributeColumn before = column;
   const std::size_t old_count = mesh.vertex_slots(), count = old_count + added.places.size();
-  column.data.resize(count * column.words);
+  column.data.resize(count * column.words());
   const auto put = [&](std::size_t i, const std::uint32_t* words) {
-    std::copy(words, words + column.words, column.data.data() + i * column.words);
+    std::copy(words, words + column.words(), column.data.data() + i * column.words());
   };
-  if (column.words != sizeof(glm::dvec4) / sizeof(std::uint32_t)) {
+  if (column.type != value_type<glm::dvec4> || column.rule != ValueRule::blend) {
     for (std::size_t i = old_count; i < count; ++i)
-      put(i, before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words);
+      put(i, before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words());
     return;
   }
   const Places first = step(mesh_of_values(mesh, before, 0), creases),
@@ -333,7 +334,7 @@ void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, c
     corners(charts, index);
     AttributeColumn& pool = out.attributes[attribute.pool_column];
     const Places values = charts.values(step);
-    pool.data.resize(values.size() * pool.words);
+    pool.data.resize(values.size() * pool.words());
     if (!values.empty()) std::memcpy(pool.data.data(), values.data(), values.size() * sizeof values.front());
   }
 }

@@ -312,14 +312,14 @@ void put_normals(MeshColumns& columns, const std::vector<glm::dvec3>& normals) {
   std::erase_if(columns.attributes, [](const AttributeColumn& column) {
     return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
   });
-  AttributeColumn index{std::string(attribute_names::normal), ElementKind::corner, 1, {}, {no_index}};
-  AttributeColumn pool{std::string(attribute_names::normal_pool), ElementKind::pool, 6, {}, {0, 0, 0, 0, 0, 0}};
+  CornerColumns made = make_corner_columns(attribute_names::normal, attribute_names::normal_pool);
+  AttributeColumn &index = made.index, &pool = made.pool;
   index.data.assign(normals.size(), no_index);
   std::uint32_t values = 0;
   for (std::uint32_t i = 0; i < normals.size(); ++i) {
     if (normals[i] == glm::dvec3(0) || index.data[i] != no_index) continue;
     const std::size_t place = pool.data.size();
-    pool.data.resize(place + pool.words);
+    pool.data.resize(place + pool.words());
     std::memcpy(pool.data.data() + place, &normals[i], sizeof normals[i]);
     // The corners around the vertex that have the same one, on both sides of this one.
     const auto take = [&](Halfedge h, const auto& step) {

@@ -122,15 +122,15 @@ void drop_dead_edges(MeshColumns& c, Creases& creases) {
     if (!origins.empty()) origins[number[e]] = origins[e];
     for (AttributeColumn& a : c.attributes) {
       if (a.element != ElementKind::corner || number[e] == e) continue;
-      const std::uint32_t* const from = a.data.data() + 2 * e * a.words;
-      std::copy(from, from + 2 * a.words, a.data.data() + 2 * std::size_t{number[e]} * a.words);
+      const std::uint32_t* const from = a.data.data() + 2 * e * a.words();
+      std::copy(from, from + 2 * a.words(), a.data.data() + 2 * std::size_t{number[e]} * a.words());
     }
   }
   c.halfedges.resize(2 * std::size_t{kept});
   if (!sharpness.empty()) sharpness.resize(kept);
   if (!origins.empty()) origins.resize(kept);
   for (AttributeColumn& a : c.attributes)
-    if (a.element == ElementKind::corner) a.data.resize(2 * std::size_t{kept} * a.words);
+    if (a.element == ElementKind::corner) a.data.resize(2 * std::size_t{kept} * a.words());
   for (Halfedge& h : c.vertex_halfedge) h = renamed(h);
   for (Halfedge& h : c.face_halfedge) h = renamed(h);
 }
@@ -150,9 +150,9 @@ void open_edge(MeshColumns& c, Edge e) {
   if (c.face_halfedge[moved.face.index] == t) c.face_halfedge[moved.face.index] = own;
   for (AttributeColumn& column : c.attributes) {
     if (column.element != ElementKind::corner) continue;
-    const std::size_t place = std::size_t{t.index} * column.words;
+    const std::size_t place = std::size_t{t.index} * column.words();
     const std::vector<std::uint32_t> words(column.data.begin() + static_cast<std::ptrdiff_t>(place),
-                                           column.data.begin() + static_cast<std::ptrdiff_t>(place + column.words));
+                                           column.data.begin() + static_cast<std::ptrdiff_t>(place + column.words()));
     column.data.insert(column.data.end(), words.begin(), words.end());
     column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
     std::copy(column.fill.begin(), column.fill.end(), column.data.begin() + static_cast<std::ptrdiff_t>(place));

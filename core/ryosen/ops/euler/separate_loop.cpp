@@ -7,7 +7,6 @@
 #include "ryosen/geometry/locate.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/face_polygon.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
@@ -143,7 +142,7 @@ OpEffect SeparateLoop::apply(Edit& edit) const {
   const Halfedge h = link_inside(edit, into_a, into_b);
   const Halfedge of_fresh = parts.left_is_new ? h : twin(h);
   const Face fresh = edit.add_face(m.next(of_fresh));
-  copy_face_values(edit, f, fresh);
+  edit.derive(fresh, f, Derivation::copies);
   set_face_along(edit, of_fresh, fresh);
   if (m.face(start) == fresh) {
     // The loop keeps its stored start if that corner stays; else it starts at the new edge.

@@ -6,7 +6,6 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/parameters/member_values.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/surgery.h"
 
@@ -84,9 +83,7 @@ OpEffect UniteEdge::apply(Edit& edit) const {
   const Vertex b = m.to(out);
   OpEffect effect;
   effect.deleted = {vertex, edge(out)};
-  CornerWriter corners(edit);
-  if (!m.is_outside(out_twin))
-    for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, back_twin, corners.index(k, out_twin));
+  if (!m.is_outside(out_twin)) edit.derive(back_twin, out_twin, Derivation::copies);
   if (m.face(out)) replace_start(edit, m.face(out), out, back);
   if (m.face(out_twin)) replace_start(edit, m.face(out_twin), out_twin, back_twin);
   const Halfedge after = m.next(out), before = m.prev(out_twin);

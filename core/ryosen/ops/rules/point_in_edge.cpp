@@ -4,7 +4,6 @@
 
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/rings.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/sheets.h"
@@ -38,7 +37,7 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
   edit.connect(after_out, up);
   edit.connect(up, out);
   const Face fresh = edit.add_face(origin_keeps ? out : into);
-  copy_face_values(edit, old, fresh);
+  edit.derive(fresh, old, Derivation::copies);
   const Face before_m = origin_keeps ? old : fresh, after_m = origin_keeps ? fresh : old;
   for (Halfedge h : {into, down, before_into}) edit.set_face(h, before_m);
   for (Halfedge h : {out, after_out, up}) edit.set_face(h, after_m);
@@ -51,11 +50,8 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
     else if (mesh.halfedge(old) == before_into)
       edit.set_halfedge(old, up);
   }
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    corners.set(k, down, corners.index(k, out));
-    corners.set(k, up, corners.index(k, before_into));
-  }
+  edit.derive(down, out, Derivation::copies);
+  edit.derive(up, before_into, Derivation::copies);
   effect.created.push_back(edge(down));
   effect.created.push_back(fresh);
   return fresh;
@@ -69,18 +65,15 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   const bool cuts = cut == CutTriangles::yes;
   const bool cut_left = cuts && is_triangle_side(mesh, h), cut_right = cuts && is_triangle_side(mesh, o);
   const Vertex m = edit.add_vertex(position);
-  blend_vertex_values(edit, a, b, along, m);
+  edit.derive(m, a, b, along, Derivation::copies);
   const Halfedge fresh = edit.add_edge(m, b), fresh_twin = twin(fresh);
   effect.created.push_back(m);
   effect.created.push_back(edge(fresh));
 
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    if (!mesh.is_outside(h))
-      corners.set(k, fresh, corners.blend(k, corners.index(k, h), corners.index(k, h_next), along));
-    if (mesh.is_outside(o)) continue;
-    corners.set(k, fresh_twin, corners.index(k, o));
-    corners.set(k, o, corners.blend(k, corners.index(k, mesh.next(o)), corners.index(k, o), along));
+  if (!mesh.is_outside(h)) edit.derive(fresh, h, h_next, along, Derivation::copies);
+  if (!mesh.is_outside(o)) {
+    edit.derive(fresh_twin, o, Derivation::copies);
+    edit.derive(o, mesh.next(o), o, along, Derivation::copies);
   }
   edit.set_from(o, m);
   edit.connect(h, fresh);

@@ -178,7 +178,7 @@ class Raise {
     sector.wall_at_last = sector.last && has_wall(sector.last);
     const glm::dvec3 base = m_.position(sector.from), moved = base + by_;
     sector.top = edit_.add_vertex(is_finite(moved) ? moved : base);
-    blend_vertex_values(edit_, sector.from, sector.from, 0, sector.top);
+    edit_.derive(sector.top, sector.from, Derivation::copies);
     if (sector.wall_at_first || sector.wall_at_last) sector.rise = edit_.add_edge(sector.from, sector.top);
     sectors_.push_back(sector);
   }
@@ -249,7 +249,7 @@ class Raise {
 
   void make_wall(const Wall& wall) {
     const Face fresh = edit_.add_face(wall.side);
-    copy_face_values(edit_, wall.face, fresh);
+    edit_.derive(fresh, wall.face, Derivation::copies);
     edit_.connect(wall.side, wall.rise_after);
     edit_.connect(wall.rise_after, twin(wall.top));
     edit_.connect(twin(wall.top), twin(wall.rise));

@@ -12,7 +12,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -202,7 +201,7 @@ Vertex Sheets::take_out(const Fan& fan) {
   const Vertex v = m.from(fan.first);
   const Halfedge into = twin(fan.first), before = m.prev(fan.last), rest = m.next(into);
   const Vertex copy = edit_.add_vertex(m.position(v));
-  blend_vertex_values(edit_, v, v, 0, copy);
+  edit_.derive(copy, v, Derivation::copies);
   edit_.connect(into, fan.last);
   edit_.connect(before, rest);
   rename(cycle_of(m, fan.first), copy);
@@ -243,7 +242,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     return;
   }
   const Vertex copy = edit_.add_vertex(m.position(p));
-  blend_vertex_values(edit_, p, p, 0, copy);
+  edit_.derive(copy, p, Derivation::copies);
   rename(cycle_of(m, after), copy);
   edit_.set_halfedge(copy, after);
   edit_.set_halfedge(p, out);
@@ -257,11 +256,8 @@ void Sheets::join_edges(Halfedge h, Halfedge back) {
   const Face f = m.face(old);
   const Vertex a = m.from(h), b = m.from(back);
   if (f) {
-    CornerWriter corners(edit_);
-    for (std::size_t k = 0; k < corners.count(); ++k) {
-      corners.set(k, h, corners.index(k, old));
-      corners.set(k, old, no_index);
-    }
+    edit_.derive(h, old, Derivation::copies);
+    edit_.fresh(old);
     replace_start(edit_, f, old, h);
   }
   edit_.connect(m.prev(old), h);
@@ -282,11 +278,8 @@ Halfedge Sheets::open(Halfedge h) {
   const Vertex a = m.from(h), b = m.from(o);
   const Halfedge k = edit_.add_edge(b, a), outside = twin(k);
   const Face right = m.face(o);
-  CornerWriter corners(edit_);
-  for (std::size_t c = 0; c < corners.count(); ++c) {
-    corners.set(c, k, corners.index(c, o));
-    corners.set(c, o, no_index);
-  }
+  edit_.derive(k, o, Derivation::copies);
+  edit_.fresh(o);
   edit_.connect(m.prev(o), k);
   edit_.connect(k, m.next(o));
   edit_.set_face(k, right);

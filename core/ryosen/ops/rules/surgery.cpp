@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ryosen/ops/rules/corner_values.h"
-
 namespace ryosen {
 
 Halfedge link_edge(Edit& edit, Vertex a, Halfedge into_a, Vertex b, Halfedge into_b) {
@@ -40,11 +38,8 @@ Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b) {
   const Halfedge h = link_edge(edit, m.to(into_a), into_a, m.to(into_b), into_b);
   edit.set_face(h, f);
   edit.set_face(twin(h), f);
-  CornerWriter corners(edit);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    corners.set(k, h, corners.index(k, at_a));
-    corners.set(k, twin(h), corners.index(k, at_b));
-  }
+  edit.derive(h, at_a, Derivation::copies);
+  edit.derive(twin(h), at_b, Derivation::copies);
   return h;
 }
 
@@ -95,12 +90,11 @@ Face unite_faces(Edit& edit, std::span<const Halfedge> chain) {
 
 void take_face_away(Edit& edit, Face f) {
   const Mesh& m = edit.mesh();
-  CornerWriter corners(edit);
   for_each_loop(m, f, [&](Halfedge start) {
     set_face_along(edit, start, Face());
     for (Halfedge h : loop(m, start)) {
       if (!m.is_outside(m.halfedge(m.from(h)))) edit.set_halfedge(m.from(h), h);
-      for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, h, no_index);
+      edit.fresh(h);
     }
   });
   while (m.has_rings(f)) edit.remove_ring(f, m.first_ring(f));

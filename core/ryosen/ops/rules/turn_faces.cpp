@@ -4,7 +4,6 @@
 
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/live_elements.h"
-#include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
 
@@ -62,30 +61,23 @@ class Turner {
   //      ^        |
   //      +--prev--+
   void turn_faces() {
-    CornerWriter corners(edit_);
     std::vector<std::pair<Halfedge, Face>> sides;
-    std::vector<std::uint32_t> values;  // per side, one per attribute
+    std::vector<std::pair<Halfedge, Halfedge>> corners;  // of that side, and of the one before
     std::vector<std::pair<std::uint32_t, Halfedge>> rings;
     for (const Face f : live_faces(m_)) {
       if (!turns(f)) continue;
       sheets_.changed(f);
       for (Halfedge h : halfedges_around(m_, f)) {
         sides.emplace_back(twin(m_.prev(h)), f);
-        for (std::size_t k = 0; k < corners.count(); ++k) values.push_back(corners.index(k, h));
+        corners.emplace_back(sides.back().first, h);
       }
       for (std::uint32_t r = m_.first_ring(f); r != no_index; r = m_.ring(r).next)
         rings.emplace_back(r, twin(m_.prev(m_.ring(r).halfedge)));
       edit_.set_halfedge(f, twin(m_.prev(m_.halfedge(f))));
     }
-    for (const auto& [h, f] : sides) {
-      edit_.set_face(twin(h), Face());
-      for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, twin(h), no_index);
-    }
-    std::size_t next = 0;
-    for (const auto& [h, f] : sides) {
-      edit_.set_face(h, f);
-      for (std::size_t k = 0; k < corners.count(); ++k) corners.set(k, h, values[next++]);
-    }
+    for (const auto& [h, f] : sides) edit_.set_face(twin(h), Face());
+    for (const auto& [h, f] : sides) edit_.set_face(h, f);
+    edit_.move_corners(corners);
     for (const auto& [r, h] : rings) edit_.set_ring_halfedge(r, h);
   }
 

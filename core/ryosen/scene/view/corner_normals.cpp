@@ -53,7 +53,7 @@ std::uint32_t FileNormals::Reader::at(Vertex from, Halfedge h) const {
   if (!indices_ || !pool_ || normals_->all_edited_) return no_normal;
   if (from.index < normals_->edited_.size() && normals_->edited_[from.index]) return no_normal;
   const auto index = attribute_value<std::uint32_t>(*indices_, h.index);
-  if (index >= pool_->data.size() / pool_->words) return no_normal;
+  if (index >= pool_->data.size() / pool_->words()) return no_normal;
   return packed_normal(attribute_value<glm::dvec3>(*pool_, index));
 }
 

@@ -72,7 +72,7 @@ TEST(poke, corner_values_are_kept_and_their_mean_is_at_the_centre) {
   const auto face_words = [&](Face f) {
     std::vector<std::uint32_t> words;
     for (const AttributeColumn& column : mesh.attributes())
-      if (column.element == ElementKind::face) words.push_back(column.data[f.index * column.words]);
+      if (column.element == ElementKind::face) words.push_back(column.data[f.index * column.words()]);
     return words;
   };
   bool compared = false;

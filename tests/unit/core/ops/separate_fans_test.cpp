@@ -45,8 +45,8 @@ TEST(separate_fans, colours_go_along) {
   apply_and_prove(mesh, "make_face 0 3 4");
   apply_and_prove(mesh, "separate_fans v0");
   const AttributeColumn& colours = mesh.attributes()[0];
-  for (std::uint32_t word = 0; word < colours.words; ++word)
-    EXPECT_EQ(colours.data[word], colours.data[5 * colours.words + word]);
+  for (std::uint32_t word = 0; word < colours.words(); ++word)
+    EXPECT_EQ(colours.data[word], colours.data[5 * colours.words() + word]);
 }
 
 TEST(separate_fans, one_fan_is_refused) {

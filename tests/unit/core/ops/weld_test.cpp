@@ -104,9 +104,9 @@ TEST(weld, the_colour_of_the_first_stays) {
   const AttributeColumn before = mesh.attributes()[0];
   apply_and_prove(mesh, "weld 4-5 1-2");
   const AttributeColumn& after = mesh.attributes()[0];
-  for (std::uint32_t word = 0; word < before.words; ++word) {
-    EXPECT_EQ(after.data[1 * before.words + word], before.data[4 * before.words + word]);
-    EXPECT_EQ(after.data[2 * before.words + word], before.data[5 * before.words + word]);
+  for (std::uint32_t word = 0; word < before.words(); ++word) {
+    EXPECT_EQ(after.data[1 * before.words() + word], before.data[4 * before.words() + word]);
+    EXPECT_EQ(after.data[2 * before.words() + word], before.data[5 * before.words() + word]);
   }
 }
 

@@ -51,7 +51,7 @@ void expect_kept(const MeshColumns& before, const MeshColumns& after) {
     const AttributeColumn& column = after.attributes[i];
     EXPECT_TRUE(begins_with(column.data, before.attributes[i].data));
     for (std::size_t k = before.attributes[i].data.size(); k < column.data.size(); ++k)
-      EXPECT_EQ(column.data[k], column.fill[k % column.words]) << "new elements have no value";
+      EXPECT_EQ(column.data[k], column.fill[k % column.words()]) << "new elements have no value";
   }
 }
 

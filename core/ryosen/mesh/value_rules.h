@@ -1,0 +1,38 @@
+// How an element gets its attribute values from the elements that it comes from.
+//
+//              copies                   divides                      unites
+//   blend      weighted mean            weighted mean                weighted mean
+//   first      of the first source      of the first source          of the first source
+//   greatest   largest of the sources   largest of the sources       largest of the sources
+//   sum        of a single source; the  its share of the source,     the sum of all sources
+//              default between several  whole numbers by remainder
+//
+// Weighted means are made of floats and doubles; `blend` of integers and booleans is `first`. A value with several
+// numbers goes by its numbers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ryosen/mesh/columns.h"
+
+namespace ryosen {
+
+// copies: the sources stay, and the element is like them or lies between them. divides: it is a part of its source.
+// unites: it stands for its sources, which go.
+enum class Derivation : std::uint8_t { copies, divides, unites };
+
+// A derived value, from the values of a column at these indices, at least one, and as many weights, which add up to 1.
+// A mean of equal values is equal to them, bit for bit; sources of weight 0 may be infinite. For `divides` a weight is
+// the share of a source that goes to the element, and they need not add up to 1. `value` has the words of the column's
+// type.
+void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> sources,
+                  std::span<const double> weights, Derivation derivation, std::span<std::uint32_t> value);
+
+// The values of parts that a source is divided into by shares, which need not add up to 1, one after the other. Sums of
+// integers stay: what rounding leaves goes to the parts with the largest remainders, of equal ones to the first.
+std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint32_t source,
+                                        std::span<const double> shares);
+
+}  // namespace ryosen

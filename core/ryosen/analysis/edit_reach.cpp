@@ -10,8 +10,8 @@ namespace {
 bool is_live(const Mesh& mesh, Halfedge h) { return mesh.exists(h) && mesh.is_alive(h); }
 
 void add_valued_cell(const Mesh& mesh, TouchedCell cell, EditReach& reach) {
-  const std::size_t attribute =
-      static_cast<std::size_t>(cell.column) - static_cast<std::size_t>(Column::first_attribute);
+  const std::size_t attribute = attribute_of_column(cell.column);
+  if (attribute >= mesh.attributes().size()) return;  // before it was added
   switch (mesh.attributes()[attribute].element) {
     case ElementKind::vertex:
       reach.vertices.emplace_back(cell.index);
@@ -49,6 +49,8 @@ void add_written_cell(const Mesh& mesh, TouchedCell cell, WrittenValues values, 
     case Column::face_halfedge:
     case Column::first_ring:
       reach.faces.emplace_back(cell.index);
+      break;
+    case Column::attribute_removed:
       break;
     case Column::ring:
       if (cell.index < mesh.lengths().rings && is_live(mesh, mesh.ring(cell.index).halfedge))

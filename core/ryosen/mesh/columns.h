@@ -42,6 +42,7 @@ struct AttributeColumn {
   ValueRule rule = ValueRule::first;
   std::vector<std::uint32_t> data;
   std::vector<std::uint32_t> fill;  // the value of a new element, words() long
+  std::uint32_t is_removed = 0;     // 1: it keeps its place and its length, so that it can come back
 
   std::uint32_t words() const { return type.words(); }
   friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
@@ -111,8 +112,9 @@ struct MeshColumns {
   }
 };
 
-// Column ids of the journal; attribute k of a mesh is first_attribute + k.
-enum class Column : std::uint8_t {
+// Column ids of the journal; attribute k of a mesh is first_attribute + k, and whether it is removed is cell k of
+// attribute_removed.
+enum class Column : std::uint16_t {
   vertex_halfedge,
   from,
   next,
@@ -124,8 +126,17 @@ enum class Column : std::uint8_t {
   copy_point,
   first_ring,
   ring,
+  attribute_removed,
   first_attribute
 };
+inline constexpr std::size_t most_attributes = 0xffff - static_cast<std::size_t>(Column::first_attribute);
+constexpr Column column_of_attribute(std::size_t attribute) {
+  return static_cast<Column>(static_cast<std::size_t>(Column::first_attribute) + attribute);
+}
+constexpr std::size_t attribute_of_column(Column column) {
+  return static_cast<std::size_t>(column) - static_cast<std::size_t>(Column::first_attribute);
+}
+
 // The length that each has but for attributes, in their order.
 inline constexpr std::uint32_t ColumnLengths::*length_of_column[] = {
     &ColumnLengths::vertices,  &ColumnLengths::halfedges,    &ColumnLengths::halfedges, &ColumnLengths::halfedges,

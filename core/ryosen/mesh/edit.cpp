@@ -1,6 +1,7 @@
 #include "ryosen/mesh/edit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdio>
 #include <cstdlib>
 #include <utility>
@@ -193,10 +194,9 @@ void Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<c
   AttributeColumn& a = mesh_.columns_.attributes[attribute];
   std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words();
   if (std::equal(words.begin(), words.end(), cell)) return;
-  const auto column = static_cast<Column>(static_cast<std::size_t>(Column::first_attribute) + attribute);
-  const bool is_new = a.element == ElementKind::pool ||
+  const bool is_new = attribute >= attributes_before_ || a.element == ElementKind::pool ||
                       index >= length_of(a.element, before_.vertices, before_.halfedges, before_.faces);
-  if (journal_ && !is_new) journal_->record(column, index, cell, a.words() * sizeof(std::uint32_t));
+  if (journal_ && !is_new) journal_->record_value(attribute, index, cell, a.words());
   std::copy(words.begin(), words.end(), cell);
 }
 
@@ -204,6 +204,25 @@ std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std
   AttributeColumn& a = mesh_.columns_.attributes[pool_attribute];
   a.data.insert(a.data.end(), words.begin(), words.end());
   return static_cast<std::uint32_t>(a.data.size() / a.words() - 1);
+}
+
+std::size_t Edit::add_attribute(AttributeColumn column) {
+  assert(column.element != ElementKind::pool && mesh_.find_attribute(column.name) < 0);
+  const std::size_t count = length_of(column.element, mesh_.vertex_slots(), mesh_.halfedge_slots(), mesh_.face_slots());
+  column.data.reserve(count * column.words());
+  for (std::size_t i = 0; i < count; ++i) column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
+  std::vector<AttributeColumn>& attributes = mesh_.columns_.attributes;
+  attributes.push_back(std::move(column));
+  if (journal_) journal_->record_added(attributes.size() - 1);
+  return attributes.size() - 1;
+}
+
+void Edit::remove_attribute(std::size_t attribute) {
+  AttributeColumn& a = mesh_.columns_.attributes[attribute];
+  const auto index = static_cast<std::uint32_t>(attribute);
+  if (journal_ && attribute < attributes_before_)
+    journal_->record(Column::attribute_removed, index, &a.is_removed, sizeof a.is_removed);
+  a.is_removed = 1;
 }
 
 void Edit::replace(MeshColumns columns) {

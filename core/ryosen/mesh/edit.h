@@ -19,7 +19,10 @@ namespace ryosen {
 class Edit {
  public:
   Edit(Mesh& mesh, Journal* journal)
-      : mesh_(mesh), journal_(journal), before_(journal ? mesh.lengths() : ColumnLengths()) {
+      : mesh_(mesh),
+        journal_(journal),
+        before_(journal ? mesh.lengths() : ColumnLengths()),
+        attributes_before_(mesh.attributes().size()) {
     if (journal_) journal_->begin(mesh_);
   }
   ~Edit() {
@@ -101,6 +104,16 @@ class Edit {
   // The first corner of each pair gets what the second had; what is only second gets the defaults.
   void move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from);
 
+  // Adds an attribute of vertices, edges, corners or faces, of which every element has the default value. No attribute
+  // has the name. Returns its place in Mesh::attributes(). O(elements).
+  std::size_t add_attribute(AttributeColumn column);
+  template <AttributeValue T>
+  std::size_t add_attribute(std::string_view name, ElementKind element, ValueRule rule, const T& value = T{}) {
+    return add_attribute(make_column(name, element, rule, value));
+  }
+  // Takes an attribute away from everything that looks for it by its name; others keep their places. O(1).
+  void remove_attribute(std::size_t attribute);
+
   // Attribute values as raw words; append_value appends to a pool and returns the new index.
   void set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
   std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
@@ -137,6 +150,7 @@ class Edit {
   Mesh& mesh_;
   Journal* journal_;
   ColumnLengths before_;
+  std::size_t attributes_before_;
   std::vector<CornerAttribute> pooled_;
   bool knows_pooled_ = false;
   bool open_ = true;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <iterator>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -13,9 +15,10 @@ namespace ryosen {
 
 namespace {
 
-// Calls visit(vector, first element, words per element) for the part of every column past `lengths`.
+// Calls visit(vector, first element, words per element) for the part of every column past `lengths`, with this many
+// attributes.
 template <class Visit>
-void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit visit) {
+void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, std::size_t attributes, Visit visit) {
   visit(c.vertex_halfedge, lengths.vertices, 1);
   visit(c.positions, lengths.vertices, 1);
   visit(c.halfedges, lengths.halfedges, 1);
@@ -25,16 +28,16 @@ void for_each_column_tail(MeshColumns& c, const ColumnLengths& lengths, Visit vi
   visit(c.first_ring, lengths.ringed_faces, 1);
   visit(c.rings, lengths.rings, 1);
   std::size_t pool = 0;
-  for (AttributeColumn& a : c.attributes)
+  for (AttributeColumn& a : std::span(c.attributes).first(attributes))
     visit(a.data,
           a.element == ElementKind::pool ? lengths.pools[pool++]
                                          : length_of(a.element, lengths.vertices, lengths.halfedges, lengths.faces),
           a.words());
 }
 
-std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& before) {
+std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& before, std::size_t attributes) {
   std::vector<std::byte> tail;
-  for_each_column_tail(columns, before, [&](auto& column, std::size_t first, std::size_t words) {
+  for_each_column_tail(columns, before, attributes, [&](auto& column, std::size_t first, std::size_t words) {
     const auto* begin = reinterpret_cast<const std::byte*>(column.data() + first * words);
     const auto* end = reinterpret_cast<const std::byte*>(column.data() + column.size());
     tail.insert(tail.end(), begin, end);
@@ -44,26 +47,27 @@ std::vector<std::byte> copy_tail(MeshColumns& columns, const ColumnLengths& befo
 
 // Allocates nothing.
 void cut_tail(MeshColumns& columns, const ColumnLengths& before) {
-  for_each_column_tail(columns, before,
+  for_each_column_tail(columns, before, columns.attributes.size(),
                        [](auto& column, std::size_t first, std::size_t words) { column.resize(first * words); });
 }
 
 // So that restore_tail allocates nothing.
 void make_room_for_tail(MeshColumns& columns, const ColumnLengths& after) {
-  for_each_column_tail(columns, after,
+  for_each_column_tail(columns, after, columns.attributes.size(),
                        [](auto& column, std::size_t length, std::size_t words) { column.reserve(length * words); });
 }
 
 void restore_tail(MeshColumns& columns, const ColumnLengths& after, const std::vector<std::byte>& tail) {
   const std::byte* source = tail.data();
-  for_each_column_tail(columns, after, [&](auto& column, std::size_t length, std::size_t words) {
-    using Value = typename std::remove_reference_t<decltype(column)>::value_type;
-    const std::size_t first = column.size();
-    column.resize(length * words);
-    const std::size_t bytes = (column.size() - first) * sizeof(Value);
-    if (bytes != 0) std::memcpy(static_cast<void*>(column.data() + first), source, bytes);
-    source += bytes;
-  });
+  for_each_column_tail(columns, after, columns.attributes.size(),
+                       [&](auto& column, std::size_t length, std::size_t words) {
+                         using Value = typename std::remove_reference_t<decltype(column)>::value_type;
+                         const std::size_t first = column.size();
+                         column.resize(length * words);
+                         const std::size_t bytes = (column.size() - first) * sizeof(Value);
+                         if (bytes != 0) std::memcpy(static_cast<void*>(column.data() + first), source, bytes);
+                         source += bytes;
+                       });
 }
 
 // Lengths are stored as a bit mask of the nonzero ones, followed by their values.
@@ -117,8 +121,18 @@ void CellMarks::grow() {
   }
 }
 
+void Journal::record_value(std::size_t attribute, std::uint32_t index, const std::uint32_t* value, std::size_t words) {
+  const Column column = column_of_attribute(attribute);
+  if (!is_far(column)) return record(column, index, value, words * sizeof *value);
+  make_room_for_record(words);
+  if (!marks_.insert(column, index)) return;
+  add_cell(far_column, static_cast<std::uint32_t>(attribute));
+  add_cell(far_column, index);
+  words_.insert(words_.end(), value, value + words);
+}
+
 void Journal::make_room_for_record(std::size_t words) {
-  make_room(cells_, 1);
+  make_room(cells_, 2);
   make_room(words_, words);
 }
 
@@ -138,7 +152,11 @@ void Journal::commit() {
   make_room(transactions_, 1);
   std::map<std::size_t, MeshColumns> replaced;
   if (open_replaced_) replaced.emplace(position_, MeshColumns());
+  std::map<std::size_t, Added> added;
+  if (open_added_) added.emplace(position_, Added{*open_added_, {}});
   if (can_redo()) drop_undone();
+  added_.merge(added);
+  open_added_.reset();
   if (open_replaced_) {
     replaced.begin()->second = std::move(*open_replaced_);
     replaced_.merge(replaced);
@@ -162,9 +180,12 @@ void Journal::drop_undone() {
   transactions_.resize(position_);
   undone_.clear();
   replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+  added_.erase(added_.lower_bound(position_), added_.end());
 }
 
 void Journal::rollback(Mesh& mesh) {
+  if (open_added_) mesh.columns_.attributes.resize(*open_added_);
+  open_added_.reset();
   if (open_replaced_) {
     mesh.columns_ = std::move(*open_replaced_);
     open_replaced_.reset();
@@ -187,27 +208,28 @@ void Journal::exchange(Mesh& mesh, const Transaction& t, std::size_t cell_end) {
   std::copy_n(value, count_words, counts.begin());
   const auto now = std::bit_cast<Counts>(std::exchange(mesh.columns_.live, std::bit_cast<ElementCounts>(counts)));
   value = std::copy(now.begin(), now.end(), value);
-  for (std::size_t i = t.first_cell; i < cell_end; ++i) {
-    std::uint32_t index;
-    std::memcpy(&index, cells_[i].index.data(), sizeof index);
-    const auto [cell, bytes] = mesh.cell(cells_[i].column, index);
+  for_each_cell(t.first_cell, cell_end, [&](Column column, std::uint32_t index) {
+    const auto [cell, bytes] = mesh.cell(column, index);
     for (std::size_t k = 0; k < bytes; k += sizeof(std::uint32_t), ++value) {
       std::uint32_t word;
       std::memcpy(&word, cell + k, sizeof word);
       std::memcpy(cell + k, value, sizeof word);
       *value = word;
     }
-  }
+  });
 }
 
 void Journal::undo(Mesh& mesh) {
   const std::size_t i = position_ - 1;
   const auto replaced = replaced_.find(i);
+  const auto added = added_.find(i);
   if (redone_.empty()) {
     make_room(undone_, 1);
     make_room(redone_, undone_.size() + 1);
+    const std::size_t kept = added == added_.end() ? mesh.attributes().size() : added->second.first;
+    if (added != added_.end()) added->second.columns.reserve(mesh.attributes().size() - kept);
     Undone undone{mesh.lengths(), {}};
-    if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i));
+    if (replaced == replaced_.end()) undone.tail = copy_tail(mesh.columns_, lengths_before(i), kept);
     undone_.push_back(std::move(undone));
   } else {
     undone_.push_back(std::move(redone_.back()));
@@ -218,6 +240,12 @@ void Journal::undo(Mesh& mesh) {
     std::swap(mesh.columns_, replaced->second);
     return;
   }
+  if (added != added_.end()) {
+    const auto first = mesh.columns_.attributes.begin() + static_cast<std::ptrdiff_t>(added->second.first);
+    added->second.columns.assign(std::make_move_iterator(first),
+                                 std::make_move_iterator(mesh.columns_.attributes.end()));
+    mesh.columns_.attributes.erase(first, mesh.columns_.attributes.end());
+  }
   exchange(mesh, transactions_[i], cell_end(i));
   cut_tail(mesh.columns_, lengths_before(i));
 }
@@ -225,7 +253,9 @@ void Journal::undo(Mesh& mesh) {
 void Journal::redo(Mesh& mesh) {
   const std::size_t i = position_;
   const auto replaced = replaced_.find(i);
+  const auto added = added_.find(i);
   if (replaced == replaced_.end()) make_room_for_tail(mesh.columns_, undone_.back().after);
+  if (added != added_.end()) make_room(mesh.columns_.attributes, added->second.columns.size());
   redone_.push_back(std::move(undone_.back()));
   undone_.pop_back();
   const Undone& undone = redone_.back();
@@ -236,6 +266,9 @@ void Journal::redo(Mesh& mesh) {
   }
   restore_tail(mesh.columns_, undone.after, undone.tail);
   exchange(mesh, transactions_[i], cell_end(i));
+  if (added == added_.end()) return;
+  for (AttributeColumn& column : added->second.columns) mesh.columns_.attributes.push_back(std::move(column));
+  added->second.columns.clear();
 }
 
 void Journal::withdraw(Mesh& mesh) noexcept {
@@ -243,6 +276,9 @@ void Journal::withdraw(Mesh& mesh) noexcept {
   const auto replaced = replaced_.find(--position_);
   if (replaced != replaced_.end()) open_replaced_ = std::move(replaced->second);
   replaced_.erase(replaced_.lower_bound(position_), replaced_.end());
+  const auto added = added_.find(position_);
+  if (added != added_.end()) open_added_ = added->second.first;
+  added_.erase(added_.lower_bound(position_), added_.end());
   open_ = transactions_[position_];
   if (const std::size_t next = position_ + 1; next < transactions_.size()) {
     cells_.resize(transactions_[next].first_cell);
@@ -258,11 +294,9 @@ void Journal::clear() { *this = Journal(); }
 std::vector<TouchedCell> Journal::touched(std::size_t i) const {
   std::vector<TouchedCell> cells;
   cells.reserve(cell_end(i) - transactions_[i].first_cell);
-  for (std::size_t k = transactions_[i].first_cell; k < cell_end(i); ++k) {
-    TouchedCell& cell = cells.emplace_back();
-    cell.column = cells_[k].column;
-    std::memcpy(&cell.index, cells_[k].index.data(), sizeof cell.index);
-  }
+  for_each_cell(transactions_[i].first_cell, cell_end(i), [&](Column column, std::uint32_t index) {
+    cells.push_back({column, index});
+  });
   return cells;
 }
 

@@ -1,9 +1,10 @@
 // The undo history of a mesh: the old value of every changed cell, one transaction per committed edit, exact undo and
 // redo.
 //
-// Two packed streams hold all transactions in sequence: the addresses of the changed cells, 5 bytes each, and words:
-// the lengths and counts before the edit, then the cell values. A cell is recorded once per transaction, with its value
-// before it, so swapping the values with those in the mesh leads from either state to the other.
+// Two packed streams hold all transactions in sequence: the addresses of the changed cells, 5 bytes each (10 for those
+// of an attribute behind the first 240), and words: the lengths and counts before the edit, then the cell values. A
+// cell is recorded once per transaction, with its value before it, so swapping the values with those in the mesh leads
+// from either state to the other.
 #pragma once
 
 #include <array>
@@ -28,7 +29,7 @@ struct TouchedCell {
 // The set of cells that an open transaction has recorded already: an open-addressing hash set that is cleared in O(1).
 class CellMarks {
  public:
-  // O(1), except for a full reset once per 2^24 calls.
+  // O(1), except for a full reset once per 2^16 calls.
   void clear() {
     count_ = 0;
     if (++generation_ == generation_end) forget();
@@ -37,7 +38,7 @@ class CellMarks {
   // Inserts the cell; true if it was not in the set. O(1) expected.
   bool insert(Column column, std::uint32_t index) {
     if (2 * (count_ + 1) > slots_.size()) grow();
-    const std::uint64_t key = generation_ << key_bits | std::uint64_t{static_cast<std::uint8_t>(column)} << 32 | index;
+    const std::uint64_t key = generation_ << key_bits | std::uint64_t{static_cast<std::uint16_t>(column)} << 32 | index;
     std::size_t slot = first_slot(key);
     while (slots_[slot] >> key_bits == generation_) {
       if (slots_[slot] == key) return false;
@@ -49,7 +50,7 @@ class CellMarks {
   }
 
  private:
-  static constexpr unsigned key_bits = 40;  // column and index; the generation is in the bits above
+  static constexpr unsigned key_bits = 48;  // column and index; the generation is in the bits above
   static constexpr std::uint64_t generation_end = std::uint64_t{1} << (64 - key_bits);
 
   std::size_t first_slot(std::uint64_t key) const {
@@ -102,11 +103,20 @@ class Journal {
  private:
   friend class Edit;
 
+  // A far column takes two: the first has the number of its attribute as its index, both have this column.
+  static constexpr std::uint8_t far_column = 0xff;
   struct PackedCell {
-    Column column;
+    std::uint8_t column;
     std::array<std::byte, 4> index;
   };
   static_assert(sizeof(PackedCell) == 5);
+  static constexpr bool is_far(Column column) { return static_cast<std::uint16_t>(column) >= far_column; }
+
+  // Attributes that a transaction added: from this one on, and what they were where it is undone.
+  struct Added {
+    std::size_t first = 0;
+    std::vector<AttributeColumn> columns;
+  };
 
   struct Transaction {
     std::size_t first_cell = 0;  // into cells_
@@ -125,12 +135,34 @@ class Journal {
     // What may find no memory comes first, so that a rollback finds whole records.
     if (cells_.size() == cells_.capacity() || words_.capacity() - words_.size() < words) make_room_for_record(words);
     if (!marks_.insert(column, index)) return;
-    PackedCell& cell = cells_.emplace_back();
-    cell.column = column;
-    std::memcpy(cell.index.data(), &index, sizeof index);
+    add_cell(static_cast<std::uint8_t>(column), index);
     const std::size_t first = words_.size();
     words_.resize(first + words);
     std::memcpy(words_.data() + first, value, bytes);
+  }
+  // The same for the value of an attribute, whose column may be far.
+  void record_value(std::size_t attribute, std::uint32_t index, const std::uint32_t* value, std::size_t words);
+  void add_cell(std::uint8_t column, std::uint32_t index) {
+    PackedCell& cell = cells_.emplace_back();
+    cell.column = column;
+    std::memcpy(cell.index.data(), &index, sizeof index);
+  }
+  // Calls visit(column, index) for the cells of a part of the stream.
+  template <class Visit>
+  void for_each_cell(std::size_t begin, std::size_t end, const Visit& visit) const {
+    for (std::size_t i = begin; i < end; ++i) {
+      auto column = static_cast<Column>(cells_[i].column);
+      std::uint32_t index;
+      std::memcpy(&index, cells_[i].index.data(), sizeof index);
+      if (cells_[i].column == far_column) {
+        column = column_of_attribute(index);
+        std::memcpy(&index, cells_[++i].index.data(), sizeof index);
+      }
+      visit(column, index);
+    }
+  }
+  void record_added(std::size_t attribute) {
+    if (!open_added_) open_added_ = attribute;
   }
   void make_room_for_record(std::size_t words);
   void record_replaced(MeshColumns columns);
@@ -147,8 +179,10 @@ class Journal {
   std::vector<Transaction> transactions_;
   std::vector<Undone> undone_, redone_;
   std::map<std::size_t, MeshColumns> replaced_;  // by transaction; swapped with the mesh's columns
+  std::map<std::size_t, Added> added_;           // by transaction
   Transaction open_;
   std::optional<MeshColumns> open_replaced_;
+  std::optional<std::size_t> open_added_;
   CellMarks marks_;  // the cells of open_
   std::size_t position_ = 0;
 };

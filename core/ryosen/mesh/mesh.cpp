@@ -11,7 +11,7 @@ namespace ryosen {
 
 int Mesh::find_attribute(std::string_view name) const {
   for (std::size_t k = 0; k < columns_.attributes.size(); ++k)
-    if (columns_.attributes[k].name == name) return static_cast<int>(k);
+    if (columns_.attributes[k].name == name && columns_.attributes[k].is_removed == 0) return static_cast<int>(k);
   return -1;
 }
 
@@ -62,11 +62,12 @@ std::pair<std::byte*, std::size_t> Mesh::cell(Column column, std::uint32_t index
       return bytes(c.first_ring[index]);
     case Column::ring:
       return bytes(c.rings[index]);
+    case Column::attribute_removed:
+      return bytes(c.attributes[index].is_removed);
     case Column::first_attribute:
       break;
   }
-  AttributeColumn& attribute =
-      c.attributes[static_cast<std::size_t>(column) - static_cast<std::size_t>(Column::first_attribute)];
+  AttributeColumn& attribute = c.attributes[attribute_of_column(column)];
   return {reinterpret_cast<std::byte*>(attribute.data.data() + std::size_t{index} * attribute.words()),
           attribute.words() * sizeof(std::uint32_t)};
 }

@@ -326,6 +326,11 @@ void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, c
   for (AttributeColumn& column : out.attributes) {
     if (column.element == ElementKind::vertex) carry_vertices(mesh, creases, step, added, column);
     if (column.element == ElementKind::face) carry_faces(mesh, column, out.face_halfedge.size(), child);
+    if (column.element == ElementKind::corner && mesh.halfedge_slots() != out.halfedges.size()) {
+      column.data.clear();
+      for (std::size_t h = 0; h < out.halfedges.size(); ++h)
+        column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
+    }
   }
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
     const Charts charts(mesh, creases, attribute);

@@ -1,6 +1,7 @@
 #include "ryosen/algo/subdivide/prepare.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,7 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/live_elements.h"
+#include "ryosen/mesh/value_rules.h"
 #include "ryosen/ops/poke.h"
 
 namespace ryosen::subdivide {
@@ -121,16 +123,18 @@ void drop_dead_edges(MeshColumns& c, Creases& creases) {
     if (!sharpness.empty()) sharpness[number[e]] = sharpness[e];
     if (!origins.empty()) origins[number[e]] = origins[e];
     for (AttributeColumn& a : c.attributes) {
-      if (a.element != ElementKind::corner || number[e] == e) continue;
-      const std::uint32_t* const from = a.data.data() + 2 * e * a.words();
-      std::copy(from, from + 2 * a.words(), a.data.data() + 2 * std::size_t{number[e]} * a.words());
+      if (number[e] == e || (a.element != ElementKind::corner && a.element != ElementKind::edge)) continue;
+      const std::size_t words = a.element == ElementKind::edge ? a.words() : 2 * std::size_t{a.words()};
+      const std::uint32_t* const from = a.data.data() + e * words;
+      std::copy(from, from + words, a.data.data() + number[e] * words);
     }
   }
   c.halfedges.resize(2 * std::size_t{kept});
   if (!sharpness.empty()) sharpness.resize(kept);
   if (!origins.empty()) origins.resize(kept);
   for (AttributeColumn& a : c.attributes)
-    if (a.element == ElementKind::corner) a.data.resize(2 * std::size_t{kept} * a.words());
+    if (a.element == ElementKind::corner || a.element == ElementKind::edge)
+      a.data.resize(std::size_t{kept} * (a.element == ElementKind::edge ? 1 : 2) * a.words());
   for (Halfedge& h : c.vertex_halfedge) h = renamed(h);
   for (Halfedge& h : c.face_halfedge) h = renamed(h);
 }
@@ -149,6 +153,11 @@ void open_edge(MeshColumns& c, Edge e) {
   c.vertex_halfedge[b.index] = t;
   if (c.face_halfedge[moved.face.index] == t) c.face_halfedge[moved.face.index] = own;
   for (AttributeColumn& column : c.attributes) {
+    if (column.element == ElementKind::edge) {
+      const std::vector<std::uint32_t> shares = divide_value(column, e.index, std::array{1.0, 1.0});
+      std::copy_n(shares.begin(), column.words(), column.data.begin() + std::ptrdiff_t{e.index} * column.words());
+      column.data.insert(column.data.end(), shares.begin() + column.words(), shares.end());
+    }
     if (column.element != ElementKind::corner) continue;
     const std::size_t place = std::size_t{t.index} * column.words();
     const std::vector<std::uint32_t> words(column.data.begin() + static_cast<std::ptrdiff_t>(place),

@@ -14,6 +14,7 @@
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
+#include "ryosen/mesh/value_rules.h"
 
 namespace ryosen::subdivide {
 
@@ -103,9 +104,33 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
   });
 }
 
+// The values of edges on the next level: those of an edge are divided among its parts, which share it equally; the rest
+// is new.
+template <class Parts>
+void divide_edge_values(const Mesh& mesh, MeshColumns& next, const Parts& parts) {
+  for (std::size_t k = 0; k < mesh.attributes().size(); ++k) {
+    const AttributeColumn& before = mesh.attributes()[k];
+    if (before.element != ElementKind::edge) continue;
+    const std::size_t words = before.words();
+    std::vector<std::uint32_t>& data = next.attributes[k].data;
+    data.clear();
+    for (std::size_t e = 0; e < next.halfedges.size() / 2; ++e)
+      data.insert(data.end(), before.fill.begin(), before.fill.end());
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+      std::vector<Edge> own;
+      parts(Edge(e), [&](Edge part) { own.push_back(part); });
+      if (own.empty()) continue;
+      const std::vector<std::uint32_t> values = divide_value(before, e, std::vector<double>(own.size(), 1));
+      for (std::size_t i = 0; i < own.size(); ++i)
+        std::copy_n(values.data() + i * words, words, data.data() + own[i].index * words);
+    }
+  }
+}
+
 // What is known of edges on the next level: `parts(e)` calls a function with each edge that is a part of an edge.
 template <class Parts>
-void pass_on(const Mesh& mesh, const MeshColumns& next, const Parts& parts, Creases& creases) {
+void pass_on(const Mesh& mesh, MeshColumns& next, const Parts& parts, Creases& creases) {
+  divide_edge_values(mesh, next, parts);
   if (!creases.sharpness.empty()) {
     std::vector<float> sharpness(next.halfedges.size() / 2, 0);
     for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {

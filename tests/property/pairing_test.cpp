@@ -21,6 +21,7 @@ namespace ryosen::test {
 namespace {
 
 const std::string usual_repairs = "give_places,remove_duplicates,weld_equal,orient,detach_nonmanifold";
+const std::string default_repairs = "give_places,remove_duplicates,weld_equal,stitch,orient,detach_nonmanifold";
 
 const std::uint64_t pairing_seeds = seed_count(400, 30000);
 
@@ -142,18 +143,18 @@ TEST(pairing, no_closed_part_is_torn_and_nothing_opens_but_where_a_patch_is_set_
 }
 
 TEST(pairing, unions_of_solids_come_apart_closed_with_their_volume_merged_by_points_or_not) {
-  const std::uint64_t seeds = seed_count(100, 5000);
+  const std::uint64_t seeds = seed_count(200, 5000);
   std::size_t parts = 0, shared = 0;
   for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
     const SolidBuilder built = random_union(seed);
     shared += compute_figures(from_indexed(built.indexed()))[ProblemKind::nonmanifold_edge] > 0;
     for (const IndexedMesh& source : {built.indexed(), built.loose()}) {
       SCOPED_TRACE("seed " + std::to_string(seed) + ", points " + std::to_string(source.positions.size()));
-      const RecipeResult result = *run_recipe(from_indexed(source), recipe_of(usual_repairs).steps, {});
+      const RecipeResult result = *run_recipe(from_indexed(source), recipe_of(default_repairs).steps, {});
       const Figures figures = compute_figures(result.mesh);
       EXPECT_EQ(figures.faces, built.faces().size());
       EXPECT_TRUE(figures.manifold);
-      EXPECT_FALSE(run_recipe(result.mesh, recipe_of(usual_repairs).steps, {})->is_changed) << "again";
+      EXPECT_FALSE(run_recipe(result.mesh, recipe_of(default_repairs).steps, {})->is_changed) << "again";
       parts += figures.components;
       EXPECT_EQ(figures[ProblemKind::boundary_loop], 0u);
       ASSERT_TRUE(figures.volume);

@@ -165,6 +165,22 @@ void Edit::derive_all(ElementKind element, std::uint32_t to, std::span<const std
   }
 }
 
+bool Edit::has_values(ElementKind element) const {
+  const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
+  return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) { return column.element == element; });
+}
+
+void Edit::divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,
+                      std::span<const double> shares) {
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
+    const AttributeColumn& column = mesh_.columns_.attributes[k];
+    if (column.element != element) continue;
+    const std::vector<std::uint32_t> values = divide_value(column, source, shares);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      set_attribute(k, parts[i], std::span(values).subspan(i * column.words(), column.words()));
+  }
+}
+
 void Edit::reset(ElementKind element, std::uint32_t to) {
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k)
     if (const AttributeColumn& column = mesh_.columns_.attributes[k]; column.element == element)

@@ -92,6 +92,12 @@ class Edit {
     const double weights[] = {1 - t, t};
     derive_all(kind_of(to), to.index, sources, weights, derivation);
   }
+  // Divides an element into parts, of which it may be one itself: sums by `shares()`, which is asked only where there
+  // are values of the kind (see divide_value).
+  template <class Handle, class Shares>
+  void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
+    if (has_values(kind_of(source))) divide_all(kind_of(source), source.index, indices_of(parts), shares());
+  }
   // The same for a value in a pool: the index of one of the sources where one alone has a weight or all are equal,
   // no_index where one with a weight is none, else that of a value that is appended.
   std::uint32_t derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
@@ -143,6 +149,9 @@ class Edit {
   }
   void derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation);
+  bool has_values(ElementKind element) const;
+  void divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,
+                  std::span<const double> shares);
   void reset(ElementKind element, std::uint32_t to);
   // The corner attributes with pools; an edit adds none.
   std::span<const CornerAttribute> pooled();

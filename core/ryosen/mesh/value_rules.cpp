@@ -185,7 +185,12 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
   std::vector<std::uint32_t> values;
   for (std::size_t part = 0; part < shares.size(); ++part) values.insert(values.end(), whole.begin(), whole.end());
   if (column.rule != ValueRule::sum) return values;
-  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  const std::vector<double> equal(shares.size(), 1);
+  double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  if (!(total > 0 && std::isfinite(total))) {
+    shares = equal;
+    total = static_cast<double>(equal.size());
+  }
   visit_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);
     for (std::uint32_t i = 0; i < column.type.count; ++i) {

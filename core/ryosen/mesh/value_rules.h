@@ -30,8 +30,9 @@ enum class Derivation : std::uint8_t { copies, divides, unites };
 void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation, std::span<std::uint32_t> value);
 
-// The values of parts that a source is divided into by shares, which need not add up to 1, one after the other. Sums of
-// integers stay: what rounding leaves goes to the parts with the largest remainders, of equal ones to the first.
+// The values of parts that a source is divided into by shares, one after the other. Shares need not add up to 1; where
+// they add up to nothing or are not finite, parts are equal. Sums of integers stay: what rounding leaves goes to the
+// parts with the largest remainders, of equal ones to the first.
 std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint32_t source,
                                         std::span<const double> shares);
 

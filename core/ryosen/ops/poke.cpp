@@ -9,6 +9,7 @@
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/shares.h"
 
 namespace ryosen {
 
@@ -89,10 +90,11 @@ OpEffect poke(Edit& edit, Face face, const glm::dvec3& place) {
     edit.derive(spokes[i], sides[i], Derivation::copies);
     if (i > 0) edit.derive(twin(spokes[i]), twin(spokes[0]), Derivation::copies);
   }
+  std::vector<Face> parts;
   for (std::size_t i = 0; i < n; ++i) {
     const Face f = i == 0 ? face : edit.add_face(sides[i]);
+    parts.push_back(f);
     const Halfedge in = spokes[(i + 1) % n], out = twin(spokes[i]);
-    if (i > 0) edit.derive(f, face, Derivation::copies);
     edit.connect(sides[i], in);
     edit.connect(in, out);
     edit.connect(out, sides[i]);
@@ -102,6 +104,7 @@ OpEffect poke(Edit& edit, Face face, const glm::dvec3& place) {
     effect.changed.push_back(f);
   }
   edit.set_halfedge(centre, twin(spokes[0]));
+  edit.divide<Face>(face, parts, [&] { return areas_of(m, parts); });
   return effect;
 }
 

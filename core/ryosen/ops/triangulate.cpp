@@ -9,6 +9,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/face_triangles.h"
+#include "ryosen/ops/rules/shares.h"
 
 namespace ryosen {
 
@@ -107,15 +108,15 @@ void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
   while (m.has_rings(f)) edit.remove_ring(f, m.first_ring(f));
   Sides sides(edit, cut.polygon, effect);
   bool is_first = true;
+  std::vector<Face> parts;
   for (const CornerTriangle& t : cut.triangles) {
     const Halfedge a = sides.between(t[0], t[1]), b = sides.between(t[1], t[2]), c = sides.between(t[2], t[0]);
     const Face face = is_first ? f : edit.add_face(a);
-    if (is_first) {
+    if (is_first)
       edit.set_halfedge(f, a);
-    } else {
-      edit.derive(face, f, Derivation::copies);
+    else
       effect.created.push_back(face);
-    }
+    parts.push_back(face);
     is_first = false;
     edit.connect(a, b);
     edit.connect(b, c);
@@ -123,6 +124,7 @@ void apply_cut(Edit& edit, Face f, const Cut& cut, OpEffect& effect) {
     for (Halfedge h : {a, b, c}) edit.set_face(h, face);
     effect.changed.push_back(face);
   }
+  edit.divide<Face>(f, parts, [&] { return areas_of(m, parts); });
 }
 
 }  // namespace

@@ -227,7 +227,8 @@ class Splitter {
  public:
   Splitter(Edit& edit, Vertex v, const glm::dvec3& place) : edit_(edit), m_(edit.mesh()), corners_(edit) {
     fresh_ = edit.add_vertex(place);
-    edit.derive(fresh_, v, Derivation::copies);
+    const Vertex halves[] = {v, fresh_};
+    edit.divide<Vertex>(v, halves, [] { return std::vector<double>{1, 1}; });
     between_ = edit.add_edge(v, fresh_);
     effect_.created = {fresh_, edge(between_)};
   }
@@ -275,7 +276,10 @@ class Splitter {
     edit_.set_face(fresh, part);
     if (part) replace_start(edit_, part, old, fresh);
     const Face face = edit_.add_face(sides[0]);
-    edit_.derive(face, beside, Derivation::copies);
+    constexpr double nothing[] = {0};
+    edit_.derive<Face>(face, {&beside, 1}, nothing, Derivation::divides);
+    const Edge halves[] = {edge(old), edge(fresh)};
+    edit_.divide<Edge>(edge(old), halves, [] { return std::vector<double>{1, 1}; });
     for (std::size_t i = 0; i < 3; ++i) {
       edit_.connect(sides[i], sides[(i + 1) % 3]);
       edit_.set_face(sides[i], face);

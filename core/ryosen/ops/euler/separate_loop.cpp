@@ -10,6 +10,7 @@
 #include "ryosen/ops/rules/face_corners.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -142,7 +143,6 @@ OpEffect SeparateLoop::apply(Edit& edit) const {
   const Halfedge h = link_inside(edit, into_a, into_b);
   const Halfedge of_fresh = parts.left_is_new ? h : twin(h);
   const Face fresh = edit.add_face(m.next(of_fresh));
-  edit.derive(fresh, f, Derivation::copies);
   set_face_along(edit, of_fresh, fresh);
   if (m.face(start) == fresh) {
     // The loop keeps its stored start if that corner stays; else it starts at the new edge.
@@ -157,6 +157,8 @@ OpEffect SeparateLoop::apply(Edit& edit) const {
     edit.add_ring(fresh, ring_start);
     set_face_along(edit, ring_start, fresh);
   }
+  const Face halves[] = {f, fresh};
+  edit.divide<Face>(f, halves, [&] { return areas_of(m, halves); });
   return {.created = {edge(h), fresh}, .changed = {f, fresh}};
 }
 

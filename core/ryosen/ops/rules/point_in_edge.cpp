@@ -6,6 +6,7 @@
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/sheets.h"
 
 namespace ryosen {
@@ -26,7 +27,7 @@ namespace {
 //            third                      part of A: a -> m -> third
 //           /  |  \                     other:     m -> b -> third
 //          a---m---b
-Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, OpEffect& effect) {
+Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, double along, OpEffect& effect) {
   const Mesh& mesh = edit.mesh();
   const Face old = mesh.face(into);
   const Halfedge after_out = mesh.next(out), before_into = mesh.prev(into);
@@ -37,7 +38,8 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, Op
   edit.connect(after_out, up);
   edit.connect(up, out);
   const Face fresh = edit.add_face(origin_keeps ? out : into);
-  edit.derive(fresh, old, Derivation::copies);
+  const Face parts[] = {old, fresh};
+  edit.divide<Face>(old, parts, [&] { return lengths_of_parts(along); });
   const Face before_m = origin_keeps ? old : fresh, after_m = origin_keeps ? fresh : old;
   for (Halfedge h : {into, down, before_into}) edit.set_face(h, before_m);
   for (Halfedge h : {out, after_out, up}) edit.set_face(h, after_m);
@@ -67,6 +69,8 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
   const Vertex m = edit.add_vertex(position);
   edit.derive(m, a, b, along, Derivation::copies);
   const Halfedge fresh = edit.add_edge(m, b), fresh_twin = twin(fresh);
+  const Edge parts[] = {edge(h), edge(fresh)};
+  edit.divide<Edge>(edge(h), parts, [&] { return lengths_of_parts(along); });
   effect.created.push_back(m);
   effect.created.push_back(edge(fresh));
 
@@ -92,8 +96,8 @@ Vertex cut_sheet(Edit& edit, Halfedge h, double along, const glm::dvec3& positio
 
   for (Halfedge side : {h, o})
     if (!mesh.is_outside(side)) effect.changed.push_back(mesh.face(side));
-  if (cut_left) effect.changed.push_back(cut_triangle(edit, h, fresh, true, effect));
-  if (cut_right) effect.changed.push_back(cut_triangle(edit, fresh_twin, o, false, effect));
+  if (cut_left) effect.changed.push_back(cut_triangle(edit, h, fresh, true, along, effect));
+  if (cut_right) effect.changed.push_back(cut_triangle(edit, fresh_twin, o, false, along, effect));
   return m;
 }
 

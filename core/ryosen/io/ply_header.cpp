@@ -203,7 +203,7 @@ class HeaderReader {
       return fail("negative_count",
                   {"The count " + shown(word) + " is negative.", "個数 " + shown(word) + " が負です。"});
     }
-    if (!element_names_.insert(name).second) {
+    if (!element_names_.insert(table.name).second) {
       return fail("repeated_element", {"The element " + shown(name) + " is announced twice.",
                                        "要素 " + shown(name) + " が 2 回宣言されています。"});
     }
@@ -284,7 +284,7 @@ class HeaderReader {
   TextLines lines_;
   PlyHeader header_;
   std::optional<Failure> failure_;
-  std::unordered_set<std::string_view> element_names_;  // in the bytes of the file
+  std::unordered_set<std::string> element_names_;
   bool is_done_ = false;
   bool has_format_ = false;
 };

@@ -71,6 +71,26 @@ TEST(ply_header, files_of_one_line_end_lack_an_end_of_the_header) {
   EXPECT_EQ(read_refused("ply", "ply\n\r").message.code, "unexpected_end");
 }
 
+// A line that ends in CR is copied, so that what is kept of it must be a copy, too.
+TEST(ply_header, names_of_elements_are_known_whatever_ends_their_lines) {
+  const std::string others =
+      "element a 0\nelement a_name_of_more_than_15_letters 0\nelement b_name_of_more_than_15_letters 0\nelement b 0\n";
+  for (const std::string_view end : {"\n", "\r\n", "\r", "\n\r"}) {
+    SCOPED_TRACE(testing::PrintToString(end));
+    const std::string head = "ply\nformat ascii 1.0\n" + others + std::string(triangle_head);
+    const std::string data = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    const MeshFile file = read_sound("ply", with_line_ends(head + data, end));
+    EXPECT_EQ(file.properties.tables.size(), 6u);
+    for (const std::string_view name :
+         {"a", "a_name_of_more_than_15_letters", "b_name_of_more_than_15_letters", "vertex", "face"}) {
+      const std::string again = head.substr(0, head.size() - 11) + "element " + std::string(name) + " 0\nend_header\n";
+      const Failure failure = read_refused("ply", with_line_ends(again + data, end));
+      EXPECT_EQ(failure.message.code, "repeated_element") << name;
+      EXPECT_EQ(failure.message.line, 13u) << name;
+    }
+  }
+}
+
 TEST(ply_header, a_count_beyond_64_bits_is_said_as_it_is_written) {
   for (const char* count : {"18446744073709551616", "9223372036854775808", "2000000000", "99999999999999999999999"}) {
     for (const char* format : {"ascii", "binary_little_endian"}) {

@@ -11,7 +11,7 @@ namespace {
 std::string none_in(Language language) { return language == Language::japanese ? "なし" : "none"; }
 
 // The shortest digits that read back as the same number.
-std::string shortest_digits(double value) { return nlohmann::json(value).dump(); }
+std::string shortest_digits(double value) { return nlohmann::ordered_json(value).dump(); }
 
 std::string place_text(const glm::dvec3& at, bool is_list) {
   const std::string numbers = shortest_digits(at.x) + " " + shortest_digits(at.y) + " " + shortest_digits(at.z);

@@ -12,7 +12,7 @@ namespace ryosen {
 namespace {
 
 // A fan of faces at a point: one of its outgoing halfedges (the outside one if it has any), its lowest face.
-struct Fan {
+struct CornerFan {
   std::uint32_t point;
   Face lowest_face;
   Halfedge halfedge;
@@ -90,13 +90,13 @@ std::vector<bool> find_points_with_several_fans(const MeshColumns& c, bool& any)
   return several;
 }
 
-std::vector<Fan> collect_fans(const MeshColumns& c, const std::vector<bool>& several) {
-  std::vector<Fan> fans;
+std::vector<CornerFan> collect_fans(const MeshColumns& c, const std::vector<bool>& several) {
+  std::vector<CornerFan> fans;
   std::vector<bool> seen(c.halfedges.size(), false);
   for (std::uint32_t i = 0; i < c.halfedges.size(); ++i) {
     const std::uint32_t point = c.halfedges[i].from.index;
     if (!several[point] || seen[i]) continue;
-    Fan fan{point, Face(), Halfedge(i)};
+    CornerFan fan{point, Face(), Halfedge(i)};
     for_each_of_fan(c, Halfedge(i), [&](Halfedge h) {
       seen[h.index] = true;
       const Face face = c.halfedges[h.index].face;
@@ -105,7 +105,7 @@ std::vector<Fan> collect_fans(const MeshColumns& c, const std::vector<bool>& sev
     });
     fans.push_back(fan);
   }
-  std::sort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) {
+  std::sort(fans.begin(), fans.end(), [](const CornerFan& a, const CornerFan& b) {
     return a.point != b.point ? a.point < b.point : a.lowest_face < b.lowest_face;
   });
   return fans;
@@ -118,12 +118,12 @@ void separate_fans(MeshColumns& c) {
   bool any = false;
   const std::vector<bool> several = find_points_with_several_fans(c, any);
   if (!any) return;
-  const std::vector<Fan> fans = collect_fans(c, several);
+  const std::vector<CornerFan> fans = collect_fans(c, several);
   c.next_copy.resize(c.positions.size());
   for (std::uint32_t v = 0; v < c.next_copy.size(); ++v) c.next_copy[v] = Vertex(v);
   c.copy_point = c.next_copy;
   for (std::size_t i = 0; i < fans.size(); ++i) {
-    const Fan& fan = fans[i];
+    const CornerFan& fan = fans[i];
     if (i == 0 || fans[i - 1].point != fan.point) {
       c.vertex_halfedge[fan.point] = fan.halfedge;
       continue;

@@ -18,7 +18,7 @@ bool ends_a_wire_or_fan(const Mesh& mesh, Vertex v);
 // Whether two faces differ in a value (material, group).
 inline bool face_values_differ(const Mesh& mesh, Face a, Face b) {
   for (const AttributeColumn& column : mesh.attributes()) {
-    if (column.element != ElementKind::face) continue;
+    if (!column.is_of(ElementKind::face)) continue;
     const auto words = [&](Face f) { return column.data.data() + std::size_t{f.index} * column.words(); };
     if (!std::equal(words(a), words(a) + column.words(), words(b))) return true;
   }

@@ -12,7 +12,7 @@ namespace {
 void copy_attributes(Edit& edit, const Mesh& part, ElementKind kind, std::uint32_t first, std::uint32_t count) {
   for (std::size_t i = 0; i < edit.mesh().attributes().size(); ++i) {
     const AttributeColumn& column = edit.mesh().attributes()[i];
-    const AttributeColumn* const same = column.element == kind ? find_column(part, column.name) : nullptr;
+    const AttributeColumn* const same = column.is_of(kind) ? find_column(part, column.name) : nullptr;
     if (!same || same->type != column.type) continue;
     const std::span words = same->data;
     for (std::uint32_t k = 0; k < count; ++k)

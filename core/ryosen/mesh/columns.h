@@ -45,6 +45,8 @@ struct AttributeColumn {
   std::uint32_t is_removed = 0;     // 1: it keeps its place and its length, so that it can come back
 
   std::uint32_t words() const { return type.words(); }
+  // Whether it has values of this kind of elements and is not removed.
+  bool is_of(ElementKind kind) const { return element == kind && is_removed == 0; }
   friend bool operator==(const AttributeColumn&, const AttributeColumn&) = default;
 };
 

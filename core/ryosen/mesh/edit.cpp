@@ -1,9 +1,11 @@
 #include "ryosen/mesh/edit.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #ifdef RYOSEN_CHECKED
@@ -122,59 +124,91 @@ std::span<const CornerAttribute> Edit::pooled() {
   return pooled_;
 }
 
+namespace {
+
+// The words of one value; rows of many numbers alone need memory for it.
+class ValueWords {
+ public:
+  explicit ValueWords(std::size_t count) : count_(count) {
+    if (count > small_.size()) large_.resize(count);
+  }
+  std::span<std::uint32_t> words() {
+    return large_.empty() ? std::span<std::uint32_t>(small_).first(count_) : std::span<std::uint32_t>(large_);
+  }
+
+ private:
+  std::size_t count_;
+  std::array<std::uint32_t, 16> small_;
+  std::vector<std::uint32_t> large_;
+};
+
+}  // namespace
+
 std::uint32_t Edit::derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
                                    std::span<const double> weights) {
-  std::vector<std::uint32_t> with_weight;
-  std::vector<double> positive;
+  std::optional<std::uint32_t> one;
+  bool are_equal = true, has_none = false;
   for (std::size_t i = 0; i < sources.size(); ++i) {
     if (weights[i] == 0) continue;
-    with_weight.push_back(sources[i]);
-    positive.push_back(weights[i]);
+    if (!one) one = sources[i];
+    are_equal = are_equal && sources[i] == *one;
+    has_none = has_none || sources[i] == no_index;
   }
-  const std::uint32_t first = with_weight.front();
-  if (std::all_of(with_weight.begin(), with_weight.end(), [&](std::uint32_t index) { return index == first; }))
-    return first;
-  if (std::find(with_weight.begin(), with_weight.end(), no_index) != with_weight.end()) return no_index;
+  if (are_equal) return *one;
+  if (has_none) return no_index;
   const AttributeColumn& pool = mesh_.columns_.attributes[pool_attribute];
-  std::vector<std::uint32_t> value(pool.words());
-  derive_value(pool, with_weight, positive, Derivation::copies, value);
-  return append_value(pool_attribute, value);
+  ValueWords value(pool.words());
+  derive_value(pool, sources, weights, Derivation::copies, value.words());
+  return append_value(pool_attribute, value.words());
+}
+
+void Edit::derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
+                         std::span<const double> weights, Derivation derivation) {
+  const AttributeColumn& column = mesh_.columns_.attributes[attribute];
+  ValueWords value(column.words());
+  derive_value(column, sources, weights, derivation, value.words());
+  set_attribute(attribute, to, value.words());
 }
 
 void Edit::derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                       std::span<const double> weights, Derivation derivation) {
-  std::vector<std::uint32_t> value, indices;
   const auto is_pooled = [&](std::size_t k) {
     const auto own = pooled();
     return std::any_of(own.begin(), own.end(), [&](const CornerAttribute& each) { return each.index_column == k; });
   };
-  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
-    const AttributeColumn& column = mesh_.columns_.attributes[k];
-    if (column.element != element || (element == ElementKind::corner && is_pooled(k))) continue;
-    value.resize(column.words());
-    derive_value(column, sources, weights, derivation, value);
-    set_attribute(k, to, value);
-  }
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k)
+    if (mesh_.columns_.attributes[k].is_of(element) && !(element == ElementKind::corner && is_pooled(k)))
+      derive_column(k, to, sources, weights, derivation);
   if (element != ElementKind::corner) return;
+  std::vector<std::uint32_t> indices(sources.size());
   for (const CornerAttribute& attribute : pooled()) {
-    indices.clear();
-    for (const std::uint32_t source : sources)
-      indices.push_back(mesh_.columns_.attributes[attribute.index_column].data[source]);
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      indices[i] = mesh_.columns_.attributes[attribute.index_column].data[sources[i]];
     const std::uint32_t index = derive_in_pool(attribute.pool_column, indices, weights);
     set_attribute(attribute.index_column, to, {&index, 1});
   }
 }
 
-bool Edit::has_values(ElementKind element) const {
+void Edit::blend(Vertex to, std::span<const Vertex> sources, std::span<const double> weights) {
+  for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
+    const AttributeColumn& column = mesh_.columns_.attributes[k];
+    if (column.is_of(ElementKind::vertex) && column.rule == ValueRule::blend && is_floating(column.type.scalar))
+      derive_column(k, to.index, indices_of(sources), weights, Derivation::copies);
+  }
+}
+
+bool Edit::has_sums(ElementKind element) const {
   const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
-  return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) { return column.element == element; });
+  return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
+    return column.is_of(element) && column.rule == ValueRule::sum;
+  });
 }
 
 void Edit::divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,
                       std::span<const double> shares) {
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
     const AttributeColumn& column = mesh_.columns_.attributes[k];
-    if (column.element != element) continue;
+    if (!column.is_of(element)) continue;
     const std::vector<std::uint32_t> values = divide_value(column, source, shares);
     for (std::size_t i = 0; i < parts.size(); ++i)
       set_attribute(k, parts[i], std::span(values).subspan(i * column.words(), column.words()));
@@ -183,14 +217,14 @@ void Edit::divide_all(ElementKind element, std::uint32_t source, std::span<const
 
 void Edit::reset(ElementKind element, std::uint32_t to) {
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k)
-    if (const AttributeColumn& column = mesh_.columns_.attributes[k]; column.element == element)
+    if (const AttributeColumn& column = mesh_.columns_.attributes[k]; column.is_of(element))
       set_attribute(k, to, column.fill);
 }
 
 void Edit::move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from) {
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
     const AttributeColumn& column = mesh_.columns_.attributes[k];
-    if (column.element != ElementKind::corner) continue;
+    if (!column.is_of(ElementKind::corner)) continue;
     const std::size_t words = column.words();
     std::vector<std::uint32_t> values;
     for (const auto& [to, from] : to_from) {
@@ -210,7 +244,8 @@ void Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<c
   AttributeColumn& a = mesh_.columns_.attributes[attribute];
   std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words();
   if (std::equal(words.begin(), words.end(), cell)) return;
-  const bool is_new = attribute >= attributes_before_ || a.element == ElementKind::pool ||
+  assert(a.element != ElementKind::pool);
+  const bool is_new = attribute >= attributes_before_ ||
                       index >= length_of(a.element, before_.vertices, before_.halfedges, before_.faces);
   if (journal_ && !is_new) journal_->record_value(attribute, index, cell, a.words());
   std::copy(words.begin(), words.end(), cell);
@@ -223,22 +258,31 @@ std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std
 }
 
 std::size_t Edit::add_attribute(AttributeColumn column) {
+  std::vector<AttributeColumn>& attributes = mesh_.columns_.attributes;
   assert(column.element != ElementKind::pool && mesh_.find_attribute(column.name) < 0);
+  assert(column.fill.size() == column.words() && column.data.empty() && attributes.size() < most_attributes);
   const std::size_t count = length_of(column.element, mesh_.vertex_slots(), mesh_.halfedge_slots(), mesh_.face_slots());
   column.data.reserve(count * column.words());
   for (std::size_t i = 0; i < count; ++i) column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
-  std::vector<AttributeColumn>& attributes = mesh_.columns_.attributes;
   attributes.push_back(std::move(column));
   if (journal_) journal_->record_added(attributes.size() - 1);
   return attributes.size() - 1;
 }
 
 void Edit::remove_attribute(std::size_t attribute) {
-  AttributeColumn& a = mesh_.columns_.attributes[attribute];
-  const auto index = static_cast<std::uint32_t>(attribute);
-  if (journal_ && attribute < attributes_before_)
-    journal_->record(Column::attribute_removed, index, &a.is_removed, sizeof a.is_removed);
-  a.is_removed = 1;
+  const auto mark = [&](std::size_t k) {
+    std::uint32_t& is_removed = mesh_.columns_.attributes[k].is_removed;
+    if (journal_ && k < attributes_before_)
+      journal_->record(Column::attribute_removed, static_cast<std::uint32_t>(k), &is_removed, sizeof is_removed);
+    is_removed = 1;
+  };
+  for (const CornerAttribute& each : pooled())
+    if (each.index_column == attribute || each.pool_column == attribute) {
+      mark(each.index_column);
+      mark(each.pool_column);
+    }
+  mark(attribute);
+  knows_pooled_ = false;
 }
 
 void Edit::replace(MeshColumns columns) {

@@ -92,32 +92,38 @@ class Edit {
     const double weights[] = {1 - t, t};
     derive_all(kind_of(to), to.index, sources, weights, derivation);
   }
-  // Divides an element into parts, of which it may be one itself: sums by `shares()`, which is asked only where there
-  // are values of the kind (see divide_value).
-  template <class Handle, class Shares>
-  void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
-    if (has_values(kind_of(source))) divide_all(kind_of(source), source.index, indices_of(parts), shares());
-  }
   // The same for a value in a pool: the index of one of the sources where one alone has a weight or all are equal,
   // no_index where one with a weight is none, else that of a value that is appended.
   std::uint32_t derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
                                std::span<const double> weights);
+  // Gives a vertex the means of its sources; attributes that have no means stay.
+  void blend(Vertex to, std::span<const Vertex> sources, std::span<const double> weights);
+  // Divides an element into parts, of which it may be one itself (see divide_value). `shares()` is asked only where
+  // there are sums.
+  template <class Handle, class Shares>
+  void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
+    if (mesh_.columns_.attributes.empty()) return;
+    const ElementKind element = kind_of(source);
+    divide_all(element, source.index, indices_of(parts),
+               has_sums(element) ? shares() : std::vector<double>(parts.size(), 1));
+  }
   // Gives a new element, or a corner that lies outside now, the default of each attribute.
   template <class Handle>
   void fresh(Handle to) {
     if (!mesh_.columns_.attributes.empty()) reset(kind_of(to), to.index);
   }
-  // The first corner of each pair gets what the second had; what is only second gets the defaults.
+  // The first corner of each pair gets what the second had. Corners that are only second get the defaults.
   void move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from);
 
-  // Adds an attribute of vertices, edges, corners or faces, of which every element has the default value. No attribute
-  // has the name. Returns its place in Mesh::attributes(). O(elements).
+  // Adds an attribute of vertices, edges, corners or faces, of which every element has the default value. Its name must
+  // be free. Returns its index in Mesh::attributes(). O(elements).
   std::size_t add_attribute(AttributeColumn column);
   template <AttributeValue T>
   std::size_t add_attribute(std::string_view name, ElementKind element, ValueRule rule, const T& value = T{}) {
     return add_attribute(make_column(name, element, rule, value));
   }
-  // Takes an attribute away from everything that looks for it by its name; others keep their places. O(1).
+  // Marks an attribute as removed, a corner attribute together with its pool: find_attribute() no longer finds it.
+  // Other indices stay. O(1).
   void remove_attribute(std::size_t attribute);
 
   // Attribute values as raw words; append_value appends to a pool and returns the new index.
@@ -149,11 +155,13 @@ class Edit {
   }
   void derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation);
-  bool has_values(ElementKind element) const;
+  void derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
+                     std::span<const double> weights, Derivation derivation);
+  bool has_sums(ElementKind element) const;
   void divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,
                   std::span<const double> shares);
   void reset(ElementKind element, std::uint32_t to);
-  // The corner attributes with pools; an edit adds none.
+  // The corner attributes with pools.
   std::span<const CornerAttribute> pooled();
 
   Mesh& mesh_;

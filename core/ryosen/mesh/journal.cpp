@@ -311,11 +311,14 @@ std::size_t Journal::bytes() const {
 
 TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::size_t i) {
   TouchedElements touched;
-  if (journal.replaces_everything(i)) {
+  const std::vector<TouchedCell> cells = journal.touched(i);
+  if (journal.replaces_everything(i) || journal.adds_attributes(i) ||
+      std::any_of(cells.begin(), cells.end(),
+                  [](const TouchedCell& cell) { return cell.column == Column::attribute_removed; })) {
     touched.everything = true;
     return touched;
   }
-  for (const TouchedCell& cell : journal.touched(i)) {
+  for (const TouchedCell& cell : cells) {
     switch (cell.column) {
       case Column::position:
         touched.moved.push_back(Vertex(cell.index));

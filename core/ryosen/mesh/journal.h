@@ -2,9 +2,9 @@
 // redo.
 //
 // Two packed streams hold all transactions in sequence: the addresses of the changed cells, 5 bytes each (10 for those
-// of an attribute behind the first 240), and words: the lengths and counts before the edit, then the cell values. A
-// cell is recorded once per transaction, with its value before it, so swapping the values with those in the mesh leads
-// from either state to the other.
+// of an attribute from number 243 on), and words: the lengths and counts before the edit, then the cell values. A cell
+// is recorded once per transaction, with its value before it, so swapping the values with those in the mesh leads from
+// either state to the other.
 #pragma once
 
 #include <array>
@@ -96,14 +96,16 @@ class Journal {
     return i < position_ ? mesh.lengths() : undone_[transactions_.size() - 1 - i].after;
   }
   bool replaces_everything(std::size_t i) const { return replaced_.contains(i); }
+  bool adds_attributes(std::size_t i) const { return added_.contains(i); }
 
-  // Bytes held by the history, not counting replaced columns.
+  // Bytes held by the history, not counting replaced columns and attributes that are undone.
   std::size_t bytes() const;
 
  private:
   friend class Edit;
 
-  // A far column takes two: the first has the number of its attribute as its index, both have this column.
+  // A cell of an attribute from number 243 on takes two of them, both with this column: the number of the attribute,
+  // then the index.
   static constexpr std::uint8_t far_column = 0xff;
   struct PackedCell {
     std::uint8_t column;
@@ -112,7 +114,7 @@ class Journal {
   static_assert(sizeof(PackedCell) == 5);
   static constexpr bool is_far(Column column) { return static_cast<std::uint16_t>(column) >= far_column; }
 
-  // Attributes that a transaction added: from this one on, and what they were where it is undone.
+  // The first attribute that a transaction added, and the columns while it is undone.
   struct Added {
     std::size_t first = 0;
     std::vector<AttributeColumn> columns;
@@ -192,7 +194,7 @@ class Journal {
 // that the transaction creates, or its undo removes, are in all lists of their kind. Attribute changes are not
 // reported.
 struct TouchedElements {
-  bool everything = false;          // columns were replaced whole; the lists are empty then
+  bool everything = false;          // columns were replaced whole, added or removed; the lists are empty then
   std::vector<Vertex> vertices;     // its link, its position, or a link of an outgoing halfedge was written
   std::vector<Vertex> moved;        // its position was written
   std::vector<Halfedge> halfedges;  // a link was written

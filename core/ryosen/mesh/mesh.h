@@ -87,7 +87,7 @@ class Mesh {
 
   // The index of the attribute with this name, or -1. See attribute.h for its values.
   int find_attribute(std::string_view name) const;
-  // All that there are, removed ones in their places too.
+  // All attributes, removed ones included, in the order of their indices.
   std::span<const AttributeColumn> attributes() const { return columns_.attributes; }
 
   const MeshColumns& columns() const { return columns_; }

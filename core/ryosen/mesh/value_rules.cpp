@@ -1,10 +1,12 @@
 #include "ryosen/mesh/value_rules.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 
 namespace ryosen {
@@ -16,6 +18,12 @@ T scalar_at(const std::uint32_t* words, std::uint32_t i) {
   T value;
   std::memcpy(&value, reinterpret_cast<const std::byte*>(words) + i * sizeof(T), sizeof(T));
   return value;
+}
+
+// Any byte but 0 is true.
+template <>
+bool scalar_at<bool>(const std::uint32_t* words, std::uint32_t i) {
+  return scalar_at<std::uint8_t>(words, i) != 0;
 }
 
 template <class T>
@@ -56,7 +64,20 @@ struct Sources {
   const AttributeColumn& column;
   std::span<const std::uint32_t> at;
   std::span<const double> weights;
+  Derivation derivation;
 
+  // Where values are copied, a source without weight counts nothing.
+  bool counts(std::size_t i) const { return derivation == Derivation::unites || weights[i] != 0; }
+  std::size_t first() const {
+    std::size_t i = 0;
+    while (!counts(i)) ++i;
+    return i;
+  }
+  bool is_one() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < at.size(); ++i) count += counts(i);
+    return count == 1;
+  }
   const std::uint32_t* words(std::size_t i) const { return column.data.data() + std::size_t{at[i]} * column.words(); }
   template <class T>
   T number(std::size_t source, std::uint32_t i) const {
@@ -64,7 +85,7 @@ struct Sources {
   }
 };
 
-// From one that has a weight on, so that equal numbers stay as they are.
+// Starts at the first source with a weight, so that a mean of equal numbers is equal to them.
 template <class T>
 T mean(const Sources& sources, std::uint32_t i) {
   std::size_t first = 0;
@@ -72,15 +93,17 @@ T mean(const Sources& sources, std::uint32_t i) {
   const auto start = static_cast<double>(sources.number<T>(first, i));
   double sum = start;
   for (std::size_t s = first + 1; s < sources.at.size(); ++s)
-    if (sources.weights[s] != 0) sum += sources.weights[s] * (static_cast<double>(sources.number<T>(s, i)) - start);
+    if (const auto number = static_cast<double>(sources.number<T>(s, i)); sources.weights[s] != 0 && number != start)
+      sum += sources.weights[s] * (number - start);
   return static_cast<T>(sum);
 }
 
 template <class T>
 T greatest(const Sources& sources, std::uint32_t i) {
-  T found = sources.number<T>(0, i);
-  for (std::size_t s = 1; s < sources.at.size(); ++s) found = std::max(found, sources.number<T>(s, i));
-  return found;
+  std::optional<T> found;
+  for (std::size_t s = 0; s < sources.at.size(); ++s)
+    if (sources.counts(s)) found = std::max(found.value_or(sources.number<T>(s, i)), sources.number<T>(s, i));
+  return *found;
 }
 
 // Integers stay within their type.
@@ -131,50 +154,30 @@ std::vector<T> whole_parts(T number, std::span<const double> shares) {
 }
 
 void copy_first(const Sources& sources, std::span<std::uint32_t> value) {
-  std::copy_n(sources.words(0), value.size(), value.begin());
+  std::copy_n(sources.words(sources.first()), value.size(), value.begin());
 }
 
 }  // namespace
 
 void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> at, std::span<const double> weights,
                   Derivation derivation, std::span<std::uint32_t> value) {
-  const Sources sources{column, at, weights};
-  const bool is_one = at.size() == 1;
-  switch (column.rule) {
-    case ValueRule::first:
-      return copy_first(sources, value);
-    case ValueRule::blend:
-      if (is_one || !is_floating(column.type.scalar)) return copy_first(sources, value);
-      break;
-    case ValueRule::greatest:
-      if (is_one) return copy_first(sources, value);
-      break;
-    case ValueRule::sum:
-      if (is_one && derivation != Derivation::divides) return copy_first(sources, value);
-      if (derivation == Derivation::copies) {
-        std::copy(column.fill.begin(), column.fill.end(), value.begin());
-        return;
-      }
-      break;
+  assert(std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }));
+  const Sources sources{column, at, weights, derivation};
+  const bool has_mean = column.rule == ValueRule::blend && is_floating(column.type.scalar);
+  if (sources.is_one() || column.rule == ValueRule::first || (column.rule == ValueRule::blend && !has_mean))
+    return copy_first(sources, value);
+  if (column.rule == ValueRule::sum && derivation == Derivation::copies) {
+    std::copy(column.fill.begin(), column.fill.end(), value.begin());
+    return;
   }
   std::fill(value.begin(), value.end(), 0u);
   visit_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);
-    for (std::uint32_t i = 0; i < column.type.count; ++i) {
-      T number{};
-      if (column.rule == ValueRule::blend) {
-        number = mean<T>(sources, i);
-      } else if (column.rule == ValueRule::greatest) {
-        number = greatest<T>(sources, i);
-      } else if (derivation == Derivation::unites) {
-        number = sum<T>(sources, i);
-      } else {
-        double parts = 0;
-        for (std::size_t s = 0; s < at.size(); ++s) parts += weights[s] * static_cast<double>(sources.number<T>(s, i));
-        number = static_cast<T>(std::is_integral_v<T> ? std::nearbyint(parts) : parts);
-      }
-      put_scalar(value.data(), i, number);
-    }
+    for (std::uint32_t i = 0; i < column.type.count; ++i)
+      put_scalar<T>(value.data(), i,
+                    has_mean                             ? mean<T>(sources, i)
+                    : column.rule == ValueRule::greatest ? greatest<T>(sources, i)
+                                                         : sum<T>(sources, i));
   });
 }
 
@@ -184,7 +187,7 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
   const std::span<const std::uint32_t> whole(column.data.data() + std::size_t{source} * words, words);
   std::vector<std::uint32_t> values;
   for (std::size_t part = 0; part < shares.size(); ++part) values.insert(values.end(), whole.begin(), whole.end());
-  if (column.rule != ValueRule::sum) return values;
+  if (column.rule != ValueRule::sum || shares.empty()) return values;
   const std::vector<double> equal(shares.size(), 1);
   double total = std::accumulate(shares.begin(), shares.end(), 0.0);
   if (!(total > 0 && std::isfinite(total))) {
@@ -199,8 +202,9 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
       if constexpr (std::is_integral_v<T>)
         parts = whole_parts(number, shares);
       else
-        for (const double share : shares) parts.push_back(static_cast<T>(number * (share / total)));
-      for (std::size_t part = 0; part < parts.size(); ++part) put_scalar(values.data() + part * words, i, parts[part]);
+        for (const double share : shares) parts.push_back(share == 0 ? T() : static_cast<T>(number * (share / total)));
+      for (std::size_t part = 0; part < parts.size(); ++part)
+        put_scalar<T>(values.data() + part * words, i, parts[part]);
     }
   });
   return values;

@@ -1,14 +1,15 @@
 // How an element gets its attribute values from the elements that it comes from.
 //
-//              copies                   divides                      unites
-//   blend      weighted mean            weighted mean                weighted mean
-//   first      of the first source      of the first source          of the first source
-//   greatest   largest of the sources   largest of the sources       largest of the sources
-//   sum        of a single source; the  its share of the source,     the sum of all sources
-//              default between several  whole numbers by remainder
+//              copies                       divides                       unites
+//   blend      weighted mean                that of the source            weighted mean
+//   first      of the first source          that of the source            of the first source
+//   greatest   largest of the sources       that of the source            largest of the sources
+//   sum        of a single source; the      its share of the source,      the sum of all sources
+//              default between several      integers by remainders
 //
-// Weighted means are made of floats and doubles; `blend` of integers and booleans is `first`. A value with several
-// numbers goes by its numbers.
+// Only floats and doubles have means; `blend` of integers and booleans is `first`. A row of numbers goes number by
+// number. The points of a mesh share their value among their copies, and so does an undirected edge among its halves
+// that are cut apart.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +20,13 @@
 
 namespace ryosen {
 
-// copies: the sources stay, and the element is like them or lies between them. divides: it is a part of its source.
-// unites: it stands for its sources, which go.
-enum class Derivation : std::uint8_t { copies, divides, unites };
+// copies: the sources stay, and the element is like them or lies between them. unites: it replaces its sources, which
+// are removed, or is one of them itself.
+enum class Derivation : std::uint8_t { copies, unites };
 
 // A derived value, from the values of a column at these indices, at least one, and as many weights, which add up to 1.
-// A mean of equal values is equal to them, bit for bit; sources of weight 0 may be infinite. For `divides` a weight is
-// the share of a source that goes to the element, and they need not add up to 1. `value` has the words of the column's
-// type.
+// A mean of equal values is equal to them, bit for bit. Sources without weight count only where values are united, and
+// never in a mean. `value` has the words of the column's type.
 void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation, std::span<std::uint32_t> value);
 

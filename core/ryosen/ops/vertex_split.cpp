@@ -229,6 +229,7 @@ class Splitter {
     fresh_ = edit.add_vertex(place);
     const Vertex halves[] = {v, fresh_};
     edit.divide<Vertex>(v, halves, [] { return std::vector<double>{1, 1}; });
+    for_each_copy(m_, v, [&](Vertex copy) { edit.derive(copy, v, Derivation::copies); });
     between_ = edit.add_edge(v, fresh_);
     effect_.created = {fresh_, edge(between_)};
   }
@@ -276,8 +277,8 @@ class Splitter {
     edit_.set_face(fresh, part);
     if (part) replace_start(edit_, part, old, fresh);
     const Face face = edit_.add_face(sides[0]);
-    constexpr double nothing[] = {0};
-    edit_.derive<Face>(face, {&beside, 1}, nothing, Derivation::divides);
+    const Face with_new[] = {beside, face};
+    edit_.divide<Face>(beside, with_new, [] { return std::vector<double>{1, 0}; });
     const Edge halves[] = {edge(old), edge(fresh)};
     edit_.divide<Edge>(edge(old), halves, [] { return std::vector<double>{1, 1}; });
     for (std::size_t i = 0; i < 3; ++i) {

@@ -144,7 +144,7 @@ class ShareWriter {
     std::vector<std::uint32_t> value;
     for (std::size_t k = 0; k < before_.attributes().size(); ++k) {
       const AttributeColumn& column = before_.attributes()[k];
-      if (column.element != ElementKind::vertex) continue;
+      if (!column.is_of(ElementKind::vertex)) continue;
       value.resize(column.words());
       derive_value(column, at, weights, Derivation::copies, value);
       edit_.set_attribute(k, v.index, value);

@@ -37,11 +37,8 @@ bool is_flat(const Mesh& mesh, Face f, const AttributeColumn& index, const Attri
 }  // namespace
 
 bool take_flat_normals(Mesh& mesh) {
-  const AttributeColumn *index = nullptr, *pool = nullptr;
-  for (const AttributeColumn& column : mesh.attributes()) {
-    if (column.name == attribute_names::normal) index = &column;
-    if (column.name == attribute_names::normal_pool) pool = &column;
-  }
+  const AttributeColumn* const index = find_column(mesh, attribute_names::normal);
+  const AttributeColumn* const pool = find_column(mesh, attribute_names::normal_pool);
   if (!index || !pool) return false;
   for (const Face f : live_faces(mesh))
     if (!is_flat(mesh, f, *index, *pool)) return false;

@@ -57,7 +57,7 @@ void RingValues::write_vertex(Edit& edit, Vertex to) const {
   const Mesh& mesh = edit.mesh();
   const std::array<Vertex, 3> sources{mesh.from(place->corners[0]), mesh.from(place->corners[1]),
                                       mesh.from(place->corners[2])};
-  edit.derive<Vertex>(to, sources, place->shares, Derivation::copies);
+  edit.blend(to, sources, place->shares);
 }
 
 void RingValues::write_corners(Edit& edit, Halfedge h) const {

@@ -22,7 +22,7 @@ class RingValues {
   RingValues(const CollapseSurface& surface, Halfedge h, const glm::dvec3& place);
   RingValues(const CollapseSurface& surface, Vertex v, const glm::dvec3& place);
 
-  // Gives a vertex the values between vertices.
+  // Gives a vertex the means of vertices; attributes without means stay.
   void write_vertex(Edit& edit, Vertex to) const;
   // Before the edge collapses: gives the corners at both ends that lie in the chart of either side what lies at the
   // place in this chart, so that the collapse finds them equal and keeps it.

@@ -1,7 +1,6 @@
 #include "ryosen/algo/subdivide/prepare.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,7 +11,6 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/face_polygon.h"
 #include "ryosen/mesh/live_elements.h"
-#include "ryosen/mesh/value_rules.h"
 #include "ryosen/ops/poke.h"
 
 namespace ryosen::subdivide {
@@ -154,9 +152,9 @@ void open_edge(MeshColumns& c, Edge e) {
   if (c.face_halfedge[moved.face.index] == t) c.face_halfedge[moved.face.index] = own;
   for (AttributeColumn& column : c.attributes) {
     if (column.element == ElementKind::edge) {
-      const std::vector<std::uint32_t> shares = divide_value(column, e.index, std::array{1.0, 1.0});
-      std::copy_n(shares.begin(), column.words(), column.data.begin() + std::ptrdiff_t{e.index} * column.words());
-      column.data.insert(column.data.end(), shares.begin() + column.words(), shares.end());
+      const auto begin = column.data.begin() + std::ptrdiff_t{e.index} * column.words();
+      const std::vector<std::uint32_t> same(begin, begin + column.words());
+      column.data.insert(column.data.end(), same.begin(), same.end());
     }
     if (column.element != ElementKind::corner) continue;
     const std::size_t place = std::size_t{t.index} * column.words();

@@ -1,4 +1,4 @@
-// The shares by which parts of an element take its sums.
+// Shares for dividing sums among the parts of an element.
 #pragma once
 
 #include <span>
@@ -10,7 +10,8 @@ namespace ryosen {
 
 // The areas of faces. O(their corners).
 std::vector<double> areas_of(const Mesh& mesh, std::span<const Face> faces);
-// The lengths of the two parts of an edge that is cut at this parameter, which may lie beyond its ends; its own is 1.
+// The lengths of the two parts of an edge that is cut at this parameter, relative to its own; it may lie beyond its
+// ends.
 std::vector<double> lengths_of_parts(double along);
 
 }  // namespace ryosen

@@ -278,6 +278,7 @@ Halfedge Sheets::open(Halfedge h) {
   const Vertex a = m.from(h), b = m.from(o);
   const Halfedge k = edit_.add_edge(b, a), outside = twin(k);
   const Face right = m.face(o);
+  edit_.derive(edge(k), edge(h), Derivation::copies);
   edit_.derive(k, o, Derivation::copies);
   edit_.fresh(o);
   edit_.connect(m.prev(o), k);

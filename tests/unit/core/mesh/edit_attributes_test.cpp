@@ -8,6 +8,7 @@
 #include "ryosen/mesh/invariants.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
+#include "tests/support/core/valued_sheet.h"
 
 namespace ryosen {
 namespace {
@@ -46,10 +47,8 @@ void write_some_values(Edit& edit, Dice& dice) {
     const AttributeColumn& column = edit.mesh().attributes()[k];
     const std::size_t count = column.data.size() / column.words();
     if (count == 0 || column.element == ElementKind::pool) continue;
-    // Some value that elements of the column have already or may have.
     std::vector<std::uint32_t> value = column.fill;
-    if (column.type.scalar != Scalar::boolean && column.type.bytes() % 4 == 0)
-      value.back() ^= static_cast<std::uint32_t>(dice.below(7));
+    value.front() ^= static_cast<std::uint32_t>(dice.below(column.type.scalar == Scalar::boolean ? 2 : 7));
     edit.set_attribute(k, static_cast<std::uint32_t>(dice.below(static_cast<int>(count))), value);
   }
 }
@@ -155,18 +154,44 @@ TEST(edit_attributes, a_withdrawn_edit_takes_its_attribute_along) {
 TEST(edit_attributes, new_elements_get_the_default_and_writes_of_new_cells_cost_no_history) {
   Mesh mesh = test::random_kernel_mesh(3);
   Journal journal;
+  std::size_t k = 0, e = 0;
+  {
+    Edit edit(mesh, &journal);
+    k = edit.add_attribute("weight", ElementKind::vertex, ValueRule::sum, 2.5f);
+    e = edit.add_attribute("crease", ElementKind::edge, ValueRule::sum, glm::dvec2(1, 2));
+    edit.commit();
+  }
   Edit edit(mesh, &journal);
-  const std::size_t k = edit.add_attribute("weight", ElementKind::vertex, ValueRule::sum, 2.5f);
-  const std::size_t e = edit.add_attribute("crease", ElementKind::edge, ValueRule::sum, glm::dvec2(1, 2));
-  const Vertex a = edit.add_vertex({}), b = edit.add_vertex({});
-  edit.set_halfedge(a, Halfedge());
-  edit.set_halfedge(b, Halfedge());
+  const Vertex a = edit.add_vertex({});
   EXPECT_EQ(attribute_value<float>(mesh.attributes()[k], a.index), 2.5f);
   EXPECT_EQ(mesh.attributes()[e].data.size(), std::size_t{4} * mesh.edge_slots());
-  const float own = 7;
-  edit.set_attribute(k, a.index, attribute_words(own));
+  edit.set_attribute(k, a.index, attribute_words(7.0f));
+  edit.set_attribute(k, 0, attribute_words(8.0f));
   edit.commit();
-  EXPECT_TRUE(journal.touched(0).empty());
+  EXPECT_EQ(journal.touched(1).size(), 1u) << "the value of the old vertex alone";
+  journal.undo(mesh);
+  EXPECT_EQ(attribute_value<float>(mesh.attributes()[k], 0), 2.5f);
+  journal.redo(mesh);
+  EXPECT_EQ(attribute_value<float>(mesh.attributes()[k], a.index), 7.0f);
+}
+
+TEST(edit_attributes, a_corner_attribute_and_its_pool_are_removed_together) {
+  for (const bool by_pool : {false, true}) {
+    Mesh mesh = test::valued_sheet(2);
+    const MeshColumns before = mesh.columns();
+    Journal journal;
+    {
+      Edit edit(mesh, &journal);
+      const CornerAttribute texture = corner_attributes(mesh).front();
+      edit.remove_attribute(by_pool ? texture.pool_column : texture.index_column);
+      edit.commit();
+    }
+    EXPECT_TRUE(corner_attributes(mesh).empty());
+    EXPECT_FALSE(find_column(mesh, attribute_names::texcoord) || find_column(mesh, attribute_names::texcoord_pool));
+    EXPECT_TRUE(touched_elements(mesh, journal, 0).everything);
+    journal.undo(mesh);
+    EXPECT_EQ(mesh.columns(), before);
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
@@ -42,7 +43,7 @@ std::vector<T> parts(const AttributeColumn& column, const std::vector<double>& s
   return values;
 }
 
-constexpr Derivation all_derivations[] = {Derivation::copies, Derivation::divides, Derivation::unites};
+constexpr Derivation all_derivations[] = {Derivation::copies, Derivation::unites};
 
 TEST(value_type, is_that_of_the_value_and_fills_words) {
   static_assert(value_type<bool> == ValueType{Scalar::boolean, 1});
@@ -75,6 +76,23 @@ TEST(value_rules, a_mean_of_equal_values_is_equal_and_a_source_without_weight_ma
   EXPECT_EQ(derived<double>(column, {1, 0}, {1, 0}, Derivation::unites), odd);
 }
 
+TEST(value_rules, a_mean_of_equal_zeros_infinities_and_nans_is_that) {
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  for (const double value : {-0.0, 0.0, infinite, -infinite, none}) {
+    const AttributeColumn column = column_of<double>(ValueRule::blend, {value, value, value});
+    const auto mean = derived<double>(column, {0, 1, 2}, {0.25, 0.25, 0.5}, Derivation::copies);
+    EXPECT_EQ(std::signbit(mean), std::signbit(value));
+    EXPECT_TRUE(mean == value || (std::isnan(mean) && std::isnan(value))) << value;
+  }
+}
+
+TEST(value_rules, a_source_without_weight_counts_only_where_values_are_united) {
+  EXPECT_EQ(derived<int>(column_of<int>(ValueRule::greatest, {3, 9}), {0, 1}, {1, 0}, Derivation::copies), 3);
+  EXPECT_EQ(derived<int>(column_of<int>(ValueRule::greatest, {3, 9}), {0, 1}, {1, 0}, Derivation::unites), 9);
+  EXPECT_EQ(derived<int>(column_of<int>(ValueRule::first, {3, 9}), {0, 1}, {0, 1}, Derivation::copies), 9);
+  EXPECT_EQ(derived<int>(column_of<int>(ValueRule::sum, {3, 9}), {0, 1}, {0, 1}, Derivation::copies), 9);
+}
+
 TEST(value_rules, blend_of_integers_and_booleans_is_that_of_the_first) {
   EXPECT_EQ(
       derived<std::int64_t>(column_of<std::int64_t>(ValueRule::blend, {7, 90}), {0, 1}, {0.1, 0.9}, Derivation::copies),
@@ -99,8 +117,7 @@ TEST(value_rules, sum_adds_when_united_is_copied_from_one_and_takes_nothing_betw
   EXPECT_EQ(derived<double>(column, {0, 1, 2}, {1, 0, 0}, Derivation::unites), 7);
   EXPECT_EQ(derived<double>(column, {2}, {1}, Derivation::copies), 4);
   EXPECT_EQ(derived<double>(column, {0, 1}, {0.5, 0.5}, Derivation::copies), -3);
-  EXPECT_EQ(derived<double>(column, {2}, {0.25}, Derivation::divides), 1);
-  EXPECT_EQ(derived<double>(column, {1, 2}, {0.5, 0.25}, Derivation::divides), 2);
+  EXPECT_EQ(derived<double>(column, {0, 1, 2}, {0, 1, 0}, Derivation::copies), 2) << "one alone has a weight";
 }
 
 TEST(value_rules, sums_of_integers_stay_within_their_type) {
@@ -118,6 +135,12 @@ TEST(value_rules, parts_of_a_sum_go_by_shares_and_whole_numbers_by_the_largest_r
   EXPECT_EQ(parts<int>(column_of<int>(ValueRule::sum, {10}), {1, 1, 1}), (std::vector<int>{4, 3, 3}));
   EXPECT_EQ(parts<int>(column_of<int>(ValueRule::sum, {-10}), {0.2, 0.55, 0.25}), (std::vector<int>{-2, -6, -2}));
   EXPECT_EQ(parts<int>(column_of<int>(ValueRule::blend, {10}), {1, 1}), (std::vector<int>{10, 10}));
+  EXPECT_EQ(parts<int>(column_of<int>(ValueRule::sum, {10}), {0, 0}), (std::vector<int>{5, 5})) << "no shares";
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(parts<double>(column_of<double>(ValueRule::sum, {infinite}), {1, 0}), (std::vector<double>{infinite, 0}));
+  using Bits = std::array<bool, 5>;
+  const AttributeColumn bits = column_of<Bits>(ValueRule::sum, {{true, false, true, true, false}});
+  EXPECT_EQ(parts<Bits>(bits, {1, 3, 1}), (std::vector<Bits>{{}, {true, false, true, true, false}, {}}));
 }
 
 template <class T>

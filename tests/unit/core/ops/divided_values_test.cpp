@@ -1,7 +1,10 @@
 // Attribute values of elements that operators divide.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/all.h"
@@ -12,6 +15,24 @@
 
 namespace ryosen {
 namespace {
+
+// Points share their value among their copies, and undirected edges among what is cut apart: it counts once.
+std::vector<Vertex> points_of(const Mesh& mesh) {
+  std::vector<Vertex> points;
+  for (const Vertex v : live_vertices(mesh))
+    if (point(mesh, v) == v) points.push_back(v);
+  return points;
+}
+std::vector<Edge> undirected_edges(const Mesh& mesh) {
+  std::map<std::pair<Vertex, Vertex>, Edge> edges;
+  for (const Edge e : live_edges(mesh)) {
+    const auto [a, b] = ends(mesh, e);
+    edges.emplace(std::minmax({point(mesh, a), point(mesh, b)}), e);
+  }
+  std::vector<Edge> found;
+  for (const auto& [points, e] : edges) found.push_back(e);
+  return found;
+}
 
 template <class T, class Elements>
 T total_of(const Mesh& mesh, std::string_view name, const Elements& elements) {
@@ -26,34 +47,62 @@ struct Totals {
 
   explicit Totals(const Mesh& mesh)
       : of_faces(total_of<std::int64_t>(mesh, "face.count", live_faces(mesh))),
-        of_edges(total_of<std::int64_t>(mesh, "edge.count", live_edges(mesh))),
+        of_edges(total_of<std::int64_t>(mesh, "edge.count", undirected_edges(mesh))),
         area(total_of<double>(mesh, "face.area", live_faces(mesh))),
-        length(total_of<double>(mesh, "edge.length", live_edges(mesh))),
-        of_vertices(total_of<double>(mesh, "vertex.mass", live_vertices(mesh))) {}
+        length(total_of<double>(mesh, "edge.length", undirected_edges(mesh))),
+        of_vertices(total_of<double>(mesh, "vertex.mass", points_of(mesh))) {}
 };
 
-template <class T>
-void fill_at_random(Edit& edit, std::size_t attribute, std::uint32_t count, const auto& value) {
-  for (std::uint32_t i = 0; i < count; ++i) edit.set_attribute(attribute, i, attribute_words<T>(value()));
+std::int64_t whole_number(std::uint64_t a, std::uint64_t b) {
+  Dice dice(a << 32u | b);
+  return static_cast<std::int64_t>(dice.below(2000)) - 1000;
 }
 
-void add_values(Mesh& mesh, Journal& journal, Dice& dice) {
+void add_values(Mesh& mesh, Journal& journal) {
   Edit edit(mesh, &journal);
-  const auto whole = [&] { return static_cast<std::int64_t>(dice.below(2000)) - 1000; };
-  const auto part = [&] { return dice.unit(); };
-  const auto add = [&](std::string_view name, ElementKind kind, ValueRule rule, auto value, std::uint32_t count,
-                       const auto& next) {
-    fill_at_random<decltype(value)>(edit, edit.add_attribute(name, kind, rule, value), count, next);
+  const auto add = [&](std::string_view name, ElementKind kind, ValueRule rule, auto fill) {
+    using T = decltype(fill);
+    const std::size_t k = edit.add_attribute(name, kind, rule, fill);
+    const auto put = [&](std::uint32_t index, std::uint64_t x, std::uint64_t y) {
+      edit.set_attribute(k, index, attribute_words(static_cast<T>(whole_number(x, y))));
+    };
+    if (kind == ElementKind::face)
+      for (const Face f : live_faces(mesh)) put(f.index, f.index, k);
+    if (kind == ElementKind::vertex)
+      for (const Vertex v : live_vertices(mesh)) put(v.index, point(mesh, v).index, k);
+    if (kind == ElementKind::edge)
+      for (const Edge e : live_edges(mesh)) {
+        const auto [a, b] = std::minmax({point(mesh, ends(mesh, e).first), point(mesh, ends(mesh, e).second)});
+        put(e.index, a.index, b.index);
+      }
   };
-  const std::uint32_t faces = mesh.face_slots(), edges = mesh.edge_slots(), vertices = mesh.vertex_slots();
-  add("face.count", ElementKind::face, ValueRule::sum, std::int64_t{0}, faces, whole);
-  add("face.area", ElementKind::face, ValueRule::sum, 0.0, faces, part);
-  add("face.mark", ElementKind::face, ValueRule::first, std::int64_t{0}, faces, whole);
-  add("edge.count", ElementKind::edge, ValueRule::sum, std::int64_t{0}, edges, whole);
-  add("edge.length", ElementKind::edge, ValueRule::sum, 0.0, edges, part);
-  add("edge.crease", ElementKind::edge, ValueRule::blend, -1.0, edges, part);
-  add("vertex.mass", ElementKind::vertex, ValueRule::sum, 0.0, vertices, part);
+  add("face.count", ElementKind::face, ValueRule::sum, std::int64_t{0});
+  add("face.area", ElementKind::face, ValueRule::sum, 0.0);
+  add("face.mark", ElementKind::face, ValueRule::first, std::int64_t{0});
+  add("edge.count", ElementKind::edge, ValueRule::sum, std::int64_t{0});
+  add("edge.length", ElementKind::edge, ValueRule::sum, 0.0);
+  add("edge.crease", ElementKind::edge, ValueRule::blend, -1.0);
+  add("vertex.mass", ElementKind::vertex, ValueRule::sum, 0.0);
   edit.commit();
+}
+
+// Copies of a point, and edges of the same two points, have the same values.
+void expect_copies_agree(const Mesh& mesh) {
+  std::map<std::pair<Vertex, Vertex>, Edge> edges;
+  for (const AttributeColumn& column : mesh.attributes()) {
+    const auto agree = [&](std::uint32_t a, std::uint32_t b) {
+      const auto at = [&](std::uint32_t i) { return column.data.begin() + std::ptrdiff_t{i} * column.words(); };
+      return std::equal(at(a), at(a) + column.words(), at(b));
+    };
+    for (const Vertex v : live_vertices(mesh))
+      ASSERT_TRUE(column.element != ElementKind::vertex || agree(v.index, point(mesh, v).index)) << column.name;
+    if (column.element != ElementKind::edge) continue;
+    for (const Edge e : live_edges(mesh)) {
+      const auto [a, b] = ends(mesh, e);
+      const auto [first, is_new] = edges.emplace(std::minmax({point(mesh, a), point(mesh, b)}), e);
+      ASSERT_TRUE(agree(e.index, first->second.index)) << column.name;
+    }
+  }
 }
 
 bool divides(const AnyOp& op) {
@@ -69,7 +118,7 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
     Mesh mesh = seed % 2 == 0 ? test::random_kernel_mesh(seed) : test::random_complex(seed);
     Journal journal;
     Dice dice(seed);
-    add_values(mesh, journal, dice);
+    add_values(mesh, journal);
     for (int i = 0; i < 60; ++i) {
       const AnyOp op = test::random_op(mesh, dice);
       if (!divides(op) || !check(mesh, op).legal()) continue;
@@ -84,6 +133,8 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
       ASSERT_NEAR(after.area, before.area, 1e-9) << command_of(Mesh(columns), op);
       ASSERT_NEAR(after.length, before.length, 1e-9) << command_of(Mesh(columns), op);
       ASSERT_NEAR(after.of_vertices, before.of_vertices, 1e-9) << command_of(Mesh(columns), op);
+      expect_copies_agree(mesh);
+      if (HasFatalFailure()) FAIL() << command_of(Mesh(columns), op);
       ++done;
       if (!dice.one_in(4)) continue;
       journal.undo(mesh);

@@ -76,7 +76,7 @@ namespace {
 //              \   |   /            at an end with a wall the side stays below and the wall takes its place; at one
 //               \  |  /             without the side goes up, and the outside behind it
 //                 from
-struct Sector {
+struct RaisedSector {
   Vertex from, top;
   Halfedge first, last;  // last is none where the faces close around the vertex
   Halfedge rise;         // from -> top, if there is a wall at one of the ends
@@ -113,7 +113,7 @@ class Raise {
     make_tops();
     set_wall_values();
     link_faces();
-    for (Sector& sector : sectors_) link_outside(sector);
+    for (RaisedSector& sector : sectors_) link_outside(sector);
     for (const auto& [h, sector] : corners_)
       if (!has_wall(h)) edit_.set_from(h, sectors_[sector].top);
     for (const Wall& wall : walls_) make_wall(wall);
@@ -129,7 +129,7 @@ class Raise {
     const auto found = wall_at_.find(h);
     return found == wall_at_.end() ? h : walls_[found->second].top;
   }
-  const Sector& sector_at(Halfedge corner) const { return sectors_[sector_at_.at(corner)]; }
+  const RaisedSector& sector_at(Halfedge corner) const { return sectors_[sector_at_.at(corner)]; }
 
   // Parts faces of which one goes up and the other stays, and no wall comes between them: three or more faces have the
   // edge on points, and its sheets were closed again.
@@ -160,7 +160,7 @@ class Raise {
     }
   }
   void add_sector(Halfedge first) {
-    Sector sector;
+    RaisedSector sector;
     sector.from = m_.from(first);
     sector.first = first;
     for (Halfedge h = first;;) {
@@ -185,7 +185,7 @@ class Raise {
 
   void make_tops() {
     for (Wall& wall : walls_) {
-      const Sector &here = sector_at(wall.side), &there = sector_at(m_.next(wall.side));
+      const RaisedSector &here = sector_at(wall.side), &there = sector_at(m_.next(wall.side));
       wall.top = edit_.add_edge(here.top, there.top);
       wall.rise = here.rise;
       wall.rise_after = there.rise;
@@ -229,7 +229,7 @@ class Raise {
   }
 
   // Where an end has no wall, the outside is parted into one above and one below.
-  void link_outside(Sector& sector) {
+  void link_outside(RaisedSector& sector) {
     if (sector.last.is_none() || (sector.wall_at_first && sector.wall_at_last)) return;
     const Halfedge into = twin(sector.first), out = twin(sector.last);
     const Halfedge rest = m_.next(into), before = m_.prev(out);
@@ -260,7 +260,7 @@ class Raise {
   }
 
   void hold_halfedges() {
-    for (const Sector& sector : sectors_) {
+    for (const RaisedSector& sector : sectors_) {
       edit_.set_halfedge(sector.top, raised(sector.first));
       hold_outside(edit_, sector.top);
       if (const Halfedge held = m_.halfedge(sector.from); held && m_.from(held) == sector.from) continue;
@@ -269,7 +269,7 @@ class Raise {
       edit_.set_halfedge(sector.from, left);
     }
     std::vector<Vertex> below;
-    for (const Sector& sector : sectors_) below.push_back(sector.from);
+    for (const RaisedSector& sector : sectors_) below.push_back(sector.from);
     sort_unique(below);
     for (Vertex v : below) hold_outside(edit_, v);
   }
@@ -292,14 +292,14 @@ class Raise {
       std::vector<Vertex> tops;
       for (end = i; end < by_point.size() && by_point[end].first == by_point[i].first; ++end)
         tops.push_back(sectors_[by_point[end].second].top);
-      const Sector& sector = sectors_[by_point[i].second];
+      const RaisedSector& sector = sectors_[by_point[i].second];
       if (tops.size() == 1 && sector.wall_at_first && sector.wall_at_last) continue;
       if (tops.size() > 1) link_copies(edit_, tops);
       points.insert(points.end(), {by_point[i].first, tops[0]});
     }
     for (const Wall& wall : walls_)
       if (wall.is_shared) sheets_.open(wall.top);
-    for (const Sector& sector : sectors_)
+    for (const RaisedSector& sector : sectors_)
       if (m_.is_isolated(sector.from)) bare.push_back(sector.from);
     sort_unique(bare);
     std::reverse(bare.begin(), bare.end());
@@ -314,7 +314,7 @@ class Raise {
   Sheets sheets_;
   std::vector<Wall> walls_;
   std::unordered_map<Halfedge, std::size_t> wall_at_;  // by side
-  std::vector<Sector> sectors_;
+  std::vector<RaisedSector> sectors_;
   std::vector<std::pair<Halfedge, std::size_t>> corners_;  // by sector; the map: by outgoing side
   std::unordered_map<Halfedge, std::size_t> sector_at_;
 };

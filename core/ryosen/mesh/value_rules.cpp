@@ -164,12 +164,12 @@ void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> 
   assert(std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }));
   const Sources sources{column, at, weights, derivation};
   const bool has_mean = column.rule == ValueRule::blend && is_floating(column.type.scalar);
-  if (sources.is_one() || column.rule == ValueRule::first || (column.rule == ValueRule::blend && !has_mean))
-    return copy_first(sources, value);
-  if (column.rule == ValueRule::sum && derivation == Derivation::copies) {
+  if (column.rule == ValueRule::sum && derivation == Derivation::copies && at.size() > 1) {
     std::copy(column.fill.begin(), column.fill.end(), value.begin());
     return;
   }
+  if (sources.is_one() || column.rule == ValueRule::first || (column.rule == ValueRule::blend && !has_mean))
+    return copy_first(sources, value);
   std::fill(value.begin(), value.end(), 0u);
   visit_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);

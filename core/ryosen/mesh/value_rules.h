@@ -26,7 +26,8 @@ enum class Derivation : std::uint8_t { copies, unites };
 
 // A derived value, from the values of a column at these indices, at least one, and as many weights, which add up to 1.
 // A mean of equal values is equal to them, bit for bit. Sources without weight count only where values are united, and
-// never in a mean. `value` has the words of the column's type.
+// never in a mean; what lies between several takes no sum of them, wherever it lies. `value` has the words of the
+// column's type.
 void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation, std::span<std::uint32_t> value);
 

@@ -385,6 +385,10 @@ OpEffect VertexSplit::apply(Edit& edit) const {
   hold_outside(edit, vertex);
   edit.set_halfedge(splitter.fresh(), twin(splitter.between()));
   hold_outside(edit, splitter.fresh());
+  for (const Halfedge h : {left, right})
+    if (h && !mesh.attributes().empty())
+      for (const Halfedge sheet : sheets_between(mesh, vertex, mesh.to(h)))
+        edit.derive(edge(sheet), edge(h), Derivation::copies);
   OpEffect effect = splitter.effect();
   effect.changed.insert(effect.changed.begin(), sector.faces.begin(), sector.faces.end());
   return effect;

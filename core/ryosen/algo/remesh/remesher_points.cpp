@@ -141,12 +141,13 @@ class ShareWriter {
     const std::size_t nearest = largest(weights);
     std::swap(at[0], at[nearest]);
     std::swap(weights[0], weights[nearest]);
+    const std::size_t count = weights[0] == 1 ? 1 : 3;
     std::vector<std::uint32_t> value;
     for (std::size_t k = 0; k < before_.attributes().size(); ++k) {
       const AttributeColumn& column = before_.attributes()[k];
       if (!column.is_of(ElementKind::vertex)) continue;
       value.resize(column.words());
-      derive_value(column, at, weights, Derivation::copies, value);
+      derive_value(column, std::span(at).first(count), std::span(weights).first(count), Derivation::copies, value);
       edit_.set_attribute(k, v.index, value);
     }
   }

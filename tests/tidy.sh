@@ -29,12 +29,12 @@ if [ "${1:-}" = --changed ]; then
 fi
 
 # Each compiled file becomes one to check, NUMBER.cpp, and its command, NUMBER.sh. Of the sources that it includes, those
-# that changed are left, and the changed headers of their folders.
-ninja -C "$build" -t commands all | grep -E ' -c [^ ]*\.(cxx|cpp)$' >"$lists/commands"
+# that changed are left, and the changed headers of their folders. Paths with blanks stand in quotes.
+ninja -C "$build" -t commands all | grep -E " -c ('[^']*|[^ ]*)\.(cxx|cpp)'?\$" >"$lists/commands"
 number=0
 while IFS= read -r command; do
   number=$((number + 1))
-  compiled=${command##* -c }
+  compiled=$(echo "${command##* -c }" | tr -d "'")
   checked=$lists/$number.cpp
   own=
   case "$compiled" in
@@ -55,7 +55,7 @@ while IFS= read -r command; do
   fi
   [ -s "$checked" ] || continue
   arguments=${command#* }
-  echo "exec clang-tidy --quiet --config-file=$root/.clang-tidy $own $checked -- ${arguments%% -MD *}" >"$lists/$number.sh"
+  echo "exec clang-tidy --quiet --config-file=\"$root/.clang-tidy\" $own $checked -- ${arguments%% -MD *}" >"$lists/$number.sh"
 done <"$lists/commands"
 
 echo "clang-tidy checks $(cat "$lists"/[0-9]*.cpp | grep -c . || true) files"

@@ -32,19 +32,22 @@ void append_mesh(Edit& edit, const Mesh& part, AppendedAttributes attributes) {
   };
   for (std::uint32_t i = 0; i < part.vertex_slots(); ++i) {
     const Vertex v = edit.add_vertex(part.position(Vertex(i)));
+    edit.fresh(v);
     edit.set_halfedge(v, moved(part.halfedge(Vertex(i)), halfedges));
   }
   for (std::uint32_t i = 0; i < part.edge_slots(); ++i) {
     const Halfedge h = halfedge(Edge(i));
-    edit.add_edge(moved(part.from(h), vertices), moved(part.to(h), vertices));
+    edit.fresh(edge(edit.add_edge(moved(part.from(h), vertices), moved(part.to(h), vertices))));
   }
   for (std::uint32_t i = 0; i < part.halfedge_slots(); ++i) {
     const Halfedge h(i), added = moved(h, halfedges);
     edit.connect(added, moved(part.next(h), halfedges));
     edit.set_face(added, moved(part.face(h), faces));
+    edit.fresh(added);
   }
   for (std::uint32_t i = 0; i < part.face_slots(); ++i) {
     const Face f = edit.add_face(moved(part.halfedge(Face(i)), halfedges));
+    edit.fresh(f);
     for (std::uint32_t r = part.first_ring(Face(i)); r != no_index; r = part.ring(r).next)
       edit.add_ring(f, moved(part.ring(r).halfedge, halfedges));
   }

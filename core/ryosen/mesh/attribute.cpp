@@ -1,10 +1,17 @@
 #include "ryosen/mesh/attribute.h"
 
+#include <algorithm>
+
 namespace ryosen {
 
 CornerColumns make_corner_columns(std::string_view index_name, std::string_view pool_name) {
   return {make_column(index_name, ElementKind::corner, ValueRule::first, no_index),
           make_column(pool_name, ElementKind::pool, ValueRule::blend, glm::dvec3(0))};
+}
+
+bool has_attributes(const Mesh& mesh, ElementKind element) {
+  const std::span<const AttributeColumn> all = mesh.attributes();
+  return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) { return column.is_of(element); });
 }
 
 std::vector<CornerAttribute> corner_attributes(const Mesh& mesh) {

@@ -71,6 +71,7 @@ struct CornerAttribute {
   std::size_t index_column;
   std::size_t pool_column;
 };
+bool has_attributes(const Mesh& mesh, ElementKind element);
 // The corner attributes that the mesh carries (texture coordinates, normals).
 std::vector<CornerAttribute> corner_attributes(const Mesh& mesh);
 // Whether the corners of two faces carry other values at an end of the edge that the faces share. One half of it in

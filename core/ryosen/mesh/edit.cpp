@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -22,6 +24,12 @@ void Edit::commit() {
       std::fprintf(stderr, "invariant broken at commit: %s\n", broken->sentence.c_str());
       std::abort();
     }
+  }
+#endif
+#ifdef RYOSEN_PROVENANCE
+  if (const auto reason = untold()) {
+    std::fprintf(stderr, "values at commit: %s\n", reason->c_str());
+    std::abort();
   }
 #endif
   if (journal_) journal_->commit();
@@ -79,6 +87,7 @@ Vertex Edit::add_vertex(const glm::dvec3& position) {
     c.copy_point.push_back(v);
   }
   extend_attributes(ElementKind::vertex, 1);
+  provenance_.creates(ElementKind::vertex, v.index);
   ++c.live.vertices;
   return v;
 }
@@ -90,6 +99,7 @@ Halfedge Edit::add_edge(Vertex from, Vertex to) {
   c.halfedges.push_back({to, Halfedge(), Halfedge(), Face()});
   extend_attributes(ElementKind::edge, 1);
   extend_attributes(ElementKind::corner, 2);
+  provenance_.creates(ElementKind::edge, edge(h).index);
   ++c.live.edges;
   return h;
 }
@@ -100,21 +110,25 @@ Face Edit::add_face(Halfedge first) {
   c.face_halfedge.push_back(first);
   if (!c.first_ring.empty()) c.first_ring.push_back(no_index);
   extend_attributes(ElementKind::face, 1);
+  provenance_.creates(ElementKind::face, f.index);
   ++c.live.faces;
   return f;
 }
 
 void Edit::remove(Vertex v) {
+  provenance_.removes(ElementKind::vertex, v.index);
   set_halfedge(v, dead_halfedge);
   --mesh_.columns_.live.vertices;
 }
 
 void Edit::remove(Edge e) {
+  provenance_.removes(ElementKind::edge, e.index);
   set_from(halfedge(e, 0), dead_from);
   --mesh_.columns_.live.edges;
 }
 
 void Edit::remove(Face f) {
+  provenance_.removes(ElementKind::face, f.index);
   set_halfedge(f, dead_halfedge);
   --mesh_.columns_.live.faces;
 }
@@ -162,31 +176,47 @@ std::uint32_t Edit::derive_in_pool(std::size_t pool_attribute, std::span<const s
   return append_value(pool_attribute, value.words());
 }
 
-void Edit::derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
+std::vector<std::uint32_t> Edit::derived(std::size_t attribute, std::span<const std::uint32_t> sources,
+                                         std::span<const double> weights, Derivation derivation) {
+  const AttributeColumn& column = mesh_.columns_.attributes[attribute];
+  for (const CornerAttribute& each : pooled()) {
+    if (each.index_column != attribute) continue;
+    std::vector<std::uint32_t> indices;
+    for (const std::uint32_t source : sources) indices.push_back(column.data[source]);
+    return {derive_in_pool(each.pool_column, indices, weights)};
+  }
+  std::vector<std::uint32_t> value(column.words());
+  derive_value(column, sources, weights, derivation, value);
+  return value;
+}
+
+bool Edit::derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
                          std::span<const double> weights, Derivation derivation) {
   const AttributeColumn& column = mesh_.columns_.attributes[attribute];
   ValueWords value(column.words());
   derive_value(column, sources, weights, derivation, value.words());
-  set_attribute(attribute, to, value.words());
+  return set_attribute(attribute, to, value.words());
 }
 
-void Edit::derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+bool Edit::derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                       std::span<const double> weights, Derivation derivation) {
   const auto is_pooled = [&](std::size_t k) {
     const auto own = pooled();
     return std::any_of(own.begin(), own.end(), [&](const CornerAttribute& each) { return each.index_column == k; });
   };
+  bool has_changed = false;
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k)
     if (mesh_.columns_.attributes[k].is_of(element) && !(element == ElementKind::corner && is_pooled(k)))
-      derive_column(k, to, sources, weights, derivation);
-  if (element != ElementKind::corner) return;
+      has_changed |= derive_column(k, to, sources, weights, derivation);
+  if (element != ElementKind::corner) return has_changed;
   std::vector<std::uint32_t> indices(sources.size());
   for (const CornerAttribute& attribute : pooled()) {
     for (std::size_t i = 0; i < sources.size(); ++i)
       indices[i] = mesh_.columns_.attributes[attribute.index_column].data[sources[i]];
     const std::uint32_t index = derive_in_pool(attribute.pool_column, indices, weights);
-    set_attribute(attribute.index_column, to, {&index, 1});
+    has_changed |= set_attribute(attribute.index_column, to, {&index, 1});
   }
+  return has_changed;
 }
 
 void Edit::blend(Vertex to, std::span<const Vertex> sources, std::span<const double> weights) {
@@ -195,6 +225,24 @@ void Edit::blend(Vertex to, std::span<const Vertex> sources, std::span<const dou
     if (column.is_of(ElementKind::vertex) && column.rule == ValueRule::blend && is_floating(column.type.scalar))
       derive_column(k, to.index, indices_of(sources), weights, Derivation::copies);
   }
+}
+
+bool Edit::has_means(ElementKind element) const {
+  const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
+  return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
+    return column.is_of(element) && column.rule == ValueRule::blend && is_floating(column.type.scalar);
+  });
+}
+
+void Edit::unite_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+                     std::vector<double> shares) {
+  double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  if (!(total > 0 && std::isfinite(total))) {
+    std::fill(shares.begin(), shares.end(), 1.0);
+    total = static_cast<double>(shares.size());
+  }
+  for (double& share : shares) share /= total;
+  derive_all(element, to, sources, shares, Derivation::unites);
 }
 
 bool Edit::has_sums(ElementKind element) const {
@@ -222,6 +270,8 @@ void Edit::reset(ElementKind element, std::uint32_t to) {
 }
 
 void Edit::move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from) {
+  for (const auto& [to, from] : to_from)
+    for (const Halfedge h : {to, from}) provenance_.tells(ElementKind::corner, h.index);
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
     const AttributeColumn& column = mesh_.columns_.attributes[k];
     if (!column.is_of(ElementKind::corner)) continue;
@@ -240,15 +290,16 @@ void Edit::move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from) 
   }
 }
 
-void Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words) {
+bool Edit::set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words) {
   AttributeColumn& a = mesh_.columns_.attributes[attribute];
   std::uint32_t* cell = a.data.data() + std::size_t{index} * a.words();
-  if (std::equal(words.begin(), words.end(), cell)) return;
+  if (std::equal(words.begin(), words.end(), cell)) return false;
   assert(a.element != ElementKind::pool);
   const bool is_new = attribute >= attributes_before_ ||
                       index >= length_of(a.element, before_.vertices, before_.halfedges, before_.faces);
   if (journal_ && !is_new) journal_->record_value(attribute, index, cell, a.words());
   std::copy(words.begin(), words.end(), cell);
+  return true;
 }
 
 std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words) {

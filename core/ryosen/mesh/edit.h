@@ -9,6 +9,7 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/mesh/provenance.h"
 #include "ryosen/mesh/value_rules.h"
 
 namespace ryosen {
@@ -33,7 +34,13 @@ class Edit {
 
   const Mesh& mesh() const { return mesh_; }
   // Ends the edit. In checked builds the invariants of small meshes are verified and a violation aborts with its name.
+  // In test builds an edit aborts that created an element neither derived nor fresh, or removed one that was neither
+  // united with another nor dropped.
   void commit();
+#ifdef RYOSEN_PROVENANCE
+  // Why it could not be committed now.
+  std::optional<std::string> untold() const { return provenance_.untold(mesh_); }
+#endif
 
   // Links. connect sets next and prev of both.
   void connect(Halfedge h, Halfedge next) {
@@ -41,7 +48,12 @@ class Edit {
     write<Column::prev>(next.index, mesh_.columns_.halfedges[next.index].prev, h);
   }
   void set_from(Halfedge h, Vertex v) { write<Column::from>(h.index, mesh_.columns_.halfedges[h.index].from, v); }
-  void set_face(Halfedge h, Face f) { write<Column::face>(h.index, mesh_.columns_.halfedges[h.index].face, f); }
+  void set_face(Halfedge h, Face f) {
+    Face& face = mesh_.columns_.halfedges[h.index].face;
+    if (!face && f) provenance_.creates(ElementKind::corner, h.index);
+    if (face && !f) provenance_.removes(ElementKind::corner, h.index);
+    write<Column::face>(h.index, face, f);
+  }
   void set_halfedge(Vertex v, Halfedge h) {
     write<Column::vertex_halfedge>(v.index, mesh_.columns_.vertex_halfedge[v.index], h);
   }
@@ -67,49 +79,75 @@ class Edit {
   Vertex add_vertex(const glm::dvec3& position);
   Halfedge add_edge(Vertex from, Vertex to);
   Face add_face(Halfedge first);
-  // The slot stays, marked dead. The caller must already have redirected the links of other elements to it.
+  // The slot stays, marked dead. The caller must already have redirected the links of other elements to it. Its values
+  // are those of an element that it is united with (see derive()).
   void remove(Vertex v);
   void remove(Edge e);
   void remove(Face f);
+  // The same, of an element whose values go with it.
+  template <class Handle>
+  void drop(Handle gone) {
+    provenance_.ends(kind_of(gone), gone.index);
+    remove(gone);
+  }
 
   // Gives an element the values that the rule of each attribute makes of its sources, which exist and have weights as
-  // in value_rules.h. A corner is the halfedge that leaves its vertex along its face. O(attributes x sources).
+  // in value_rules.h. A corner is the halfedge that leaves its vertex along its face. Tells whether a value has
+  // changed. O(attributes x sources).
   template <class Handle>
-  void derive(Handle to, std::span<const Handle> sources, std::span<const double> weights, Derivation derivation) {
-    if (!mesh_.columns_.attributes.empty()) derive_all(kind_of(to), to.index, indices_of(sources), weights, derivation);
+  bool derive(Handle to, std::span<const Handle> sources, std::span<const double> weights, Derivation derivation) {
+    tell(to, sources, derivation);
+    return !mesh_.columns_.attributes.empty() &&
+           derive_all(kind_of(to), to.index, indices_of(sources), weights, derivation);
   }
   // One source.
   template <class Handle>
-  void derive(Handle to, Handle source, Derivation derivation) {
+  bool derive(Handle to, Handle source, Derivation derivation) {
     constexpr double weight[] = {1};
-    if (!mesh_.columns_.attributes.empty()) derive_all(kind_of(to), to.index, {&source.index, 1}, weight, derivation);
+    tell<Handle>(to, {&source, 1}, derivation);
+    return !mesh_.columns_.attributes.empty() &&
+           derive_all(kind_of(to), to.index, {&source.index, 1}, weight, derivation);
   }
   // Between two sources: t from the first to the second.
   template <class Handle>
-  void derive(Handle to, Handle first, Handle second, double t, Derivation derivation) {
-    if (mesh_.columns_.attributes.empty()) return;
-    const std::uint32_t sources[] = {first.index, second.index};
+  bool derive(Handle to, Handle first, Handle second, double t, Derivation derivation) {
+    const Handle sources[] = {first, second};
     const double weights[] = {1 - t, t};
-    derive_all(kind_of(to), to.index, sources, weights, derivation);
+    return derive<Handle>(to, sources, weights, derivation);
   }
   // The same for a value in a pool: the index of one of the sources where one alone has a weight or all are equal,
   // no_index where one with a weight is none, else that of a value that is appended.
   std::uint32_t derive_in_pool(std::size_t pool_attribute, std::span<const std::uint32_t> sources,
                                std::span<const double> weights);
+  // The value that the rule of one attribute makes, for set_attribute(); where that has a pool, the index of one there.
+  std::vector<std::uint32_t> derived(std::size_t attribute, std::span<const std::uint32_t> sources,
+                                     std::span<const double> weights, Derivation derivation);
   // Gives a vertex the means of its sources; attributes that have no means stay.
   void blend(Vertex to, std::span<const Vertex> sources, std::span<const double> weights);
   // Divides an element into parts, of which it may be one itself (see divide_value). `shares()` is asked only where
   // there are sums.
   template <class Handle, class Shares>
   void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
+    for (const Handle part : parts) provenance_.tells(kind_of(part), part.index);
     if (mesh_.columns_.attributes.empty()) return;
     const ElementKind element = kind_of(source);
     divide_all(element, source.index, indices_of(parts),
                has_sums(element) ? shares() : std::vector<double>(parts.size(), 1));
   }
+  // Unites elements, of which `to` may be one. Shares need not add up to 1; where they add up to nothing or are not
+  // finite, all are equal. `shares()` is asked only where there are means.
+  template <class Handle, class Shares>
+  void unite(Handle to, std::span<const Handle> sources, const Shares& shares) {
+    tell(to, sources, Derivation::unites);
+    if (mesh_.columns_.attributes.empty()) return;
+    const ElementKind element = kind_of(to);
+    unite_all(element, to.index, indices_of(sources),
+              has_means(element) ? shares() : std::vector<double>(sources.size(), 1));
+  }
   // Gives a new element, or a corner that lies outside now, the default of each attribute.
   template <class Handle>
   void fresh(Handle to) {
+    provenance_.tells(kind_of(to), to.index);
     if (!mesh_.columns_.attributes.empty()) reset(kind_of(to), to.index);
   }
   // The first corner of each pair gets what the second had. Corners that are only second get the defaults.
@@ -126,8 +164,9 @@ class Edit {
   // Other indices stay. O(1).
   void remove_attribute(std::size_t attribute);
 
-  // Attribute values as raw words; append_value appends to a pool and returns the new index.
-  void set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
+  // Attribute values as raw words. set_attribute() tells whether the value was another; append_value() appends to a
+  // pool and returns the new index.
+  bool set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
   std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
 
   // Replaces all columns at once: for batch algorithms that build new columns. Must be the only write of the edit.
@@ -153,11 +192,20 @@ class Edit {
     for (const Handle handle : handles) indices.push_back(handle.index);
     return indices;
   }
-  void derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+  template <class Handle>
+  void tell(Handle to, std::span<const Handle> sources, Derivation derivation) {
+    provenance_.tells(kind_of(to), to.index);
+    if (derivation == Derivation::unites)
+      for (const Handle source : sources) provenance_.ends(kind_of(source), source.index);
+  }
+  bool derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation);
-  void derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
+  bool derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
                      std::span<const double> weights, Derivation derivation);
   bool has_sums(ElementKind element) const;
+  bool has_means(ElementKind element) const;
+  void unite_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
+                 std::vector<double> shares);
   void divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,
                   std::span<const double> shares);
   void reset(ElementKind element, std::uint32_t to);
@@ -168,6 +216,7 @@ class Edit {
   Journal* journal_;
   ColumnLengths before_;
   std::size_t attributes_before_;
+  Provenance provenance_;
   std::vector<CornerAttribute> pooled_;
   bool knows_pooled_ = false;
   bool open_ = true;

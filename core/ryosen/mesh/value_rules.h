@@ -7,6 +7,10 @@
 //   sum        of a single source; the      its share of the source,      the sum of all sources
 //              default between several      integers by remainders
 //
+// Collapse and weld unite points and the edges that come to lie on each other; unite_edge unites two edges, dissolve
+// and unite_loop faces. Splits of all kinds divide. A swap keeps the value of the edge. What else is new has the
+// default or copies what it stands beside.
+//
 // Only floats and doubles have means; `blend` of integers and booleans is `first`. A row of numbers goes number by
 // number. The points of a mesh share their value among their copies, and so does an undirected edge among its halves
 // that are cut apart.

@@ -59,38 +59,83 @@ namespace {
 
 constexpr std::size_t usual_valence = 12;  // for reserving lists
 
-// Interpolates corner values around the edge: corners in the same chart (up to seams) as a side take its value at
-// `along`.
-void blend_corners(Edit& edit, Halfedge h, double along) {
-  CornerWriter corners(edit);
+// Corner values of an attribute that become one.
+struct MergedCorners {
+  using Value = std::vector<std::uint32_t>;
+  Value gone, kept, made;
+};
+
+// Corners that have the value of a side at one of its ends (so up to seams) get that of the side at `along`.
+void merge_corners(Edit& edit, Halfedge h, double along) {
   const Mesh& m = edit.mesh();
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    struct Chart {
-      std::uint32_t gone, kept, blended;
+  for (std::size_t k = 0; k < m.attributes().size(); ++k) {
+    const AttributeColumn& column = m.attributes()[k];
+    if (!column.is_of(ElementKind::corner) || column.rule == ValueRule::sum) continue;
+    const auto value_at = [&](Halfedge corner) {
+      const auto begin = column.data.begin() + static_cast<std::ptrdiff_t>(std::size_t{corner.index} * column.words());
+      return MergedCorners::Value(begin, begin + static_cast<std::ptrdiff_t>(column.words()));
     };
-    std::vector<Chart> charts;
-    for (Halfedge side : {h, twin(h)}) {
+    std::vector<MergedCorners> charts;
+    for (const Halfedge side : {h, twin(h)}) {
       if (m.is_outside(side)) continue;
       const Halfedge at_gone = side == h ? side : m.next(side), at_kept = side == h ? m.next(side) : side;
-      const std::uint32_t gone = corners.index(k, at_gone), kept = corners.index(k, at_kept);
-      if (std::none_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.gone == gone && c.kept == kept; }))
-        charts.push_back({gone, kept, corners.blend(k, gone, kept, along)});
+      const MergedCorners::Value gone = value_at(at_gone), kept = value_at(at_kept);
+      if (std::any_of(charts.begin(), charts.end(), [&](const auto& c) { return c.gone == gone && c.kept == kept; }))
+        continue;
+      const std::uint32_t ends[] = {at_kept.index, at_gone.index};
+      const double weights[] = {along, 1 - along};
+      charts.push_back({gone, kept, edit.derived(k, ends, weights, Derivation::copies)});
     }
-    const auto update = [&](Vertex v, std::uint32_t Chart::*old) {
-      if (std::all_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.*old == c.blended; })) return;
-      for (Halfedge corner : outgoing(m, v)) {
+    const auto update = [&](Vertex v, MergedCorners::Value MergedCorners::*old) {
+      if (std::all_of(charts.begin(), charts.end(), [&](const auto& c) { return c.*old == c.made; })) return;
+      for (const Halfedge corner : outgoing(m, v)) {
         if (m.is_outside(corner)) continue;
-        for (const Chart& chart : charts) {
-          if (chart.*old != corners.index(k, corner)) continue;
-          corners.set(k, corner, chart.blended);
-          break;
-        }
+        const MergedCorners::Value value = value_at(corner);
+        const auto chart = std::find_if(charts.begin(), charts.end(), [&](const auto& c) { return c.*old == value; });
+        if (chart != charts.end()) edit.set_attribute(k, corner.index, chart->made);
       }
     };
-    update(m.from(h), &Chart::gone);
-    update(m.to(h), &Chart::kept);
+    update(m.from(h), &MergedCorners::gone);
+    update(m.to(h), &MergedCorners::kept);
   }
 }
+
+// The values of both ends become those at `along`, from the one that goes to the one that stays; first comes that of
+// the nearer one. Values stand at the numbers of vertices, which may be others than their slots.
+void merge_ends(Edit& edit, Halfedge h, double along, Vertex gone_number, Vertex kept_number) {
+  const Mesh& m = edit.mesh();
+  if (along < 0.5)
+    edit.derive(kept_number, gone_number, kept_number, along, Derivation::unites);
+  else
+    edit.derive(kept_number, kept_number, gone_number, 1 - along, Derivation::unites);
+  if (m.attributes().empty()) return;
+  for_each_copy(m, m.to(h), [&](Vertex copy) {
+    if (copy != m.to(h)) edit.derive(copy, kept_number, Derivation::copies);
+  });
+  merge_corners(edit, h, along);
+}
+
+// The edges that take the place of others where triangles go. They share their values with the other sheets between
+// their ends.
+class StayingEdges {
+ public:
+  StayingEdges(const Mesh& mesh, Halfedge h) {
+    if (!has_attributes(mesh, ElementKind::edge)) return;
+    if (is_triangle_side(mesh, h)) edges_.push_back(edge(mesh.next(h)));
+    if (is_triangle_side(mesh, twin(h))) edges_.push_back(edge(mesh.prev(twin(h))));
+  }
+  void share(Edit& edit) const {
+    const Mesh& m = edit.mesh();
+    for (const Edge e : edges_) {
+      const auto [a, b] = ends(m, e);
+      if (!has_copies(m, a) && !has_copies(m, b)) continue;
+      for (const Halfedge sheet : sheets_between(m, a, b)) edit.derive(edge(sheet), e, Derivation::copies);
+    }
+  }
+
+ private:
+  std::vector<Edge> edges_;
+};
 
 // Removes a triangle that has become a face with two sides: `going` starts or ends at the removed vertex, `staying` is
 // the other side. `staying` replaces the twin of `going` in the adjacent face or boundary loop.
@@ -100,6 +145,9 @@ void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effec
   const Face dropped = m.face(staying), face = m.face(beyond);
   const Vertex apex = m.from(going) == m.to(staying) ? m.from(going) : m.to(going);
   const Halfedge from_apex = m.from(going) == apex ? going : beyond;
+  const Edge both[] = {edge(staying), edge(going)};
+  constexpr double half_each[] = {0.5, 0.5};
+  edit.derive<Edge>(both[0], both, half_each, Derivation::unites);
   edit.derive(staying, beyond, Derivation::copies);
   edit.connect(m.prev(beyond), staying);
   edit.connect(staying, m.next(beyond));
@@ -107,7 +155,7 @@ void close_two_gon(Edit& edit, Halfedge going, Halfedge staying, OpEffect& effec
   if (face) replace_start(edit, face, beyond, staying);
   if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
   edit.remove(edge(going));
-  edit.remove(dropped);
+  edit.drop(dropped);
   effect.deleted.push_back(edge(going));
   effect.deleted.push_back(dropped);
 }
@@ -134,7 +182,7 @@ Halfedge take_edge_out(Edit& edit, Halfedge h, OpEffect& effect) {
   }
   if (left_two_gon) close_two_gon(edit, h_prev, h_next, effect);
   if (right_two_gon) close_two_gon(edit, o_next, o_prev, effect);
-  edit.remove(edge(h));
+  edit.drop(edge(h));
   return tip_kept ? o_next : h_next;
 }
 
@@ -204,8 +252,8 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   effect.deleted.push_back(edge(h));
   std::optional<glm::dvec3> moved;
   if (place != Place::automatic) moved = position(m);
-  if (!corner_attributes(m).empty())
-    blend_corners(edit, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1);
+  merge_ends(edit, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1, gone, kept);
+  const StayingEdges staying(m, h);
   Halfedge hold = m.halfedge(kept);
   const Halfedge some = take_edge_out(edit, h, effect);
   if (hold == o) hold = some;
@@ -222,6 +270,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   } while (g != some);
   edit.set_halfedge(kept, hold);
   edit.remove(gone);
+  staying.share(edit);
   if (!moved) return effect;
   move_point(edit, kept, *moved);
   for_each_copy(m, kept, [&](Vertex copy) {
@@ -254,8 +303,8 @@ class CollapseSeries : public OneByOne {
     const Vertex gone = m.from(h), kept = m.to(h);
     std::optional<glm::dvec3> moved;
     if (op.place != CollapseEdge::Place::automatic) moved = op.position(m);
-    if (!corner_attributes(m).empty())
-      blend_corners(edit_, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1);
+    merge_ends(edit_, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1, number(gone),
+               number(kept));
     known_.collapses(m, h);
     join(h, moved);
   }
@@ -320,12 +369,14 @@ class CollapseSeries : public OneByOne {
     std::vector<Halfedge> renamed;
     for (const Halfedge g : outgoing(m, other)) renamed.push_back(g);
 
+    const StayingEdges staying(m, h);
     OpEffect unheard;
     const Halfedge some = take_edge_out(edit_, h, unheard);
     for (const Halfedge g : renamed)
       if (m.is_alive(g)) edit_.set_from(g, slot);
     if (!hold) hold = gaps_left == 0 ? some : first_gap_clockwise(some);
     edit_.set_halfedge(slot, hold);
+    staying.share(edit_);
     move_point(edit_, slot, moved ? *moved : m.position(kept));
     give_number(slot, other, number(kept));
     gaps_.erase(other);

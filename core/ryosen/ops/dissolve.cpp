@@ -176,7 +176,7 @@ void remove_inner_vertices(Edit& edit, const std::vector<Halfedge>& chain, const
                            OpEffect& effect) {
   for (Halfedge h : chain) effect.deleted.push_back(edge(h));
   for (Vertex v : inner) {
-    edit.remove(v);
+    edit.drop(v);
     effect.deleted.push_back(v);
   }
 }
@@ -199,7 +199,7 @@ void take_spike_away(Edit& edit, Vertex v, const std::vector<Halfedge>& chain, O
   }
   for (Halfedge h : chain) unlink_edge(edit, h);
   remove_inner_vertices(edit, chain, inner, effect);
-  edit.remove(v);
+  edit.drop(v);
   effect.deleted.push_back(v);
 }
 

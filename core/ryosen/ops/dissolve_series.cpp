@@ -13,6 +13,7 @@
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/local_facts.h"
+#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/unite_series.h"
 
@@ -150,11 +151,15 @@ void DissolveSeries::unite(const std::vector<Halfedge>& chain) {
   const Halfedge past = left_stays ? m.next(twin(chain.front())) : m.next(chain.back());
   for (const Halfedge h : chain)
     if (start == (left_stays ? h : twin(h))) start = past;
+  // Values stand at the numbers.
+  const Face slots[] = {left_stays ? left : right, left_stays ? right : left};
+  const Face both[] = {number(slots[0]), number(slots[1])};
+  edit_.unite<Face>(both[0], both, [&] { return areas_of(m, slots); });
   known_.unites(m, large, small);
   give_corners(small, large);
   const std::vector<Vertex> inner = inner_vertices(m, chain);
   for (const Halfedge h : chain) unlink_edge(edit_, h);
-  for (const Vertex v : inner) edit_.remove(v);
+  for (const Vertex v : inner) edit_.drop(v);
   edit_.set_halfedge(large, start);
 
   const Face stays = left_stays ? numbers[0] : numbers[1];
@@ -277,7 +282,7 @@ void DissolveSeries::take_spike_away(const std::vector<Halfedge>& chain) {
   for (const Halfedge h : chain)
     for (const Halfedge side : {h, twin(h)}) replace_start(edit_, f, side, after);
   for (const Halfedge h : chain) unlink_edge(edit_, h);
-  for (const Vertex v : gone) edit_.remove(v);
+  for (const Vertex v : gone) edit_.drop(v);
   known_.united(f, Face(), known_.corner_count(m, f) - static_cast<std::uint32_t>(2 * chain.size()), gone);
   changes_[f] = ++change_;
 }

@@ -199,7 +199,7 @@ bool has_face(const Mesh& m, Vertex p) {
 class ExtrudedEdges {
  public:
   ExtrudedEdges(Edit& edit, std::span<const Halfedge> sides, const glm::dvec3& by)
-      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit), corners_(edit), attributes_(corner_attributes(m_)) {
+      : edit_(edit), m_(edit.mesh()), by_(by), sheets_(edit) {
     for (Halfedge side : sides) named_.push_back({side, end_at(m_.from(side)), end_at(m_.to(side))});
   }
 
@@ -239,7 +239,6 @@ class ExtrudedEdges {
 
   void make_quad(const Named& named) {
     const Face face = m_.face(named.side);
-    const std::array<std::vector<std::uint32_t>, 2> values = values_at(named.side);
     const auto& [side, a, b] = named;
     std::array<Vertex, 4> corners{b.point, a.point, a.top, b.top};
     if (!face) corners = {a.point, b.point, b.top, a.top};
@@ -247,10 +246,13 @@ class ExtrudedEdges {
     if (is_free) rises_.insert({{corners[1], corners[2]}, {corners[3], corners[0]}});
     const Face quad = is_free ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
     if (face) edit_.derive(quad, face, Derivation::copies);
+    if (!face) return;
+    // Those of the face at both ends of its side go up with them; but for normals, which belong to the old surface.
     std::size_t corner = 0;
     for (Halfedge h : halfedges_around(m_, quad)) {
       const bool is_at_b = corner == 0 || corner == 3;
-      set_values(h, values[is_at_b]);
+      edit_.derive(h, is_at_b ? m_.next(side) : side, Derivation::copies);
+      drop_normal(edit_, h);
       ++corner;
     }
   }
@@ -266,13 +268,19 @@ class ExtrudedEdges {
     for (std::size_t i = 0; i < 4; ++i)
       corners[i] = is_wire && i < 2 && m_.is_isolated(of_wire[i]) ? of_wire[i] : vertex_without_edges(corners[i]);
     std::array<Halfedge, 4> sides;
-    for (std::size_t i = 0; i < 4; ++i) sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
+    for (std::size_t i = 0; i < 4; ++i) {
+      sides[i] = edit_.add_edge(corners[i], corners[(i + 1) % 4]);
+      edit_.fresh(edge(sides[i]));
+    }
     const Face quad = edit_.add_face(sides[0]);
+    edit_.derive(edge(sides[0]), edge(side), Derivation::copies);
+    edit_.fresh(quad);
     for (std::size_t i = 0; i < 4; ++i) {
       const Halfedge h = sides[i], after = sides[(i + 1) % 4];
       edit_.connect(h, after);
       edit_.connect(twin(after), twin(h));
       edit_.set_face(h, quad);
+      edit_.fresh(h);
       edit_.set_halfedge(corners[(i + 1) % 4], twin(h));
     }
     sheets_.changed(quad);
@@ -287,28 +295,10 @@ class ExtrudedEdges {
     return copy;
   }
 
-  // Those of the face at both ends of its side, which go up with them; but for normals, which belong to the old
-  // surface.
-  std::array<std::vector<std::uint32_t>, 2> values_at(Halfedge side) {
-    std::array<std::vector<std::uint32_t>, 2> values;
-    for (std::size_t k = 0; k < attributes_.size(); ++k) {
-      const bool has_none = m_.is_outside(side) ||
-                            m_.attributes()[attributes_[k].index_column].name == std::string(attribute_names::normal);
-      values[0].push_back(has_none ? no_index : corners_.index(k, side));
-      values[1].push_back(has_none ? no_index : corners_.index(k, m_.next(side)));
-    }
-    return values;
-  }
-  void set_values(Halfedge corner, const std::vector<std::uint32_t>& values) {
-    for (std::size_t k = 0; k < values.size(); ++k) corners_.set(k, corner, values[k]);
-  }
-
   Edit& edit_;
   const Mesh& m_;
   const glm::dvec3 by_;
   Sheets sheets_;
-  CornerWriter corners_;
-  const std::vector<CornerAttribute> attributes_;
   std::unordered_map<Vertex, Vertex> tops_;  // by point
   std::vector<Named> named_;
   std::set<std::pair<Vertex, Vertex>> rises_;

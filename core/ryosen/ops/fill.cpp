@@ -77,7 +77,8 @@ OpEffect Fill::apply(Edit& edit) const {
   assert(check(m).legal());
   Sheets sheets(edit);
   const Face f = edit.add_face(halfedge);
-  set_face_along(edit, halfedge, f);
+  edit.fresh(f);
+  fill_loop(edit, halfedge, f);
   std::vector<Vertex> corners;
   for (Vertex v : vertices_around(m, f)) corners.push_back(v);
   for (Vertex v : corners) hold_outside(edit, v);

@@ -128,6 +128,7 @@ Face attach_face(Edit& edit, Sheets& sheets, std::span<const Vertex> corners) {
   const Mesh& m = edit.mesh();
   const std::size_t n = corners.size();
   std::vector<Halfedge> sides(n);
+  std::vector<Edge> made;
   for (std::size_t i = 0; i < n; ++i) sides[i] = free_side(m, corners[i], corners[(i + 1) % n]);
   for (std::size_t i = 0; i < n; ++i) {
     if (sides[i]) continue;
@@ -136,13 +137,16 @@ Face attach_face(Edit& edit, Sheets& sheets, std::span<const Vertex> corners) {
     const Vertex b = after ? m.from(after) : roomy_copy(m, corners[(i + 1) % n]);
     const auto any_gap = [&](Vertex v) { return m.is_isolated(v) ? Halfedge() : m.prev(m.halfedge(v)); };
     sides[i] = link_edge(edit, a, before ? before : any_gap(a), b, after ? m.prev(after) : any_gap(b));
+    made.push_back(edge(sides[i]));
   }
   for (std::size_t i = 0; i < n; ++i) sheets.join_corner(sides[i], sides[(i + 1) % n]);
   const Face f = edit.add_face(sides[0]);
-  set_face_along(edit, sides[0], f);
+  edit.fresh(f);
+  fill_loop(edit, sides[0], f);
   std::vector<Vertex> met;
   for (Vertex v : vertices_around(m, f)) met.push_back(v);
   for (Vertex v : met) hold_outside(edit, v);
+  share_values(edit, made);
   sheets.changed(f);
   return f;
 }

@@ -84,7 +84,10 @@ OpEffect poke(Edit& edit, Face face, const glm::dvec3& place) {
   edit.derive<Vertex>(centre, around, equal_weights, Derivation::copies);
 
   std::vector<Halfedge> spokes;  // from corner i to the centre
-  for (Halfedge h : sides) spokes.push_back(edit.add_edge(m.from(h), centre));
+  for (Halfedge h : sides) {
+    spokes.push_back(edit.add_edge(m.from(h), centre));
+    edit.fresh(edge(spokes.back()));
+  }
   edit.derive<Halfedge>(twin(spokes[0]), sides, equal_weights, Derivation::copies);
   for (std::size_t i = 0; i < n; ++i) {
     edit.derive(spokes[i], sides[i], Derivation::copies);

@@ -225,23 +225,16 @@ void apply_side(Edit& edit, const SwapSide& s) {
   if (m.halfedge(s.old_origin) == s.half) edit.set_halfedge(s.old_origin, s.at_old_origin);
 }
 
-// A corner gained by a face takes the value of the same vertex in the other face.
+// A corner gained by a face takes the values of the same vertex in the other face.
 void turn_corner_values(Edit& edit, Halfedge h, bool back) {
   const Mesh& m = edit.mesh();
-  CornerWriter corners(edit);
   const Halfedge o = twin(h), n = m.next(h), no = m.next(o);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const auto at_new_origin = [&](Halfedge side) {
-      return corners.index(k, back ? m.prev(side) : m.next(m.next(twin(side))));
-    };
-    const std::uint32_t a_left = corners.index(k, h), b_right = corners.index(k, o);
-    const std::uint32_t of_h = at_new_origin(h), of_o = at_new_origin(o);
-    corners.set(k, h, of_h);
-    corners.set(k, o, of_o);
-    if (back) continue;
-    corners.set(k, no, a_left);
-    corners.set(k, n, b_right);
+  if (!back) {
+    edit.derive(no, h, Derivation::copies);
+    edit.derive(n, o, Derivation::copies);
   }
+  edit.derive(h, back ? m.prev(h) : m.next(no), Derivation::copies);
+  edit.derive(o, back ? m.prev(o) : m.next(n), Derivation::copies);
 }
 
 }  // namespace

@@ -84,6 +84,7 @@ class Sides {
     } else {
       const Mesh& m = edit_.mesh();
       h = edit_.add_edge(m.from(polygon_.corners()[a]), m.from(polygon_.corners()[b]));
+      edit_.fresh(edge(h));
       effect_.created.push_back(edge(h));
       open_.push_back({a, b, h});
     }

@@ -7,6 +7,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/parameters/member_values.h"
@@ -225,12 +226,13 @@ ShapeDoubts shape_with(const Mesh& m, const VertexSplit& op, const Sector& secto
 //              m
 class Splitter {
  public:
-  Splitter(Edit& edit, Vertex v, const glm::dvec3& place) : edit_(edit), m_(edit.mesh()), corners_(edit) {
+  Splitter(Edit& edit, Vertex v, const glm::dvec3& place) : edit_(edit), m_(edit.mesh()) {
     fresh_ = edit.add_vertex(place);
     const Vertex halves[] = {v, fresh_};
     edit.divide<Vertex>(v, halves, [] { return std::vector<double>{1, 1}; });
     for_each_copy(m_, v, [&](Vertex copy) { edit.derive(copy, v, Derivation::copies); });
     between_ = edit.add_edge(v, fresh_);
+    edit.fresh(edge(between_));
     effect_.created = {fresh_, edge(between_)};
   }
 
@@ -266,11 +268,11 @@ class Splitter {
   // from the corners `like`.
   void add_triangle(std::array<Halfedge, 3> sides, Halfedge old, Halfedge fresh, std::array<Halfedge, 3> like) {
     const Face part = m_.face(old), beside = part ? part : m_.face(twin(old));
-    for (std::size_t k = 0; k < corners_.count(); ++k) {
-      const std::array values{corners_.index(k, like[0]), corners_.index(k, like[1]), corners_.index(k, like[2])};
-      if (part) corners_.set(k, fresh, corners_.index(k, old));
-      for (std::size_t i = 0; i < 3; ++i) corners_.set(k, sides[i], values[i]);
-    }
+    if (part) edit_.derive(fresh, old, Derivation::copies);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (sides[i] != old) edit_.derive(sides[i], like[i], Derivation::copies);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (sides[i] == old) edit_.derive(old, like[i], Derivation::copies);
     const Halfedge before = m_.prev(old), after = m_.next(old);
     edit_.connect(before, fresh);
     edit_.connect(fresh, after);
@@ -291,7 +293,6 @@ class Splitter {
 
   Edit& edit_;
   const Mesh& m_;
-  CornerWriter corners_;
   Vertex fresh_;
   Halfedge between_, beside_left_;
   OpEffect effect_;
@@ -385,10 +386,16 @@ OpEffect VertexSplit::apply(Edit& edit) const {
   hold_outside(edit, vertex);
   edit.set_halfedge(splitter.fresh(), twin(splitter.between()));
   hold_outside(edit, splitter.fresh());
-  for (const Halfedge h : {left, right})
-    if (h && !mesh.attributes().empty())
-      for (const Halfedge sheet : sheets_between(mesh, vertex, mesh.to(h)))
-        edit.derive(edge(sheet), edge(h), Derivation::copies);
+  if (has_attributes(mesh, ElementKind::edge)) {
+    std::vector<Edge> parts;
+    for (const Halfedge h : {left, right})
+      if (h) parts.push_back(edge(h));
+    for (const Element& e : splitter.effect().created)
+      if (e.kind == Element::Kind::edge) parts.push_back(e.edge());
+    for (const Edge part : parts)
+      for (const Halfedge sheet : sheets_between(mesh, ends(mesh, part).first, ends(mesh, part).second))
+        edit.derive(edge(sheet), part, Derivation::copies);
+  }
   OpEffect effect = splitter.effect();
   effect.changed.insert(effect.changed.begin(), sector.faces.begin(), sector.faces.end());
   return effect;

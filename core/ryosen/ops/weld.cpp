@@ -5,9 +5,11 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "ryosen/base/index_set.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op_series.h"
@@ -230,10 +232,38 @@ void move_whole(Edit& edit, Sheets& sheets, Vertex v, const glm::dvec3& to) {
   for_each_copy(edit.mesh(), v, [&](Vertex copy) { sheets.changed_around(copy); });
 }
 
-// Makes all vertices of one point copies of the other, with its position and values.
-void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays) {
+// Edges to a common neighbour come to lie on each other.
+void unite_edges_at(Edit& edit, Vertex goes, Vertex stays) {
   const Mesh& m = edit.mesh();
+  if (!has_attributes(m, ElementKind::edge)) return;
+  std::unordered_map<Vertex, Edge> united;  // by point
+  for_each_copy(m, goes, [&](Vertex copy) {
+    for (const Halfedge h : outgoing(m, copy)) {
+      const Vertex beyond = point(m, m.to(h));
+      if (const auto at = united.find(beyond); at != united.end()) {
+        edit.derive(edge(h), at->second, Derivation::copies);
+        continue;
+      }
+      const std::vector<Halfedge> sheets = sheets_between(m, stays, beyond);
+      if (sheets.empty()) continue;
+      const Edge first = edge(sheets[0]);
+      united.emplace(beyond, first);
+      edit.derive(first, first, edge(h), 0.5, Derivation::unites);
+      for (const Halfedge sheet : sheets) edit.derive(edge(sheet), first, Derivation::copies);
+      edit.derive(edge(h), first, Derivation::copies);
+    }
+  });
+}
+
+// Makes all vertices of one point copies of the other, with its position and values at `along`, from it on.
+void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays, double along) {
+  const Mesh& m = edit.mesh();
+  unite_edges_at(edit, goes, stays);
   move_point(edit, goes, m.position(stays));
+  if (edit.derive(stays, stays, goes, along, Derivation::unites))
+    for_each_copy(m, stays, [&](Vertex copy) {
+      if (copy != stays) edit.derive(copy, stays, Derivation::copies);
+    });
   for_each_copy(m, goes, [&](Vertex copy) {
     edit.derive(copy, stays, Derivation::copies);
     sheets.changed_around(copy);
@@ -280,8 +310,10 @@ OpEffect Weld::apply(Edit& edit, ManifoldPoint& known) const {
   std::vector<Vertex> joined, touched;
   if (is_known && are_two_points) joined = take_joined(m, b, known);
   for (const auto& [goes, stays] : pairs) {
-    move_whole(edit, sheets, stays, place_of(m, *this, goes, stays));
-    unite_points(edit, sheets, goes, stays);
+    const glm::dvec3 at = place_of(m, *this, goes, stays);
+    const double along = closest_parameter(m.position(stays), m.position(goes), at);
+    move_whole(edit, sheets, stays, at);
+    unite_points(edit, sheets, goes, stays, along);
   }
   if (is_one_point) {
     move_whole(edit, sheets, a, place_of(m, *this, b, a));

@@ -6,7 +6,7 @@
 //
 // polygon list: b is replaced by a. For edges A-B and C-D: the ends are replaced so that the two faces traverse the
 //               edge in opposite directions. The lower number stays; the position is that of A, or of A-B, with `mid`
-//               halfway to what is merged into it, or the one that is given. Values stay those of A.
+//               halfway to what is merged into it, or the one that is given. Attributes are united there.
 // needs: no face contains both vertices; edges from both to the same point have one face in each direction. Edges: one
 //        face each. No duplicate faces result. Two copies of one point: both have a gap, and no common neighbour.
 // changes: V - 1 (2 for edges without a common end), E - the pairs of edges that are merged, on points; F stays.

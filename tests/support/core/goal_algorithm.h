@@ -25,7 +25,7 @@ inline AlgorithmResult run_wish(Edit& edit, const AlgorithmInput& input, Progres
     result.goal_report->remaining.assign(edge_rule_table().size(), 0);
     result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::structure)] = edit.mesh().live().edges;
   }
-  for (std::size_t i = wanted; i < faces; ++i) edit.add_vertex({0, 0, static_cast<double>(i)});
+  for (std::size_t i = wanted; i < faces; ++i) edit.fresh(edit.add_vertex({0, 0, static_cast<double>(i)}));
   result.changed = wanted < faces ? faces - wanted : 0;
   result.text = {"Wished.", "望みました。"};
   return result;

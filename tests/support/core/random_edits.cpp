@@ -27,9 +27,10 @@ void make_hole(const Mesh& mesh, Edit& edit, Face f) {
   }
   for (Halfedge h : sides) {
     edit.set_face(h, Face());
+    edit.fresh(h);
     edit.set_halfedge(mesh.from(h), h);
   }
-  edit.remove(f);
+  edit.drop(f);
 }
 
 template <class Handle>

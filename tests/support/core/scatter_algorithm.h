@@ -16,7 +16,7 @@ inline AlgorithmResult run_scatter(Edit& edit, const AlgorithmInput& input, Prog
   const glm::dvec3 moved = place + values.place("by");
   for (std::size_t i = 0; i < values.count("copies"); ++i) {
     if (!progress.go_on(i, values.count("copies"))) return {};
-    edit.add_vertex(moved);
+    edit.fresh(edit.add_vertex(moved));
   }
   const std::string n = std::to_string(values.count("copies"));
   return {values.count("copies"), 0, {n + " put.", n + " 個置きました。"}};

@@ -21,7 +21,7 @@ AlgorithmResult add_points(Edit& edit, const AlgorithmInput& input, Progress& pr
     if (is_finite(p)) continue;
     return {.fault = Text{"the values are too large for places", "値が大きすぎて座標で表せません"}};
   }
-  for (const glm::dvec3& p : points) edit.add_vertex(p);
+  for (const glm::dvec3& p : points) edit.fresh(edit.add_vertex(p));
   result.changed = points.size();
   result.text = count_text(points.size(), "# point was added.", "# points were added.", "点を # 個追加しました。");
   return result;

@@ -176,6 +176,11 @@ class RegionUniter {
         if (is_inside(h, region) && h < twin(h)) inside.push_back(edge(h));
       }
     const Face kept = *std::min_element(faces.begin(), faces.end());
+    edit_.unite<Face>(kept, faces, [&] {
+      std::vector<double> shares;
+      for (const Face f : faces) shares.push_back(areas_[f.index]);
+      return shares;
+    });
     for (const Face f : faces)
       while (mesh_.has_rings(f)) edit_.remove_ring(f, mesh_.first_ring(f));
     std::vector<Vertex> on_border;
@@ -192,13 +197,13 @@ class RegionUniter {
     for (std::size_t i = 1; i < border.loops.size(); ++i) edit_.add_ring(kept, border.loops[i][0]);
     std::sort(on_border.begin(), on_border.end());
     sort_unique(corners);
-    for (const Edge e : inside) edit_.remove(e);
+    for (const Edge e : inside) edit_.drop(e);
     for (const Face f : faces)
       if (f != kept) edit_.remove(f);
     for (const Vertex v : corners)
       if (!std::binary_search(on_border.begin(), on_border.end(), v)) {
         leave_copies(edit_, v);
-        edit_.remove(v);
+        edit_.drop(v);
       }
     region_[kept.index] = region;
   }

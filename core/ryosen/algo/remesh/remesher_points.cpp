@@ -205,11 +205,9 @@ std::vector<std::optional<Target::Share>> Remesher::shares(const Mesh& before) c
 }
 
 void Remesher::share_corner_values(Vertex v) {
-  CornerWriter corners(edit_);
-  for (std::size_t k = 0; k < corners.count(); ++k) {
-    const std::uint32_t index = corners.index(k, mesh_.halfedge(v));
-    for (const Halfedge h : outgoing(mesh_, v)) corners.set(k, h, index);
-  }
+  const Halfedge first = mesh_.halfedge(v);
+  for (const Halfedge h : outgoing(mesh_, v))
+    if (h != first) edit_.derive(h, first, Derivation::copies);
 }
 
 void Remesher::take_values(const Mesh& before) {

@@ -49,6 +49,7 @@ void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) {
   const auto side = [&](std::uint32_t a, std::uint32_t b) {
     if (const Halfedge h = known(a, b)) return h;
     const Halfedge h = edit.add_edge(vertices[a], vertices[b]);
+    edit.fresh(edge(h));
     known(a, b) = h;
     known(b, a) = twin(h);
     if (a >= n) edit.set_halfedge(vertices[a], h);
@@ -61,6 +62,7 @@ void insert_patch(Edit& edit, const HoleLoop& hole, const HolePatch& patch) {
     for (std::size_t k = 0; k < 3; ++k) {
       edit.connect(h[k], h[(k + 1) % 3]);
       edit.set_face(h[k], f);
+      edit.fresh(h[k]);
     }
     edit.derive(f, edit.mesh().face(twin(hole.sides[0])), Derivation::copies);
   }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "ryosen/algo/repair/sides_apart.h"
 #include "ryosen/base/sort_unique.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/faces_at.h"
 #include "ryosen/mesh/live_elements.h"
@@ -39,6 +41,7 @@ class Joiner {
 
   void join() {
     collect_copies();
+    unite_values();
     const std::vector<std::pair<Halfedge, Halfedge>> pairs = sides_to_join();
     for (const auto& [h, other] : pairs) {
       unite(m_.from(h), m_.to(other));
@@ -60,6 +63,40 @@ class Joiner {
     for (const JoinedPoints& joined : classes_)
       for (Vertex p : joined.points)
         for_each_copy(m_, p, [&](Vertex copy) { copies_[joined.points[0]].push_back(copy); });
+  }
+
+  // Points that become one, and edges between the same two of them, get common values.
+  void unite_values() {
+    for (const JoinedPoints& joined : classes_) {
+      const Vertex first = joined.points[0];
+      edit_.unite<Vertex>(first, joined.points, [&] { return std::vector<double>(joined.points.size(), 1); });
+      for (const Vertex copy : copies_.at(first)) edit_.derive(copy, first, Derivation::copies);
+    }
+    if (has_attributes(m_, ElementKind::edge)) unite_edge_values();
+  }
+  void unite_edge_values() {
+    struct Joined {
+      std::vector<Edge> edges, all;  // the first between two points before, and with those on the same points
+      std::set<std::array<Vertex, 2>> before;
+    };
+    std::map<std::array<Vertex, 2>, Joined> edges;  // by the points that will be its ends
+    for (const auto& [first, copies] : copies_)
+      for (const Vertex v : copies)
+        for (const Halfedge h : outgoing(m_, v)) {
+          const Vertex beyond = m_.to(h);
+          const std::array now = std::to_array<Vertex>({point(m_, v), point(m_, beyond)});
+          const auto [a, b] = std::minmax({point_after_[v.index], point_after_[beyond.index]});
+          Joined& at = edges[{a, b}];
+          at.all.push_back(edge(h));
+          if (at.before.insert({std::min(now[0], now[1]), std::max(now[0], now[1])}).second)
+            at.edges.push_back(edge(h));
+        }
+    for (const auto& [points, joined] : edges) {
+      if (joined.edges.size() < 2) continue;
+      const Edge first = joined.edges[0];
+      edit_.unite<Edge>(first, joined.edges, [&] { return std::vector<double>(joined.edges.size(), 1); });
+      for (const Edge e : joined.all) edit_.derive(e, first, Derivation::copies);
+    }
   }
 
   // The sides of faces at the points that have no face beyond.
@@ -135,7 +172,7 @@ class Joiner {
     edit_.connect(m_.prev(g), there);
     edit_.connect(there, m_.next(g));
     edit_.set_face(there, f);
-    edit_.remove(edge(g));
+    edit_.drop(edge(g));
   }
 
   // The joined vertices become the lowest of them.
@@ -156,7 +193,7 @@ class Joiner {
       std::erase_if(copies, [&](Vertex v) {
         if (!root_of_.contains(v) || root_of(v) == v) return false;
         edit_.set_copy_links(v, v, v);
-        edit_.remove(v);
+        edit_.drop(v);
         return true;
       });
       if (copies.size() > 1 || (!copies.empty() && has_copies(m_, copies[0]))) ryosen::link_copies(edit_, copies);

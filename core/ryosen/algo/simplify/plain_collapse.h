@@ -6,8 +6,9 @@
 
 namespace ryosen {
 
-// from(h) goes, to(h) stays where it is. quick_collapse(mesh, h) must have said legal. `drop(stays, goes)` is told of
-// each edge that goes for another one between the same points. Cost: the valence of the one that goes.
+// from(h) goes, to(h) stays where it is; the caller unites their values. quick_collapse(mesh, h) must have said legal.
+// `drop(stays, goes)` is told of each edge that goes for another one between the same points. Cost: the valence of the
+// one that goes.
 template <class Drop>
 void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   const Mesh& m = edit.mesh();
@@ -28,6 +29,7 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   const auto close = [&](Halfedge going, Halfedge staying, Vertex apex, Face face) {
     const Halfedge beyond = twin(going);
     const HalfedgeLinks at = m.links(beyond);
+    edit.derive(staying, beyond, Derivation::copies);
     edit.connect(at.prev, staying);
     edit.connect(staying, at.next);
     edit.set_face(staying, at.face);
@@ -35,8 +37,9 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
     const Halfedge from_apex = m.from(going) == apex ? going : beyond;
     if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
     drop(edge(staying), edge(going));
+    edit.derive(edge(staying), edge(staying), edge(going), 0.5, Derivation::unites);
     edit.remove(edge(going));
-    edit.remove(face);
+    edit.drop(face);
   };
   // Outside first: what goes may be all that follows there.
   if (!left.face) edit.connect(left.prev, left.next);
@@ -50,7 +53,7 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
   if (hold == o || !m.is_alive(hold)) hold = left.face ? left.next : m.next(left.prev);
   if (outside && !m.is_outside(hold)) hold = outside;
   edit.set_halfedge(kept, hold);
-  edit.remove(edge(h));
+  edit.drop(edge(h));
   edit.remove(gone);
 }
 

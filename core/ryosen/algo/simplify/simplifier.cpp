@@ -247,18 +247,21 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
   carry_values(h, placing);
   if (!merged_into_.empty()) merged_into_[gone.index] = kept;
   if (!is_plain) return collapse_by_kernel(h, placing, position);
+  const Vertex nearer = placing.at == gone ? gone : kept, other = nearer == kept ? gone : kept;
+  edit_->derive(kept, nearer, other, 0, Derivation::unites);
   plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
   edit_->set_position(kept, position);
 }
 
-// Before the collapse; corners at an end the collapse itself gives what they need.
+// Before the collapse, which finds them equal at both ends; where one end comes to the other it does what is needed.
 void Simplifier::carry_values(Halfedge h, const Placing& placing) {
-  const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
-  if (placing.at == kept || !(has_vertex_values_ || has_corner_values_)) return;
-  if (placing.at) return edit_->derive(kept, gone, Derivation::copies);
+  if (placing.at || !(has_vertex_values_ || has_corner_values_)) return;
   const RingValues values(surface_, h, placing.place);
   values.write_corners(*edit_, h);
+  const Vertex kept = mesh_.to(h);
+  constexpr double whole[] = {1};
   values.write_vertex(*edit_, kept);
+  edit_->blend(mesh_.from(h), {&kept, 1}, whole);
 }
 
 void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {

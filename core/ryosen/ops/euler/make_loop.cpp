@@ -64,7 +64,8 @@ std::vector<Reason> MakeLoop::warnings(const Mesh& mesh) const { return warnings
 OpEffect MakeLoop::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   const Face f = edit.add_face(halfedge);
-  set_face_along(edit, halfedge, f);
+  edit.fresh(f);
+  fill_loop(edit, halfedge, f);
   for (Halfedge h : loop(edit.mesh(), halfedge)) hold_outside(edit, edit.mesh().from(h));
   return {.created = {f}, .changed = {f}};
 }

@@ -26,6 +26,10 @@ constinit const OpInfo MakeVertex::info{.id = "make_vertex",
                                         .aliases = "mvs",
                                         .on_selection = OnSelection::none};
 
-OpEffect MakeVertex::apply(Edit& edit) const { return {.created = {edit.add_vertex(position)}}; }
+OpEffect MakeVertex::apply(Edit& edit) const {
+  const Vertex made = edit.add_vertex(position);
+  edit.fresh(made);
+  return {.created = {made}};
+}
 
 }  // namespace ryosen

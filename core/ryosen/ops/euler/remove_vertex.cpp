@@ -36,7 +36,7 @@ Verdict RemoveVertex::check(const Mesh& mesh) const {
 OpEffect RemoveVertex::apply(Edit& edit) const {
   assert(check(edit.mesh()).legal());
   leave_copies(edit, vertex);
-  edit.remove(vertex);
+  edit.drop(vertex);
   return {.deleted = {vertex}};
 }
 

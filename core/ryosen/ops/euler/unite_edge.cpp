@@ -7,6 +7,7 @@
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/parameters/member_values.h"
 #include "ryosen/ops/rules/face_lists.h"
+#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/surgery.h"
 
 namespace ryosen {
@@ -83,6 +84,8 @@ OpEffect UniteEdge::apply(Edit& edit) const {
   const Vertex b = m.to(out);
   OpEffect effect;
   effect.deleted = {vertex, edge(out)};
+  const Edge both[] = {edge(back), edge(out)};
+  edit.unite<Edge>(both[0], both, [&] { return lengths_of(m, both); });
   if (!m.is_outside(out_twin)) edit.derive(back_twin, out_twin, Derivation::copies);
   if (m.face(out)) replace_start(edit, m.face(out), out, back);
   if (m.face(out_twin)) replace_start(edit, m.face(out_twin), out_twin, back_twin);
@@ -92,7 +95,7 @@ OpEffect UniteEdge::apply(Edit& edit) const {
   edit.set_from(back_twin, b);
   if (m.halfedge(b) == out_twin) edit.set_halfedge(b, back_twin);
   edit.remove(edge(out));
-  edit.remove(vertex);
+  edit.drop(vertex);
   for (Halfedge side : {back, back_twin})
     if (!m.is_outside(side)) effect.changed.push_back(m.face(side));
   return effect;

@@ -4,18 +4,11 @@
 
 namespace ryosen {
 
-std::uint32_t CornerWriter::index(std::size_t attribute, Halfedge corner) const {
-  return edit_.mesh().attributes()[attributes_[attribute].index_column].data[corner.index];
-}
-
-void CornerWriter::set(std::size_t attribute, Halfedge corner, std::uint32_t index) {
-  edit_.set_attribute(attributes_[attribute].index_column, corner.index, std::span(&index, 1));
-}
-
-std::uint32_t CornerWriter::blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t) {
-  const std::uint32_t ends[] = {a, b};
-  const double weights[] = {1 - t, t};
-  return edit_.derive_in_pool(attributes_[attribute].pool_column, ends, weights);
+void drop_normal(Edit& edit, Halfedge corner) {
+  const int normal = edit.mesh().find_attribute(attribute_names::normal);
+  if (normal < 0) return;
+  const auto k = static_cast<std::size_t>(normal);
+  edit.set_attribute(k, corner.index, edit.mesh().attributes()[k].fill);
 }
 
 bool is_seam(const Mesh& mesh, Halfedge h) {
@@ -26,8 +19,7 @@ bool is_seam(const Mesh& mesh, Halfedge h) {
 void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go, const NumberOfFace& number) {
   const Mesh& m = edit.mesh();
   const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };
-  CornerWriter corners(edit);
-  if (corners.count() == 0) return;
+  if (m.attributes().empty()) return;
   for (Edge e : edges_that_go)
     for (Halfedge first : {halfedge(e), twin(halfedge(e))}) {
       if (goes(m.prev(first))) continue;
@@ -36,7 +28,7 @@ void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go, const 
         last = m.next(twin(last));
         if (number(m.face(last)) <= number(m.face(kept))) kept = last;
       }
-      for (std::size_t k = 0; k < corners.count() && kept != last; ++k) corners.set(k, last, corners.index(k, kept));
+      if (kept != last) edit.derive(last, kept, Derivation::copies);
     }
 }
 

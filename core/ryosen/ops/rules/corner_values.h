@@ -9,22 +9,8 @@
 
 namespace ryosen {
 
-// Write access to the corner attributes of the edited mesh. A corner is the halfedge that leaves its vertex along its
-// face.
-class CornerWriter {
- public:
-  explicit CornerWriter(Edit& edit) : edit_(edit), attributes_(corner_attributes(edit.mesh())) {}
-
-  std::size_t count() const { return attributes_.size(); }
-  std::uint32_t index(std::size_t attribute, Halfedge corner) const;
-  void set(std::size_t attribute, Halfedge corner, std::uint32_t index);
-  // The index of the value at t between those at two indices; none if one with a weight is none.
-  std::uint32_t blend(std::size_t attribute, std::uint32_t a, std::uint32_t b, double t);
-
- private:
-  Edit& edit_;
-  std::vector<CornerAttribute> attributes_;
-};
+// Takes away the normal of a corner, which belongs to another surface.
+void drop_normal(Edit& edit, Halfedge corner);
 
 // Whether the values at the two ends of an edge differ between its two faces.
 bool is_seam(const Mesh& mesh, Halfedge h);

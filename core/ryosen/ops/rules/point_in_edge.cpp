@@ -33,6 +33,7 @@ Face cut_triangle(Edit& edit, Halfedge into, Halfedge out, bool origin_keeps, do
   const Halfedge after_out = mesh.next(out), before_into = mesh.prev(into);
   const Vertex m = mesh.from(out), third = mesh.from(before_into);
   const Halfedge down = edit.add_edge(m, third), up = twin(down);  // down closes the part before m, up the other
+  edit.fresh(edge(down));
   edit.connect(into, down);
   edit.connect(down, before_into);
   edit.connect(after_out, up);

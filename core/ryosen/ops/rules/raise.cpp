@@ -179,7 +179,10 @@ class Raise {
     const glm::dvec3 base = m_.position(sector.from), moved = base + by_;
     sector.top = edit_.add_vertex(is_finite(moved) ? moved : base);
     edit_.derive(sector.top, sector.from, Derivation::copies);
-    if (sector.wall_at_first || sector.wall_at_last) sector.rise = edit_.add_edge(sector.from, sector.top);
+    if (sector.wall_at_first || sector.wall_at_last) {
+      sector.rise = edit_.add_edge(sector.from, sector.top);
+      edit_.fresh(edge(sector.rise));
+    }
     sectors_.push_back(sector);
   }
 
@@ -187,6 +190,7 @@ class Raise {
     for (Wall& wall : walls_) {
       const RaisedSector &here = sector_at(wall.side), &there = sector_at(m_.next(wall.side));
       wall.top = edit_.add_edge(here.top, there.top);
+      edit_.fresh(edge(wall.top));
       wall.rise = here.rise;
       wall.rise_after = there.rise;
       wall.after = m_.next(wall.side);
@@ -194,23 +198,18 @@ class Raise {
     }
   }
 
-  // Texture coordinates are copied upwards and downwards; normals are not set, they belong to the old surface.
+  // Values are copied upwards and downwards; normals are not, they belong to the old surface.
   void set_wall_values() {
-    CornerWriter corners(edit_);
-    const std::vector<CornerAttribute> attributes = corner_attributes(m_);
-    for (std::size_t k = 0; k < corners.count(); ++k) {
-      const bool is_normal = m_.attributes()[attributes[k].index_column].name == std::string(attribute_names::normal);
-      std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-      for (const Wall& wall : walls_) ends.emplace_back(corners.index(k, wall.side), corners.index(k, wall.after));
-      for (std::size_t i = 0; i < walls_.size(); ++i) {
-        const Wall& wall = walls_[i];
-        corners.set(k, wall.top, ends[i].first);
-        const std::uint32_t here = is_normal ? no_index : ends[i].first, there = is_normal ? no_index : ends[i].second;
-        corners.set(k, wall.side, here);
-        corners.set(k, twin(wall.rise), here);
-        corners.set(k, twin(wall.top), there);
-        corners.set(k, wall.rise_after, there);
-      }
+    for (const Wall& wall : walls_) edit_.derive(wall.top, wall.side, Derivation::copies);
+    for (const Wall& wall : walls_) {
+      const auto copy = [&](Halfedge corner, Halfedge from) {
+        edit_.derive(corner, from, Derivation::copies);
+        drop_normal(edit_, corner);
+      };
+      copy(wall.side, wall.side);
+      copy(twin(wall.rise), wall.top);
+      copy(twin(wall.top), raised(wall.after));
+      copy(wall.rise_after, raised(wall.after));
     }
   }
 
@@ -297,6 +296,9 @@ class Raise {
       if (tops.size() > 1) link_copies(edit_, tops);
       points.insert(points.end(), {by_point[i].first, tops[0]});
     }
+    std::vector<Edge> made;
+    for (const Wall& wall : walls_) made.push_back(edge(wall.top));
+    share_values(edit_, made);
     for (const Wall& wall : walls_)
       if (wall.is_shared) sheets_.open(wall.top);
     for (const RaisedSector& sector : sectors_)

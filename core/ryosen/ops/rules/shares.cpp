@@ -18,6 +18,15 @@ std::vector<double> areas_of(const Mesh& mesh, std::span<const Face> faces) {
   return areas;
 }
 
+std::vector<double> lengths_of(const Mesh& mesh, std::span<const Edge> edges) {
+  std::vector<double> lengths;
+  for (const Edge e : edges) {
+    const auto [a, b] = ends(mesh, e);
+    lengths.push_back(glm::distance(mesh.position(a), mesh.position(b)));
+  }
+  return lengths;
+}
+
 std::vector<double> lengths_of_parts(double along) { return {std::abs(along), std::abs(1 - along)}; }
 
 }  // namespace ryosen

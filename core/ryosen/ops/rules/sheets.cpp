@@ -228,7 +228,7 @@ void Sheets::join_corner(Halfedge into, Halfedge out) {
     edit_.connect(before, after);
     rename(moved, stays);
     rings_->leave(goes, stays);
-    edit_.remove(goes);
+    edit_.drop(goes);
     effect_.deleted.push_back(goes);
     hold_outside(edit_, stays);
     return;
@@ -308,13 +308,13 @@ void Sheets::remove_vertices(std::span<const Vertex> descending) {
       edit_.set_halfedge(v, m.halfedge(heir->second));
       v = heir->second;
     }
-    edit_.remove(v);
+    edit_.drop(v);
     effect_.deleted.push_back(v);
   }
 }
 
 void Sheets::drop(Edge e) {
-  edit_.remove(e);
+  edit_.drop(e);
   effect_.deleted.push_back(e);
 }
 

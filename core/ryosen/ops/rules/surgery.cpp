@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/ops/rules/shares.h"
+
 namespace ryosen {
 
 Halfedge link_edge(Edit& edit, Vertex a, Halfedge into_a, Vertex b, Halfedge into_b) {
   const Mesh& m = edit.mesh();
   const Halfedge h = edit.add_edge(a, b), o = twin(h);
+  edit.fresh(edge(h));
   const Halfedge after_a = into_a ? m.next(into_a) : h, after_b = into_b ? m.next(into_b) : o;
   edit.connect(into_a ? into_a : o, h);
   edit.connect(into_b ? into_b : h, o);
@@ -28,7 +32,7 @@ void unlink_edge(Edit& edit, Halfedge h) {
   };
   leave(h);
   leave(twin(h));
-  edit.remove(edge(h));
+  edit.drop(edge(h));
 }
 
 Halfedge link_inside(Edit& edit, Halfedge into_a, Halfedge into_b) {
@@ -67,7 +71,8 @@ Face unite_faces(Edit& edit, std::span<const Halfedge> chain) {
   const Face stays = std::min(m.face(first), m.face(twin(first)));
   const bool left_stays = m.face(first) == stays;
   const Halfedge inside = left_stays ? first : twin(first), outside = twin(inside);
-  const Face goes = m.face(outside);
+  const Face goes = m.face(outside), both[] = {stays, goes};
+  edit.unite<Face>(stays, both, [&] { return areas_of(m, both); });
   const std::uint32_t ring_inside = ring_of(m, inside), ring_outside = ring_of(m, outside);
   // The halfedge that replaces the chain in the loop of the remaining face.
   const Halfedge joined = left_stays ? m.next(twin(first)) : m.next(last);
@@ -98,11 +103,30 @@ void take_face_away(Edit& edit, Face f) {
     }
   });
   while (m.has_rings(f)) edit.remove_ring(f, m.first_ring(f));
-  edit.remove(f);
+  edit.drop(f);
+}
+
+void fill_loop(Edit& edit, Halfedge start, Face f) {
+  set_face_along(edit, start, f);
+  for (const Halfedge h : loop(edit.mesh(), start)) edit.fresh(h);
 }
 
 void set_face_along(Edit& edit, Halfedge start, Face f) {
   for (Halfedge h : loop(edit.mesh(), start)) edit.set_face(h, f);
+}
+
+void share_values(Edit& edit, std::span<const Edge> made) {
+  const Mesh& m = edit.mesh();
+  if (!has_attributes(m, ElementKind::edge)) return;
+  std::vector<Edge> sorted(made.begin(), made.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto is_older = [&](Halfedge sheet) { return !std::binary_search(sorted.begin(), sorted.end(), edge(sheet)); };
+  for (const Edge e : made) {
+    const auto [a, b] = ends(m, e);
+    const std::vector<Halfedge> sheets = sheets_between(m, a, b);
+    const auto older = std::find_if(sheets.begin(), sheets.end(), is_older);
+    if (older != sheets.end()) edit.derive(e, edge(*older), Derivation::copies);
+  }
 }
 
 void hold_outside(Edit& edit, Vertex v) {

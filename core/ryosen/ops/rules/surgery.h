@@ -44,6 +44,11 @@ void take_face_away(Edit& edit, Face f);
 
 // Sets the face (or none) of all halfedges of the cycle from `start`.
 void set_face_along(Edit& edit, Halfedge start, Face f);
+// The same where they lay outside: their corners are new and have the defaults.
+void fill_loop(Edit& edit, Halfedge start, Face f);
+
+// Gives new edges the values of an older one between the same points, where there is one.
+void share_values(Edit& edit, std::span<const Edge> made);
 
 // Makes v store an outgoing boundary halfedge if it has any; it must already store an outgoing halfedge, or none. Cost:
 // its valence.

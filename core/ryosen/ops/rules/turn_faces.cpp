@@ -69,7 +69,7 @@ class Turner {
       sheets_.changed(f);
       for (Halfedge h : halfedges_around(m_, f)) {
         sides.emplace_back(twin(m_.prev(h)), f);
-        if (!m_.attributes().empty()) corners.emplace_back(sides.back().first, h);
+        corners.emplace_back(sides.back().first, h);
       }
       for (std::uint32_t r = m_.first_ring(f); r != no_index; r = m_.ring(r).next)
         rings.emplace_back(r, twin(m_.prev(m_.ring(r).halfedge)));

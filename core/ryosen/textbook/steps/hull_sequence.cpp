@@ -85,16 +85,18 @@ class HullKernel {
   // The edges of a polygon, whose corners hold their halfedges outside of it.
   void follow_in_plane(Edit& edit, const HullStep& step, const DcelRecords& records) {
     const Row face_row = records.half_edges[step.made[0]].face;
-    if (step.kind == HullStep::Kind::begin) face_[face_row] = edit.add_face(Halfedge());
+    if (step.kind == HullStep::Kind::begin) edit.fresh(face_[face_row] = edit.add_face(Halfedge()));
     for (const Row h : step.seen) {
       edit.set_halfedge(mesh_.to(half_[h]), Halfedge());
-      edit.remove(edge(half_[h]));
+      edit.drop(edge(half_[h]));
     }
     for (const Row row : step.made) {
       const DcelRecords::HalfEdgeRecord& h = records.half_edges[row];
       half_[row] = edit.add_edge(Vertex(h.origin), Vertex(records.half_edges[h.twin].origin));
       half_[h.twin] = twin(half_[row]);
       edit.set_face(half_[row], face_[face_row]);
+      edit.fresh(edge(half_[row]));
+      edit.fresh(half_[row]);
       edit.set_halfedge(Vertex(records.half_edges[h.twin].origin), half_[h.twin]);
     }
     for (const Row row : step.made) {
@@ -122,12 +124,13 @@ class HullKernel {
     sort_unique(within);
     for (const Vertex v : corners) edit.set_halfedge(v, Halfedge());
     for (const Row h : step.horizon) edit.set_halfedge(mesh_.from(half_[h]), half_[h]);
-    for (const Row f : step.seen) edit.remove(face_[f]);
-    for (const Edge e : within) edit.remove(e);
+    for (const Row f : step.seen) edit.drop(face_[f]);
+    for (const Edge e : within) edit.drop(e);
   }
   // Its half-edges: one beside an edge that stays, or whose twin has been entered, gets that edge; else a new one.
   void add_face(Edit& edit, const DcelRecords& records, Row f) {
     const Face face = edit.add_face(Halfedge());
+    edit.fresh(face);
     face_[f] = face;
     std::array<Row, 3> rows{};
     rows[0] = records.faces[f].outer_component;
@@ -140,7 +143,9 @@ class HullKernel {
       const bool is_there = beside && beside.index < mesh_.halfedge_slots() && mesh_.is_alive(beside) &&
                             mesh_.from(beside) == to && mesh_.from(twin(beside)) == from;
       half_[row] = is_there ? twin(beside) : edit.add_edge(from, to);
+      if (!is_there) edit.fresh(edge(half_[row]));
       edit.set_face(half_[row], face);
+      edit.fresh(half_[row]);
       edit.set_halfedge(from, half_[row]);
     }
     for (std::size_t k = 0; k < 3; ++k) edit.connect(half_[rows[k]], half_[rows[(k + 1) % 3]]);

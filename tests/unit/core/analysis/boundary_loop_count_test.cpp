@@ -38,9 +38,10 @@ void take_out(Mesh& mesh, Journal& journal, Face f) {
   const Halfedge a = mesh.halfedge(f), b = mesh.next(a), c = mesh.next(b);
   for (Halfedge h : {a, b, c}) {
     edit.set_face(h, Face());
+    edit.fresh(h);
     edit.set_halfedge(mesh.from(h), h);
   }
-  edit.remove(f);
+  edit.drop(f);
   edit.commit();
 }
 

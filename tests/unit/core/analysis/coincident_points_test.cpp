@@ -91,9 +91,9 @@ TEST(coincident_points, are_kept_current_through_edits_undo_and_redo) {
       if (!makes && !mesh.is_alive(v)) return false;
       Edit edit(mesh, &journal);
       if (makes)
-        edit.add_vertex(place());
+        edit.fresh(edit.add_vertex(place()));
       else if (thrown == 3)
-        edit.remove(v);
+        edit.drop(v);
       else
         edit.set_position(v, place());
       edit.commit();

@@ -191,7 +191,7 @@ TEST(to_indexed, numbers_past_the_end_stay_as_far_past_it) {
   const IndexedMesh source = with_quarantine();
   Mesh mesh = from_indexed(source);
   Edit edit(mesh, nullptr);
-  edit.remove(Vertex(5));  // which nothing uses
+  edit.drop(Vertex(5));  // which nothing uses
   edit.commit();
   const CompactMesh compact = to_indexed(mesh, file_tables(source));
   EXPECT_EQ(compact.mesh.positions.size(), 5u);

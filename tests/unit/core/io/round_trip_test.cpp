@@ -169,7 +169,7 @@ TEST(round_trip, the_largest_number_stays_the_largest_when_vertices_are_added) {
   const FileTables tables = file_tables(file.mesh);
   Mesh mesh = from_indexed(file.mesh);
   Edit edit(mesh, nullptr);
-  for (int i = 0; i < 5; ++i) edit.add_vertex(glm::dvec3(i));
+  for (int i = 0; i < 5; ++i) edit.fresh(edit.add_vertex(glm::dvec3(i)));
   edit.commit();
   const MeshFile after = edited_file(file, mesh, tables);
   ASSERT_EQ(after.mesh.quarantine.size(), 1u);

@@ -163,6 +163,7 @@ TEST(edit_attributes, new_elements_get_the_default_and_writes_of_new_cells_cost_
   }
   Edit edit(mesh, &journal);
   const Vertex a = edit.add_vertex({});
+  edit.fresh(a);
   EXPECT_EQ(attribute_value<float>(mesh.attributes()[k], a.index), 2.5f);
   EXPECT_EQ(mesh.attributes()[e].data.size(), std::size_t{4} * mesh.edge_slots());
   edit.set_attribute(k, a.index, attribute_words(7.0f));

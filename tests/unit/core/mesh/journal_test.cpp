@@ -78,7 +78,7 @@ TEST(journal, exchanges_a_cell_that_was_written_twice) {
     Edit edit(mesh, &journal);
     edit.set_position(Vertex(2), glm::dvec3(5));
     edit.set_position(Vertex(2), glm::dvec3(6));
-    edit.add_vertex(glm::dvec3(1));
+    edit.fresh(edit.add_vertex(glm::dvec3(1)));
     edit.commit();
   }
   const MeshColumns end = mesh.columns();
@@ -107,7 +107,7 @@ TEST(journal, drops_what_was_undone) {
   const auto move = [&](double to) {
     Edit edit(mesh, &journal);
     edit.set_position(Vertex(0), glm::dvec3(to));
-    edit.add_vertex(glm::dvec3(to));
+    edit.fresh(edit.add_vertex(glm::dvec3(to)));
     edit.commit();
     states.push_back(mesh.columns());
   };

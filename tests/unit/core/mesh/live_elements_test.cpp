@@ -61,13 +61,13 @@ TEST(live_elements, leave_out_deleted_slots) {
 TEST(live_elements, follow_edits_during_the_walk) {
   Mesh mesh;
   Edit edit(mesh, nullptr);
-  for (int i = 0; i < 4; ++i) edit.add_vertex({i, 0, 0});
+  for (int i = 0; i < 4; ++i) edit.fresh(edit.add_vertex({i, 0, 0}));
   std::vector<std::uint32_t> met;
   for (const Vertex v : live_vertices(mesh)) {
     met.push_back(v.index);
-    if (v.index == 0) edit.remove(Vertex(1));
-    if (v.index == 2) edit.remove(v);
-    if (v.index == 3) edit.add_vertex({9, 0, 0});
+    if (v.index == 0) edit.drop(Vertex(1));
+    if (v.index == 2) edit.drop(v);
+    if (v.index == 3) edit.fresh(edit.add_vertex({9, 0, 0}));
   }
   EXPECT_EQ(met, (std::vector<std::uint32_t>{0, 2, 3, 4}));
 }

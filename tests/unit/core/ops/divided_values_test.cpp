@@ -1,4 +1,4 @@
-// Attribute values of elements that operators divide.
+// Attribute values of elements that operators divide or unite.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -8,6 +8,7 @@
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/all.h"
+#include "tests/support/core/element_values.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_ops.h"
@@ -23,14 +24,17 @@ std::vector<Vertex> points_of(const Mesh& mesh) {
     if (point(mesh, v) == v) points.push_back(v);
   return points;
 }
-std::vector<Edge> undirected_edges(const Mesh& mesh) {
+std::map<std::pair<Vertex, Vertex>, Edge> edges_by_points(const Mesh& mesh) {
   std::map<std::pair<Vertex, Vertex>, Edge> edges;
   for (const Edge e : live_edges(mesh)) {
     const auto [a, b] = ends(mesh, e);
     edges.emplace(std::minmax({point(mesh, a), point(mesh, b)}), e);
   }
+  return edges;
+}
+std::vector<Edge> undirected_edges(const Mesh& mesh) {
   std::vector<Edge> found;
-  for (const auto& [points, e] : edges) found.push_back(e);
+  for (const auto& [points, e] : edges_by_points(mesh)) found.push_back(e);
   return found;
 }
 
@@ -53,58 +57,6 @@ struct Totals {
         of_vertices(total_of<double>(mesh, "vertex.mass", points_of(mesh))) {}
 };
 
-std::int64_t whole_number(std::uint64_t a, std::uint64_t b) {
-  Dice dice(a << 32u | b);
-  return static_cast<std::int64_t>(dice.below(2000)) - 1000;
-}
-
-void add_values(Mesh& mesh, Journal& journal) {
-  Edit edit(mesh, &journal);
-  const auto add = [&](std::string_view name, ElementKind kind, ValueRule rule, auto fill) {
-    using T = decltype(fill);
-    const std::size_t k = edit.add_attribute(name, kind, rule, fill);
-    const auto put = [&](std::uint32_t index, std::uint64_t x, std::uint64_t y) {
-      edit.set_attribute(k, index, attribute_words(static_cast<T>(whole_number(x, y))));
-    };
-    if (kind == ElementKind::face)
-      for (const Face f : live_faces(mesh)) put(f.index, f.index, k);
-    if (kind == ElementKind::vertex)
-      for (const Vertex v : live_vertices(mesh)) put(v.index, point(mesh, v).index, k);
-    if (kind == ElementKind::edge)
-      for (const Edge e : live_edges(mesh)) {
-        const auto [a, b] = std::minmax({point(mesh, ends(mesh, e).first), point(mesh, ends(mesh, e).second)});
-        put(e.index, a.index, b.index);
-      }
-  };
-  add("face.count", ElementKind::face, ValueRule::sum, std::int64_t{0});
-  add("face.area", ElementKind::face, ValueRule::sum, 0.0);
-  add("face.mark", ElementKind::face, ValueRule::first, std::int64_t{0});
-  add("edge.count", ElementKind::edge, ValueRule::sum, std::int64_t{0});
-  add("edge.length", ElementKind::edge, ValueRule::sum, 0.0);
-  add("edge.crease", ElementKind::edge, ValueRule::blend, -1.0);
-  add("vertex.mass", ElementKind::vertex, ValueRule::sum, 0.0);
-  edit.commit();
-}
-
-// Copies of a point, and edges of the same two points, have the same values.
-void expect_copies_agree(const Mesh& mesh) {
-  std::map<std::pair<Vertex, Vertex>, Edge> edges;
-  for (const AttributeColumn& column : mesh.attributes()) {
-    const auto agree = [&](std::uint32_t a, std::uint32_t b) {
-      const auto at = [&](std::uint32_t i) { return column.data.begin() + std::ptrdiff_t{i} * column.words(); };
-      return std::equal(at(a), at(a) + column.words(), at(b));
-    };
-    for (const Vertex v : live_vertices(mesh))
-      ASSERT_TRUE(column.element != ElementKind::vertex || agree(v.index, point(mesh, v).index)) << column.name;
-    if (column.element != ElementKind::edge) continue;
-    for (const Edge e : live_edges(mesh)) {
-      const auto [a, b] = ends(mesh, e);
-      const auto [first, is_new] = edges.emplace(std::minmax({point(mesh, a), point(mesh, b)}), e);
-      ASSERT_TRUE(agree(e.index, first->second.index)) << column.name;
-    }
-  }
-}
-
 bool divides(const AnyOp& op) {
   return std::holds_alternative<SplitEdge>(op) || std::holds_alternative<Triangulate>(op) ||
          std::holds_alternative<Poke>(op) || std::holds_alternative<SeparateLoop>(op) ||
@@ -118,7 +70,7 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
     Mesh mesh = seed % 2 == 0 ? test::random_kernel_mesh(seed) : test::random_complex(seed);
     Journal journal;
     Dice dice(seed);
-    add_values(mesh, journal);
+    test::add_values(mesh, &journal);
     for (int i = 0; i < 60; ++i) {
       const AnyOp op = test::random_op(mesh, dice);
       if (!divides(op) || !check(mesh, op).legal()) continue;
@@ -133,7 +85,7 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
       ASSERT_NEAR(after.area, before.area, 1e-9) << command_of(Mesh(columns), op);
       ASSERT_NEAR(after.length, before.length, 1e-9) << command_of(Mesh(columns), op);
       ASSERT_NEAR(after.of_vertices, before.of_vertices, 1e-9) << command_of(Mesh(columns), op);
-      expect_copies_agree(mesh);
+      test::expect_copies_agree(mesh);
       if (HasFatalFailure()) FAIL() << command_of(Mesh(columns), op);
       ++done;
       if (!dice.one_in(4)) continue;
@@ -143,6 +95,99 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
     }
   }
   EXPECT_GT(done, test::is_sample() ? 1u : 500u);
+}
+
+// What the elements that an operator deletes had before it.
+struct Deleted {
+  std::int64_t faces = 0;
+  double vertices = 0;
+
+  Deleted(const Mesh& before, const OpEffect& effect) {
+    for (const Element& e : effect.deleted) {
+      if (e.kind == Element::Kind::face)
+        faces += attribute_value<std::int64_t>(*find_column(before, "face.count"), e.index);
+      if (e.kind == Element::Kind::vertex)
+        vertices += attribute_value<double>(*find_column(before, "vertex.mass"), e.index);
+    }
+  }
+};
+
+void expect_edges_keep_values(const Mesh& before, const Mesh& after) {
+  const auto was = edges_by_points(before);
+  const auto value = [](const Mesh& mesh, Edge e) {
+    return attribute_value<std::int64_t>(*find_column(mesh, "edge.count"), e.index);
+  };
+  for (const auto& [points, e] : edges_by_points(after)) {
+    ASSERT_TRUE(was.contains(points));
+    EXPECT_EQ(value(after, e), value(before, was.at(points)));
+  }
+}
+
+// What is left of the sums when some of the elements are united and others go with their values.
+void expect_sums_are_united(const AnyOp& op, const Mesh& before, const OpEffect& effect, const Mesh& after) {
+  const Totals was(before), is(after);
+  const Deleted deleted(before, effect);
+  if (const auto* const swap = std::get_if<SwapEdge>(&op)) {
+    const auto [a, b] = ends(before, edge(swap->halfedge));
+    // A wire may be left where the edge was.
+    const bool is_left = edges_by_points(after).contains(std::minmax({point(before, a), point(before, b)}));
+    EXPECT_EQ(is.of_faces, was.of_faces);
+    EXPECT_EQ(
+        is.of_edges - was.of_edges,
+        is_left ? attribute_value<std::int64_t>(*find_column(before, "edge.count"), edge(swap->halfedge).index) : 0);
+    EXPECT_EQ(is.of_vertices, was.of_vertices);
+  } else if (const auto* const collapse = std::get_if<CollapseEdge>(&op)) {
+    const Edge gone = edge(collapse->halfedge);
+    EXPECT_EQ(is.of_vertices, was.of_vertices);
+    EXPECT_EQ(is.of_edges,
+              was.of_edges - attribute_value<std::int64_t>(*find_column(before, "edge.count"), gone.index));
+    EXPECT_EQ(is.of_faces, was.of_faces - deleted.faces);
+  } else if (std::holds_alternative<UniteEdge>(op)) {
+    EXPECT_EQ(is.of_vertices, was.of_vertices - deleted.vertices);
+    EXPECT_EQ(is.of_edges, was.of_edges);
+    EXPECT_EQ(is.of_faces, was.of_faces);
+  } else if (std::holds_alternative<UniteLoop>(op)) {
+    EXPECT_EQ(is.of_vertices, was.of_vertices);
+    expect_edges_keep_values(before, after);
+    EXPECT_EQ(is.of_faces, was.of_faces);
+  } else if (const auto* const dissolve = std::get_if<Dissolve>(&op); dissolve && dissolve->halfedge) {
+    EXPECT_EQ(is.of_vertices, was.of_vertices - deleted.vertices);
+    expect_edges_keep_values(before, after);
+    EXPECT_EQ(is.of_faces, was.of_faces);
+  } else if (std::holds_alternative<Weld>(op)) {
+    EXPECT_EQ(is.of_vertices, was.of_vertices);
+    EXPECT_EQ(is.of_edges, was.of_edges);
+    EXPECT_EQ(is.of_faces, was.of_faces);
+  }
+}
+
+TEST(united_values, sums_stay_and_copies_agree_whatever_is_done) {
+  std::map<std::size_t, std::size_t> done;  // by operator
+  for (std::uint64_t seed = 0; seed < test::seed_count(200, 4000); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Mesh mesh = seed % 2 == 0 ? test::random_kernel_mesh(seed) : test::random_complex(seed);
+    Journal journal;
+    Dice dice(seed);
+    test::add_values(mesh, &journal);
+    for (int i = 0; i < 60; ++i) {
+      const AnyOp op = test::random_op(mesh, dice);
+      if (!check(mesh, op).legal()) continue;
+      const Mesh before = mesh;
+      Edit edit(mesh, &journal);
+      const OpEffect effect = ryosen::apply(edit, op);
+      edit.commit();
+      SCOPED_TRACE(command_of(before, op));
+      expect_sums_are_united(op, before, effect, mesh);
+      test::expect_copies_agree(mesh);
+      if (HasFailure()) return;
+      ++done[op.index()];
+      if (!dice.one_in(4)) continue;
+      journal.undo(mesh);
+      ASSERT_EQ(mesh.columns(), before.columns());
+      journal.redo(mesh);
+    }
+  }
+  EXPECT_GT(done.size(), test::is_sample() ? 1u : 20u) << "operators";
 }
 
 // Which of two parts has which share.

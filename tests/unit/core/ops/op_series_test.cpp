@@ -8,6 +8,7 @@
 
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/each.h"
+#include "tests/support/core/element_values.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_ops.h"
 #include "tests/support/core/shapes.h"
@@ -52,6 +53,7 @@ void expect_same(const Mesh& start, const OpInfo& op, const std::vector<Element>
     EXPECT_EQ(result.refused[i].elements, expected.refused[i].elements);
   }
   EXPECT_EQ(many.hash(), single.hash());
+  EXPECT_EQ(values_of(many), values_of(single));
   EXPECT_EQ(many.live(), single.live());
   EXPECT_EQ(many.vertex_slots(), single.vertex_slots());
   EXPECT_EQ(many.edge_slots(), single.edge_slots());
@@ -115,7 +117,9 @@ void expect_same_of_seed(std::uint64_t seed) {
   SCOPED_TRACE(seed);
   Dice dice(seed);
   const SeededMesh seeded = seeded_mesh(seed);
-  expect_same_of_all(seed % 3 == 0 ? make_mesh(seeded.faces, seeded.points) : random_complex(seed), dice);
+  Mesh start = seed % 3 == 0 ? make_mesh(seeded.faces, seeded.points) : random_complex(seed);
+  if (seed % 4 == 1) add_values(start, nullptr);
+  expect_same_of_all(start, dice);
 }
 
 TEST(op_series, on_surfaces_and_complexes) {

@@ -17,7 +17,7 @@ TEST(make_edge, a_hub_of_many_wires) {
   Mesh mesh;
   {
     Edit edit(mesh, nullptr);
-    for (std::uint32_t i = 0; i <= wires; ++i) edit.add_vertex({i, 0, 0});
+    for (std::uint32_t i = 0; i <= wires; ++i) edit.fresh(edit.add_vertex({i, 0, 0}));
     for (std::uint32_t i = 1; i <= wires; ++i) {
       const std::string tip = std::to_string(i), before = std::to_string(i - 1);
       const std::string line = "make_edge v0 v" + tip + (i > 2 ? " " + before + "-0" : "");

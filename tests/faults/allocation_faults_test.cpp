@@ -303,5 +303,39 @@ TEST(allocation_faults, of_a_search_through_the_history_lead_back) {
   }
 }
 
+// The mesh beside is the new one, or the one that was there.
+TEST(allocation_faults, of_a_comparison_leave_the_mesh_beside_as_it_was) {
+  const std::string cube = source("assets/cube.obj"), klein = source("assets/klein_bottle.off");
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  const std::uint64_t own = session.mesh().hash(), of_cube = Document::open(cube).value()->mesh().hash();
+  for (const std::string& first : {std::string("compare off"), "compare " + klein}) {
+    SCOPED_TRACE(first);
+    ASSERT_TRUE(session.run(first).done());
+    const auto beside = [&] { return session.is_comparing() ? session.compared()->document().mesh().hash() : 0; };
+    const std::uint64_t before = beside();
+    Outcome outcome;
+    at_each_allocation(
+        150, Keeps::history,
+        [&] {
+          outcome = {};
+          outcome = session.run("compare " + cube);
+        },
+        [&](bool is_thrown) {
+          const bool is_done = !is_thrown && outcome.done();
+          EXPECT_TRUE(is_thrown || is_done || outcome.exit_code == ExitCode::out_of_memory) << outcome.sentence.en;
+          EXPECT_EQ(session.mesh().hash(), own);
+          EXPECT_EQ(beside(), is_done ? of_cube : before);
+          if (is_done) {
+            EXPECT_TRUE(session.run(first).done());
+          }
+          EXPECT_EQ(beside(), before);
+          for (const double x : {5.0, session.view.origin.x + session.view.size.width + 20.0})
+            session.pointing.point_at({x, 40});  // no view that is gone is asked
+        });
+  }
+}
+
 }  // namespace
 }  // namespace ryosen::test

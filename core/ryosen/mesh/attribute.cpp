@@ -1,12 +1,30 @@
 #include "ryosen/mesh/attribute.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace ryosen {
 
 CornerColumns make_corner_columns(std::string_view index_name, std::string_view pool_name) {
   return {make_column(index_name, ElementKind::corner, ValueRule::first, no_index),
           make_column(pool_name, ElementKind::pool, ValueRule::blend, glm::dvec3(0))};
+}
+
+double real_number(const AttributeColumn& column, std::uint32_t index, std::uint32_t number) {
+  const std::uint32_t* const value = column.data.data() + std::size_t{index} * column.words();
+  if (column.type.scalar == Scalar::float32) return std::bit_cast<float>(value[number]);
+  double found = 0;
+  std::memcpy(&found, value + 2 * std::size_t{number}, sizeof found);
+  return found;
+}
+
+void put_real_number(AttributeColumn& column, std::uint32_t index, std::uint32_t number, double value) {
+  std::uint32_t* const words = column.data.data() + std::size_t{index} * column.words();
+  if (column.type.scalar == Scalar::float32)
+    words[number] = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  else
+    std::memcpy(words + 2 * std::size_t{number}, &value, sizeof value);
 }
 
 bool has_attributes(const Mesh& mesh, ElementKind element) {

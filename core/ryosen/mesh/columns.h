@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,26 @@ inline constexpr Vertex dead_from{0xfffffffeu};
 
 enum class ElementKind : std::uint8_t { vertex, edge, corner, face, pool };
 // The rule by which an element gets a value from others: value_rules.h has the table.
-enum class ValueRule : std::uint8_t { blend, first, greatest, sum };
+enum class ValueRule : std::uint8_t { blend, first, greatest, sum, own };
+// copies: the sources stay, and the element is like them or lies between them. unites: it replaces its sources, which
+// are removed, or is one of them itself. divides: it is a part of one source.
+enum class Derivation : std::uint8_t { copies, unites, divides };
+// What an own rule makes a value of: the words of the values of the sources, with weights as derive_value() has them;
+// of a part that value of which it is one, with its share.
+struct ValueSources {
+  Derivation derivation;
+  std::span<const std::uint32_t* const> values;
+  std::span<const double> weights;
+
+  template <AttributeValue T>
+  T value(std::size_t source) const {
+    T value;
+    std::memcpy(&value, values[source], sizeof value);
+    return value;
+  }
+};
+// Writes the value, of as many words as its type has, which are 0 before. It must give the same for the same sources.
+using OwnRule = void (*)(const ValueSources& sources, std::uint32_t* value);
 
 // An attribute: a value per vertex, edge, corner (= halfedge) or face, or an append-only pool of values that another
 // column refers to by index.
@@ -43,6 +63,7 @@ struct AttributeColumn {
   std::vector<std::uint32_t> data;
   std::vector<std::uint32_t> fill;  // the value of a new element, words() long
   std::uint32_t is_removed = 0;     // 1: it keeps its place and its length, so that it can come back
+  OwnRule own_rule = nullptr;       // of ValueRule::own
 
   std::uint32_t words() const { return type.words(); }
   // Whether it has values of this kind of elements and is not removed.

@@ -230,7 +230,8 @@ void Edit::blend(Vertex to, std::span<const Vertex> sources, std::span<const dou
 bool Edit::has_means(ElementKind element) const {
   const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
   return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
-    return column.is_of(element) && column.rule == ValueRule::blend && is_floating(column.type.scalar);
+    return column.is_of(element) &&
+           ((column.rule == ValueRule::blend && is_floating(column.type.scalar)) || column.rule == ValueRule::own);
   });
 }
 
@@ -248,7 +249,7 @@ void Edit::unite_all(ElementKind element, std::uint32_t to, std::span<const std:
 bool Edit::has_sums(ElementKind element) const {
   const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
   return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
-    return column.is_of(element) && column.rule == ValueRule::sum;
+    return column.is_of(element) && (column.rule == ValueRule::sum || column.rule == ValueRule::own);
   });
 }
 
@@ -311,6 +312,7 @@ std::uint32_t Edit::append_value(std::size_t pool_attribute, std::span<const std
 std::size_t Edit::add_attribute(AttributeColumn column) {
   std::vector<AttributeColumn>& attributes = mesh_.columns_.attributes;
   assert(column.element != ElementKind::pool && mesh_.find_attribute(column.name) < 0);
+  assert((column.rule == ValueRule::own) == (column.own_rule != nullptr));
   assert(column.fill.size() == column.words() && column.data.empty() && attributes.size() < most_attributes);
   const std::size_t count = length_of(column.element, mesh_.vertex_slots(), mesh_.halfedge_slots(), mesh_.face_slots());
   column.data.reserve(count * column.words());

@@ -160,6 +160,13 @@ class Edit {
   std::size_t add_attribute(std::string_view name, ElementKind element, ValueRule rule, const T& value = T{}) {
     return add_attribute(make_column(name, element, rule, value));
   }
+  // With a rule of its own, which no file keeps.
+  template <AttributeValue T>
+  std::size_t add_attribute(std::string_view name, ElementKind element, OwnRule rule, const T& value = T{}) {
+    AttributeColumn column = make_column(name, element, ValueRule::own, value);
+    column.own_rule = rule;
+    return add_attribute(std::move(column));
+  }
   // Marks an attribute as removed, a corner attribute together with its pool: find_attribute() no longer finds it.
   // Other indices stay. O(1).
   void remove_attribute(std::size_t attribute);

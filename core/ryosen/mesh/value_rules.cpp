@@ -153,6 +153,13 @@ std::vector<T> whole_parts(T number, std::span<const double> shares) {
   return parts;
 }
 
+void make_by_own_rule(const Sources& sources, std::span<std::uint32_t> value) {
+  std::vector<const std::uint32_t*> values;
+  for (std::size_t i = 0; i < sources.at.size(); ++i) values.push_back(sources.words(i));
+  std::fill(value.begin(), value.end(), 0u);
+  sources.column.own_rule({sources.derivation, values, sources.weights}, value.data());
+}
+
 void copy_first(const Sources& sources, std::span<std::uint32_t> value) {
   std::copy_n(sources.words(sources.first()), value.size(), value.begin());
 }
@@ -162,13 +169,17 @@ void copy_first(const Sources& sources, std::span<std::uint32_t> value) {
 void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> at, std::span<const double> weights,
                   Derivation derivation, std::span<std::uint32_t> value) {
   assert(std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }));
+  assert(derivation != Derivation::divides);
   const Sources sources{column, at, weights, derivation};
+  if (column.rule == ValueRule::own && !(derivation == Derivation::copies && sources.is_one()))
+    return make_by_own_rule(sources, value);
   const bool has_mean = column.rule == ValueRule::blend && is_floating(column.type.scalar);
   if (column.rule == ValueRule::sum && derivation == Derivation::copies && at.size() > 1) {
     std::copy(column.fill.begin(), column.fill.end(), value.begin());
     return;
   }
-  if (sources.is_one() || column.rule == ValueRule::first || (column.rule == ValueRule::blend && !has_mean))
+  if (sources.is_one() || column.rule == ValueRule::first || column.rule == ValueRule::own ||
+      (column.rule == ValueRule::blend && !has_mean))
     return copy_first(sources, value);
   std::fill(value.begin(), value.end(), 0u);
   visit_scalar(column.type.scalar, [&](auto zero) {
@@ -187,12 +198,20 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
   const std::span<const std::uint32_t> whole(column.data.data() + std::size_t{source} * words, words);
   std::vector<std::uint32_t> values;
   for (std::size_t part = 0; part < shares.size(); ++part) values.insert(values.end(), whole.begin(), whole.end());
-  if (column.rule != ValueRule::sum || shares.empty()) return values;
+  if ((column.rule != ValueRule::sum && column.rule != ValueRule::own) || shares.empty()) return values;
   const std::vector<double> equal(shares.size(), 1);
   double total = std::accumulate(shares.begin(), shares.end(), 0.0);
   if (!(total > 0 && std::isfinite(total))) {
     shares = equal;
     total = static_cast<double>(equal.size());
+  }
+  if (column.rule == ValueRule::own) {
+    for (std::size_t part = 0; part < shares.size(); ++part) {
+      const double share = shares[part] / total;
+      make_by_own_rule({column, {&source, 1}, {&share, 1}, Derivation::divides},
+                       std::span(values).subspan(part * words, words));
+    }
+    return values;
   }
   visit_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);

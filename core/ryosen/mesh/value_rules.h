@@ -6,6 +6,7 @@
 //   greatest   largest of the sources       that of the source            largest of the sources
 //   sum        of a single source; the      its share of the source,      the sum of all sources
 //              default between several      integers by remainders
+//   own        what the function of the attribute makes of them; a copy of one source is its value
 //
 // Collapse and weld unite points and the edges that come to lie on each other; unite_edge unites two edges, dissolve
 // and unite_loop faces. Splits of all kinds divide. A swap keeps the value of the edge. What else is new has the
@@ -23,10 +24,6 @@
 #include "ryosen/mesh/columns.h"
 
 namespace ryosen {
-
-// copies: the sources stay, and the element is like them or lies between them. unites: it replaces its sources, which
-// are removed, or is one of them itself.
-enum class Derivation : std::uint8_t { copies, unites };
 
 // A derived value, from the values of a column at these indices, at least one, and as many weights, which add up to 1.
 // A mean of equal values is equal to them, bit for bit. Sources without weight count only where values are united, and

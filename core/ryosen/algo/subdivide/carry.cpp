@@ -4,16 +4,17 @@
 #include <cstring>
 #include <functional>
 #include <glm/common.hpp>
-#include <glm/vec4.hpp>
 #include <limits>
 #include <optional>
 
 #include "ryosen/algo/subdivide/masks.h"
+#include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
+#include "ryosen/mesh/value_rules.h"
 
 namespace ryosen::subdivide {
 
@@ -50,14 +51,13 @@ class ValueBounds {
   std::vector<std::pair<glm::dvec3, glm::dvec3>> bounds_;
 };
 
-// The mesh with the values of vertices, three of them from `first` on, as places and without attributes.
-Mesh mesh_of_values(const Mesh& mesh, const AttributeColumn& column, glm::length_t first) {
+// The mesh with the numbers of vertices, three of them from `first` on, as places and without attributes.
+Mesh mesh_of_values(const Mesh& mesh, const AttributeColumn& column, std::uint32_t first) {
   MeshColumns columns = mesh.columns();
   columns.attributes.clear();
-  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
-    const auto value = attribute_value<glm::dvec4>(column, i);
-    for (glm::length_t k = 0; k < 3; ++k) columns.positions[i][k] = first + k < 4 ? value[first + k] : 0;
-  }
+  for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      columns.positions[i][static_cast<int>(k)] = first + k < column.type.count ? real_number(column, i, first + k) : 0;
   return Mesh(std::move(columns));
 }
 
@@ -169,10 +169,44 @@ class Charts {
   std::optional<Mesh> means_;
 };
 
+double area_of(const MeshColumns& columns, Face f) {
+  std::vector<glm::dvec3> places;
+  Halfedge h = columns.face_halfedge[f.index];
+  do {
+    places.push_back(columns.positions[columns.halfedges[h.index].from.index]);
+    h = columns.halfedges[h.index].next;
+  } while (h != columns.face_halfedge[f.index]);
+  return polygon_area(places);
+}
+
+// Each face is divided among those that come of it, by their areas.
+template <class Child>
+void divide_faces(const Mesh& mesh, AttributeColumn& column, const MeshColumns& out, const Child& child) {
+  const AttributeColumn before = column;
+  column.data.resize(out.face_halfedge.size() * column.words());
+  std::vector<Face> parents(out.face_halfedge.size());
+  for (const Face f : live_faces(mesh)) parents[f.index] = f;  // one part keeps the number
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+    if (!mesh.is_outside(h)) parents[child(h).index] = mesh.face(h);
+  std::vector<std::vector<Face>> parts(mesh.face_slots());
+  for (Face part(0); part.index < parents.size(); ++part.index)
+    if (parents[part.index]) parts[parents[part.index].index].push_back(part);
+  for (const Face f : live_faces(mesh)) {
+    const std::vector<Face>& own = parts[f.index];
+    std::vector<double> areas;
+    for (const Face part : own) areas.push_back(area_of(out, part));
+    const std::vector<std::uint32_t> values = divide_value(before, f.index, areas);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      std::copy_n(values.data() + i * column.words(), column.words(),
+                  column.data.data() + std::size_t{own[i].index} * column.words());
+  }
+}
+
 // Each new face as the one it comes of.
 template <class Child>
-void carry_faces(const Mesh& mesh, AttributeColumn& column, std::size_t faces, const Child& child) {
-  column.data.resize(faces * column.words());
+void carry_faces(const Mesh& mesh, AttributeColumn& column, const MeshColumns& out, const Child& child) {
+  if (column.rule == ValueRule::sum || column.rule == ValueRule::own) return divide_faces(mesh, column, out, child);
+  column.data.resize(out.face_halfedge.size() * column.words());
   for (std::uint32_t i = 0; i < mesh.halfedge_slots(); ++i) {
     const Halfedge h(i);
     if (mesh.is_outside(h)) continue;
@@ -205,7 +239,7 @@ struct NewVertices {
   std::vector<Vertex> sources;
 };
 
-// Of doubles by the step; other words are those of the vertex that the new one has come of.
+// Means by the step; else those of the vertex that the new one has come of, but for sums, of which it has none.
 void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
                     AttributeColumn& column) {
   const AttributeColumn before = column;
@@ -214,16 +248,20 @@ void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, 
   const auto put = [&](std::size_t i, const std::uint32_t* words) {
     std::copy(words, words + column.words(), column.data.data() + i * column.words());
   };
-  if (column.type != value_type<glm::dvec4> || column.rule != ValueRule::blend) {
+  if (!is_floating(column.type.scalar) || column.rule != ValueRule::blend) {
     for (std::size_t i = old_count; i < count; ++i)
-      put(i, before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words());
+      put(i, column.rule == ValueRule::sum
+                 ? column.fill.data()
+                 : before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words());
     return;
   }
-  const Places first = step(mesh_of_values(mesh, before, 0), creases),
-               last = step(mesh_of_values(mesh, before, 3), creases);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t place = i < old_count ? i : added.places[i - old_count];
-    put(i, attribute_words(glm::dvec4(first[place], last[place].x)).data());
+  for (std::uint32_t first = 0; first < column.type.count; first += 3) {
+    const Places values = step(mesh_of_values(mesh, before, first), creases);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::size_t place = i < old_count ? i : added.places[i - old_count];
+      for (std::uint32_t k = first; k < std::min(first + 3, column.type.count); ++k)
+        put_real_number(column, i, k, values[place][static_cast<int>(k - first)]);
+    }
   }
 }
 
@@ -325,7 +363,7 @@ void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, c
   out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
   for (AttributeColumn& column : out.attributes) {
     if (column.element == ElementKind::vertex) carry_vertices(mesh, creases, step, added, column);
-    if (column.element == ElementKind::face) carry_faces(mesh, column, out.face_halfedge.size(), child);
+    if (column.element == ElementKind::face) carry_faces(mesh, column, out, child);
     if (column.element == ElementKind::corner && mesh.halfedge_slots() != out.halfedges.size()) {
       column.data.clear();
       for (std::size_t h = 0; h < out.halfedges.size(); ++h)

@@ -6,8 +6,10 @@
 
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/invariants.h"
+#include "ryosen/ops/all.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
+#include "tests/support/core/shapes.h"
 #include "tests/support/core/valued_sheet.h"
 
 namespace ryosen {
@@ -193,6 +195,30 @@ TEST(edit_attributes, a_corner_attribute_and_its_pool_are_removed_together) {
     journal.undo(mesh);
     EXPECT_EQ(mesh.columns(), before);
   }
+}
+
+void longest_word(const ValueSources& sources, std::uint32_t* value) {
+  for (std::size_t i = 0; i < sources.values.size(); ++i) *value = std::max(*value, *sources.values[i]);
+}
+
+TEST(edit_attributes, an_own_rule_is_asked_by_operators_and_undone) {
+  Mesh mesh = test::make_mesh({{0, 1, 2}, {2, 1, 3}});
+  Journal journal;
+  std::size_t k = 0;
+  {
+    Edit edit(mesh, &journal);
+    k = edit.add_attribute("level", ElementKind::vertex, longest_word, std::uint32_t{1});
+    edit.set_attribute(k, 1, attribute_words(std::uint32_t{7}));
+    edit.set_attribute(k, 2, attribute_words(std::uint32_t{5}));
+    edit.commit();
+  }
+  const MeshColumns before = mesh.columns();
+  Edit edit(mesh, &journal);
+  ryosen::apply(edit, SplitEdge{find_halfedge(mesh, Vertex(1), Vertex(2)), 0.5});
+  edit.commit();
+  EXPECT_EQ(attribute_value<std::uint32_t>(mesh.attributes()[k], 4), 7u);
+  journal.undo(mesh);
+  EXPECT_EQ(mesh.columns(), before);
 }
 
 }  // namespace

@@ -169,5 +169,24 @@ TEST(value_rules, parts_of_whole_numbers_add_up_to_them) {
   }
 }
 
+// The number farthest from 0; a part of it by its share, rounded up.
+void farthest_from_zero(const ValueSources& sources, std::uint32_t* value) {
+  double found = 0;
+  for (std::size_t i = 0; i < sources.values.size(); ++i)
+    if (const auto number = sources.value<double>(i); std::abs(number) > std::abs(found)) found = number;
+  if (sources.derivation == Derivation::divides) found = std::ceil(found * sources.weights[0]);
+  std::memcpy(value, &found, sizeof found);
+}
+
+TEST(value_rules, an_own_rule_makes_all_but_copies_of_one) {
+  AttributeColumn column = column_of<double>(ValueRule::own, {3, -9, 5}, 0);
+  column.own_rule = farthest_from_zero;
+  EXPECT_EQ(derived<double>(column, {0, 1, 2}, {0.5, 0.25, 0.25}, Derivation::copies), -9);
+  EXPECT_EQ(derived<double>(column, {0, 1, 2}, {1, 0, 0}, Derivation::unites), -9);
+  EXPECT_EQ(derived<double>(column, {0, 1, 2}, {1, 0, 0}, Derivation::copies), 3);
+  EXPECT_EQ(parts<double>(column, {1, 1, 3}), (std::vector<double>{1, 1, 2}));
+  EXPECT_EQ(parts<double>(column, {0, 0}), (std::vector<double>{2, 2}));
+}
+
 }  // namespace
 }  // namespace ryosen

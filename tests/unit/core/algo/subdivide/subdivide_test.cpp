@@ -17,7 +17,10 @@
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
+#include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/invariants.h"
+#include "ryosen/mesh/live_elements.h"
+#include "ryosen/ops/triangulate.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
@@ -527,6 +530,54 @@ TEST(Subdivide, values_stay_where_they_are_on_the_surface) {
       for (std::size_t v = 0; v < out.positions.size(); ++v) {
         EXPECT_LT(glm::distance(glm::dvec3(out.vertex_colours[v]), out.positions[v]), 1e-13);
         EXPECT_EQ(out.vertex_colours[v].w, 0.3) << "equal values stay to the bit";
+      }
+    }
+}
+
+// Places as five doubles and as a float; sums of faces by their areas and of edges; what points have of sums stays with
+// them.
+TEST(Subdivide, values_of_all_types_go_by_their_rules) {
+  for (const Scheme scheme : all_schemes)
+    for (const bool to_limit : {false, true}) {
+      Mesh mesh = shaken(torus_grid(5, 4));
+      if (scheme == Scheme::loop || scheme == Scheme::sqrt3) {
+        Edit edit(mesh, nullptr);
+        Triangulate{}.apply(edit);
+        edit.commit();
+      }
+      Edit edit(mesh, nullptr);
+      const std::size_t five =
+                            edit.add_attribute("five", ElementKind::vertex, ValueRule::blend, std::array<double, 5>{}),
+                        one = edit.add_attribute("one", ElementKind::vertex, ValueRule::blend, 0.0f),
+                        mass = edit.add_attribute("mass", ElementKind::vertex, ValueRule::sum, 7),
+                        count = edit.add_attribute("count", ElementKind::face, ValueRule::sum, std::int64_t{0}),
+                        length = edit.add_attribute("length", ElementKind::edge, ValueRule::sum, 0.0);
+      for (const Vertex v : live_vertices(mesh)) {
+        const glm::dvec3 p = mesh.position(v);
+        edit.set_attribute(five, v.index, attribute_words(std::array{p.x, p.y, p.z, 0.3, p.y}));
+        edit.set_attribute(one, v.index, attribute_words(static_cast<float>(p.x)));
+      }
+      for (const Face f : live_faces(mesh)) edit.set_attribute(count, f.index, attribute_words(std::int64_t{101}));
+      for (const Edge e : live_edges(mesh)) edit.set_attribute(length, e.index, attribute_words(3.0));
+      edit.commit();
+      const Mesh finer = made(mesh, {.scheme = scheme, .steps = 2, .to_limit = to_limit});
+      const auto column = [&](std::size_t k) -> const AttributeColumn& { return finer.attributes()[k]; };
+      for (const Vertex v : live_vertices(finer)) {
+        const auto values = attribute_value<std::array<double, 5>>(column(five), v.index);
+        const glm::dvec3 p = finer.position(v);
+        EXPECT_LT(glm::distance(glm::dvec3(values[0], values[1], values[2]), p), 1e-13);
+        EXPECT_EQ(values[3], 0.3) << "equal values stay to the bit";
+        EXPECT_EQ(values[4], values[1]);
+        EXPECT_NEAR(attribute_value<float>(column(one), v.index), p.x, 1e-6);
+        EXPECT_EQ(attribute_value<int>(column(mass), v.index), 7) << "the default of what lies between several";
+      }
+      std::int64_t counted = 0;
+      for (const Face f : live_faces(finer)) counted += attribute_value<std::int64_t>(column(count), f.index);
+      EXPECT_EQ(counted, 101 * std::int64_t{mesh.live().faces});
+      double sum = 0;
+      for (const Edge e : live_edges(finer)) sum += attribute_value<double>(column(length), e.index);
+      if (scheme != Scheme::sqrt3) {
+        EXPECT_NEAR(sum, 3.0 * mesh.live().edges, 1e-9);
       }
     }
 }

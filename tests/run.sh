@@ -55,7 +55,7 @@ configure_tests() {
   [ -z "$has_tests" ] || return 0
   has_tests=yes
   cmake -S "$root" -B "$root/build/tests" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" \
-    -DRYOSEN_TESTS=ON -DRYOSEN_PEERS=$peers >&2
+    -DRYOSEN_TESTS=ON -DRYOSEN_PROVENANCE=ON -DRYOSEN_PEERS=$peers >&2
 }
 
 # By another compiler, under the sanitizers, with the mesh checked after every edit.

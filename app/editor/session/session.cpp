@@ -152,6 +152,7 @@ void Session::end_comparing() {
 void Session::compare_with(std::unique_ptr<Document> other) {
   Size whole = view.size;
   if (compared_) whole.width += gap_px + compared_->state().size.width;
+  const auto colouring = view.colouring;
   if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
   auto compared = other ? std::make_unique<Compared>(std::move(other), preferences) : nullptr;
   if (compared) pointing.add(compared->view());
@@ -169,6 +170,7 @@ void Session::compare_with(std::unique_ptr<Document> other) {
     framing.frame_all();
   } catch (const std::bad_alloc&) {
     exchange();
+    view.colouring = colouring;
     if (compared) pointing.remove(compared->view());
     throw;
   }

@@ -46,7 +46,7 @@ requires(sizeof(T) % sizeof(std::uint32_t) == 0) std::vector<T> attribute_values
   if (!values.empty()) std::memcpy(values.data(), column.data.data(), values.size() * sizeof(T));
   return values;
 }
-// A number of a value of floats or doubles.
+// One number of a value, whose type must be of floats or doubles.
 double real_number(const AttributeColumn& column, std::uint32_t index, std::uint32_t number);
 void put_real_number(AttributeColumn& column, std::uint32_t index, std::uint32_t number, double value);
 // A value as the words of a column.

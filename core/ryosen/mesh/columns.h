@@ -36,8 +36,8 @@ enum class ValueRule : std::uint8_t { blend, first, greatest, sum, own };
 // copies: the sources stay, and the element is like them or lies between them. unites: it replaces its sources, which
 // are removed, or is one of them itself. divides: it is a part of one source.
 enum class Derivation : std::uint8_t { copies, unites, divides };
-// What an own rule makes a value of: the words of the values of the sources, with weights as derive_value() has them;
-// of a part that value of which it is one, with its share.
+// The input of an own rule: the values of the sources, as words, and their weights (see derive_value). A part has one
+// source, the value that is divided, and its share as weight.
 struct ValueSources {
   Derivation derivation;
   std::span<const std::uint32_t* const> values;

@@ -227,7 +227,7 @@ void Edit::blend(Vertex to, std::span<const Vertex> sources, std::span<const dou
   }
 }
 
-bool Edit::has_means(ElementKind element) const {
+bool Edit::needs_shares_to_unite(ElementKind element) const {
   const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
   return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
     return column.is_of(element) &&
@@ -246,7 +246,7 @@ void Edit::unite_all(ElementKind element, std::uint32_t to, std::span<const std:
   derive_all(element, to, sources, shares, Derivation::unites);
 }
 
-bool Edit::has_sums(ElementKind element) const {
+bool Edit::needs_shares_to_divide(ElementKind element) const {
   const std::vector<AttributeColumn>& all = mesh_.columns_.attributes;
   return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) {
     return column.is_of(element) && (column.rule == ValueRule::sum || column.rule == ValueRule::own);

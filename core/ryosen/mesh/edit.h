@@ -79,12 +79,12 @@ class Edit {
   Vertex add_vertex(const glm::dvec3& position);
   Halfedge add_edge(Vertex from, Vertex to);
   Face add_face(Halfedge first);
-  // The slot stays, marked dead. The caller must already have redirected the links of other elements to it. Its values
-  // are those of an element that it is united with (see derive()).
+  // Removes an element that was a source of what it is united with (see derive()). The slot stays, marked dead. The
+  // caller must already have redirected the links of other elements to it.
   void remove(Vertex v);
   void remove(Edge e);
   void remove(Face f);
-  // The same, of an element whose values go with it.
+  // Removes an element and its values.
   template <class Handle>
   void drop(Handle gone) {
     provenance_.ends(kind_of(gone), gone.index);
@@ -111,9 +111,11 @@ class Edit {
   // Between two sources: t from the first to the second.
   template <class Handle>
   bool derive(Handle to, Handle first, Handle second, double t, Derivation derivation) {
-    const Handle sources[] = {first, second};
+    const Handle handles[] = {first, second};
+    const std::uint32_t sources[] = {first.index, second.index};
     const double weights[] = {1 - t, t};
-    return derive<Handle>(to, sources, weights, derivation);
+    tell<Handle>(to, handles, derivation);
+    return !mesh_.columns_.attributes.empty() && derive_all(kind_of(to), to.index, sources, weights, derivation);
   }
   // The same for a value in a pool: the index of one of the sources where one alone has a weight or all are equal,
   // no_index where one with a weight is none, else that of a value that is appended.
@@ -124,25 +126,25 @@ class Edit {
                                      std::span<const double> weights, Derivation derivation);
   // Gives a vertex the means of its sources; attributes that have no means stay.
   void blend(Vertex to, std::span<const Vertex> sources, std::span<const double> weights);
-  // Divides an element into parts, of which it may be one itself (see divide_value). `shares()` is asked only where
-  // there are sums.
+  // Divides an element into parts, of which it may be one itself (see divide_value). `shares()` is asked only where a
+  // rule divides.
   template <class Handle, class Shares>
   void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
     for (const Handle part : parts) provenance_.tells(kind_of(part), part.index);
     if (mesh_.columns_.attributes.empty()) return;
     const ElementKind element = kind_of(source);
     divide_all(element, source.index, indices_of(parts),
-               has_sums(element) ? shares() : std::vector<double>(parts.size(), 1));
+               needs_shares_to_divide(element) ? shares() : std::vector<double>(parts.size(), 1));
   }
   // Unites elements, of which `to` may be one. Shares need not add up to 1; where they add up to nothing or are not
-  // finite, all are equal. `shares()` is asked only where there are means.
+  // finite, all are equal. `shares()` is asked only where a rule has means.
   template <class Handle, class Shares>
   void unite(Handle to, std::span<const Handle> sources, const Shares& shares) {
     tell(to, sources, Derivation::unites);
     if (mesh_.columns_.attributes.empty()) return;
     const ElementKind element = kind_of(to);
     unite_all(element, to.index, indices_of(sources),
-              has_means(element) ? shares() : std::vector<double>(sources.size(), 1));
+              needs_shares_to_unite(element) ? shares() : std::vector<double>(sources.size(), 1));
   }
   // Gives a new element, or a corner that lies outside now, the default of each attribute.
   template <class Handle>
@@ -209,8 +211,8 @@ class Edit {
                   std::span<const double> weights, Derivation derivation);
   bool derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,
                      std::span<const double> weights, Derivation derivation);
-  bool has_sums(ElementKind element) const;
-  bool has_means(ElementKind element) const;
+  bool needs_shares_to_divide(ElementKind element) const;
+  bool needs_shares_to_unite(ElementKind element) const;
   void unite_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                  std::vector<double> shares);
   void divide_all(ElementKind element, std::uint32_t source, std::span<const std::uint32_t> parts,

@@ -29,14 +29,14 @@ std::optional<std::string> Provenance::untold(const Mesh& mesh) const {
     const auto k = static_cast<std::size_t>(kind);
     for (const std::uint32_t index : created_[k])
       if (is_there(mesh, kind, index) && !told_[k].contains(index))
-        return letters[k] + std::to_string(index) + " was created, and not said what it comes from";
+        return letters[k] + std::to_string(index) + " was created without saying what its values come from";
     for (const std::uint32_t index : removed_[k]) {
       // A corner goes with its edge; one that lies outside now has the defaults.
       const bool is_gone = kind == ElementKind::corner
                                ? mesh.is_alive(Halfedge(index)) && mesh.is_outside(Halfedge(index))
                                : !is_there(mesh, kind, index) && !created_[k].contains(index);
       if (is_gone && !ended_[k].contains(index) && !(kind == ElementKind::corner && told_[k].contains(index)))
-        return letters[k] + std::to_string(index) + " was removed, and not said what it is united with";
+        return letters[k] + std::to_string(index) + " was removed without saying what it is united with";
     }
   }
   return std::nullopt;

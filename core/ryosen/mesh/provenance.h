@@ -26,7 +26,7 @@ class Provenance {
   void tells(ElementKind kind, std::uint32_t index) { add(told_, kind, index); }
   // That its values go to an element that it is united with, or with it.
   void ends(ElementKind kind, std::uint32_t index) { add(ended_, kind, index); }
-  // A sentence on the first element of which nothing was said.
+  // A sentence on an element of which nothing was said.
   std::optional<std::string> untold(const Mesh& mesh) const;
 
  private:

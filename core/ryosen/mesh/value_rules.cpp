@@ -155,9 +155,14 @@ std::vector<T> whole_parts(T number, std::span<const double> shares) {
 
 void make_by_own_rule(const Sources& sources, std::span<std::uint32_t> value) {
   std::vector<const std::uint32_t*> values;
-  for (std::size_t i = 0; i < sources.at.size(); ++i) values.push_back(sources.words(i));
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sources.at.size(); ++i) {
+    if (sources.derivation == Derivation::copies && !sources.counts(i)) continue;
+    values.push_back(sources.words(i));
+    weights.push_back(sources.weights[i]);
+  }
   std::fill(value.begin(), value.end(), 0u);
-  sources.column.own_rule({sources.derivation, values, sources.weights}, value.data());
+  sources.column.own_rule({sources.derivation, values, weights}, value.data());
 }
 
 void copy_first(const Sources& sources, std::span<std::uint32_t> value) {
@@ -198,7 +203,7 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
   const std::span<const std::uint32_t> whole(column.data.data() + std::size_t{source} * words, words);
   std::vector<std::uint32_t> values;
   for (std::size_t part = 0; part < shares.size(); ++part) values.insert(values.end(), whole.begin(), whole.end());
-  if ((column.rule != ValueRule::sum && column.rule != ValueRule::own) || shares.empty()) return values;
+  if ((column.rule != ValueRule::sum && column.rule != ValueRule::own) || shares.size() < 2) return values;
   const std::vector<double> equal(shares.size(), 1);
   double total = std::accumulate(shares.begin(), shares.end(), 0.0);
   if (!(total > 0 && std::isfinite(total))) {

@@ -1,6 +1,7 @@
 #include "ryosen/ops/collapse_edge.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -18,6 +19,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/local_facts.h"
+#include "ryosen/ops/rules/shares.h"
 
 namespace ryosen {
 
@@ -59,7 +61,26 @@ namespace {
 
 constexpr std::size_t usual_valence = 12;  // for reserving lists
 
-// Corner values of an attribute that become one.
+// How far the place lies from the end that goes (0) to the one that stays (1). `h` leads from the first to the other,
+// against the halfedge of the operator where its first end has to stay.
+double along(const Mesh& m, const CollapseEdge& op, Halfedge h) {
+  const bool is_turned = h != op.halfedge;
+  switch (op.place) {
+    case CollapseEdge::Place::automatic:
+      return 1;
+    case CollapseEdge::Place::start:
+      return is_turned ? 1 : 0;
+    case CollapseEdge::Place::end:
+      return is_turned ? 0 : 1;
+    case CollapseEdge::Place::middle:
+      return 0.5;
+    case CollapseEdge::Place::point:
+      break;
+  }
+  return closest_parameter(m.position(m.from(h)), m.position(m.to(h)), op.target);
+}
+
+// Corner values of an attribute at both ends of a side, which become one.
 struct MergedCorners {
   using Value = std::vector<std::uint32_t>;
   Value gone, kept, made;
@@ -68,30 +89,41 @@ struct MergedCorners {
 // Corners that have the value of a side at one of its ends (so up to seams) get that of the side at `along`.
 void merge_corners(Edit& edit, Halfedge h, double along) {
   const Mesh& m = edit.mesh();
+  const std::vector<CornerAttribute> pooled = corner_attributes(m);
   for (std::size_t k = 0; k < m.attributes().size(); ++k) {
     const AttributeColumn& column = m.attributes()[k];
+    const bool has_pool =
+        std::any_of(pooled.begin(), pooled.end(), [&](const CornerAttribute& each) { return each.index_column == k; });
     if (!column.is_of(ElementKind::corner) || column.rule == ValueRule::sum) continue;
     const auto value_at = [&](Halfedge corner) {
-      const auto begin = column.data.begin() + static_cast<std::ptrdiff_t>(std::size_t{corner.index} * column.words());
-      return MergedCorners::Value(begin, begin + static_cast<std::ptrdiff_t>(column.words()));
+      return std::span(column.data).subspan(std::size_t{corner.index} * column.words(), column.words());
+    };
+    const auto is = [&](const MergedCorners::Value& value, Halfedge corner) {
+      return std::equal(value.begin(), value.end(), value_at(corner).begin());
     };
     std::vector<MergedCorners> charts;
     for (const Halfedge side : {h, twin(h)}) {
       if (m.is_outside(side)) continue;
       const Halfedge at_gone = side == h ? side : m.next(side), at_kept = side == h ? m.next(side) : side;
-      const MergedCorners::Value gone = value_at(at_gone), kept = value_at(at_kept);
-      if (std::any_of(charts.begin(), charts.end(), [&](const auto& c) { return c.gone == gone && c.kept == kept; }))
+      if (std::any_of(charts.begin(), charts.end(),
+                      [&](const auto& c) { return is(c.gone, at_gone) && is(c.kept, at_kept); }))
         continue;
-      const std::uint32_t ends[] = {at_kept.index, at_gone.index};
-      const double weights[] = {along, 1 - along};
-      charts.push_back({gone, kept, edit.derived(k, ends, weights, Derivation::copies)});
+      std::array<std::uint32_t, 2> ends{at_gone.index, at_kept.index};
+      std::array<double, 2> weights{1 - along, along};
+      if (along >= 0.5 && !has_pool) {  // the nearer one first; values of pools have but means
+        std::swap(ends[0], ends[1]);
+        std::swap(weights[0], weights[1]);
+      }
+      const auto gone = value_at(at_gone), kept = value_at(at_kept);
+      charts.push_back(
+          {{gone.begin(), gone.end()}, {kept.begin(), kept.end()}, edit.derived(k, ends, weights, Derivation::copies)});
     }
     const auto update = [&](Vertex v, MergedCorners::Value MergedCorners::*old) {
       if (std::all_of(charts.begin(), charts.end(), [&](const auto& c) { return c.*old == c.made; })) return;
       for (const Halfedge corner : outgoing(m, v)) {
         if (m.is_outside(corner)) continue;
-        const MergedCorners::Value value = value_at(corner);
-        const auto chart = std::find_if(charts.begin(), charts.end(), [&](const auto& c) { return c.*old == value; });
+        const auto chart =
+            std::find_if(charts.begin(), charts.end(), [&](const auto& c) { return is(c.*old, corner); });
         if (chart != charts.end()) edit.set_attribute(k, corner.index, chart->made);
       }
     };
@@ -100,19 +132,15 @@ void merge_corners(Edit& edit, Halfedge h, double along) {
   }
 }
 
-// The values of both ends become those at `along`, from the one that goes to the one that stays; first comes that of
-// the nearer one. Values stand at the numbers of vertices, which may be others than their slots.
+// The values of both ends become those at `along`. Values stand at the numbers of vertices, which may be others than
+// their slots.
 void merge_ends(Edit& edit, Halfedge h, double along, Vertex gone_number, Vertex kept_number) {
   const Mesh& m = edit.mesh();
-  if (along < 0.5)
-    edit.derive(kept_number, gone_number, kept_number, along, Derivation::unites);
-  else
-    edit.derive(kept_number, kept_number, gone_number, 1 - along, Derivation::unites);
-  if (m.attributes().empty()) return;
-  for_each_copy(m, m.to(h), [&](Vertex copy) {
-    if (copy != m.to(h)) edit.derive(copy, kept_number, Derivation::copies);
-  });
-  merge_corners(edit, h, along);
+  if (unite_ends(edit, gone_number, kept_number, along))
+    for_each_copy(m, m.to(h), [&](Vertex copy) {
+      if (copy != m.to(h)) edit.derive(copy, kept_number, Derivation::copies);
+    });
+  if (!m.attributes().empty()) merge_corners(edit, h, along);
 }
 
 // The edges that take the place of others where triangles go. They share their values with the other sheets between
@@ -252,7 +280,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   effect.deleted.push_back(edge(h));
   std::optional<glm::dvec3> moved;
   if (place != Place::automatic) moved = position(m);
-  merge_ends(edit, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1, gone, kept);
+  merge_ends(edit, h, along(m, *this, h), gone, kept);
   const StayingEdges staying(m, h);
   Halfedge hold = m.halfedge(kept);
   const Halfedge some = take_edge_out(edit, h, effect);
@@ -303,8 +331,7 @@ class CollapseSeries : public OneByOne {
     const Vertex gone = m.from(h), kept = m.to(h);
     std::optional<glm::dvec3> moved;
     if (op.place != CollapseEdge::Place::automatic) moved = op.position(m);
-    merge_ends(edit_, h, moved ? closest_parameter(m.position(gone), m.position(kept), *moved) : 1, number(gone),
-               number(kept));
+    merge_ends(edit_, h, along(m, op, h), number(gone), number(kept));
     known_.collapses(m, h);
     join(h, moved);
   }

@@ -247,7 +247,8 @@ class ExtrudedEdges {
     const Face quad = is_free ? attach_face(edit_, sheets_, corners) : put_beside(side, corners);
     if (face) edit_.derive(quad, face, Derivation::copies);
     if (!face) return;
-    // Those of the face at both ends of its side go up with them; but for normals, which belong to the old surface.
+    // Corner values of the face at both ends of its side go up with them. Normals do not, they belong to the old
+    // surface.
     std::size_t corner = 0;
     for (Halfedge h : halfedges_around(m_, quad)) {
       const bool is_at_b = corner == 0 || corner == 3;

@@ -17,6 +17,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/pinch.h"
+#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
 #include "ryosen/ops/rules/weld_judge.h"
@@ -221,6 +222,13 @@ std::vector<Reason> Weld::warnings(const Mesh& mesh) const {
 
 namespace {
 
+// From the one that stays to the other.
+double along(const Mesh& m, const Weld& op, Vertex goes, Vertex stays) {
+  if (op.place == Weld::Place::middle) return 0.5;
+  return op.place == Weld::Place::point && !op.first ? closest_parameter(m.position(stays), m.position(goes), op.target)
+                                                     : 0;
+}
+
 glm::dvec3 place_of(const Mesh& m, const Weld& op, Vertex goes, Vertex stays) {
   if (op.place == Weld::Place::point && !op.first) return op.target;
   return op.place == Weld::Place::middle ? point_between(m.position(stays), m.position(goes), 0.5) : m.position(stays);
@@ -244,12 +252,12 @@ void unite_edges_at(Edit& edit, Vertex goes, Vertex stays) {
         edit.derive(edge(h), at->second, Derivation::copies);
         continue;
       }
-      const std::vector<Halfedge> sheets = sheets_between(m, stays, beyond);
+      const std::vector<Halfedge> sheets = sheets_between(m, beyond, stays);
       if (sheets.empty()) continue;
       const Edge first = edge(sheets[0]);
       united.emplace(beyond, first);
-      edit.derive(first, first, edge(h), 0.5, Derivation::unites);
-      for (const Halfedge sheet : sheets) edit.derive(edge(sheet), first, Derivation::copies);
+      if (edit.derive(first, first, edge(h), 0.5, Derivation::unites))
+        for (const Halfedge sheet : sheets) edit.derive(edge(sheet), first, Derivation::copies);
       edit.derive(edge(h), first, Derivation::copies);
     }
   });
@@ -260,7 +268,7 @@ void unite_points(Edit& edit, Sheets& sheets, Vertex goes, Vertex stays, double 
   const Mesh& m = edit.mesh();
   unite_edges_at(edit, goes, stays);
   move_point(edit, goes, m.position(stays));
-  if (edit.derive(stays, stays, goes, along, Derivation::unites))
+  if (unite_ends(edit, goes, stays, 1 - along))
     for_each_copy(m, stays, [&](Vertex copy) {
       if (copy != stays) edit.derive(copy, stays, Derivation::copies);
     });
@@ -310,10 +318,9 @@ OpEffect Weld::apply(Edit& edit, ManifoldPoint& known) const {
   std::vector<Vertex> joined, touched;
   if (is_known && are_two_points) joined = take_joined(m, b, known);
   for (const auto& [goes, stays] : pairs) {
-    const glm::dvec3 at = place_of(m, *this, goes, stays);
-    const double along = closest_parameter(m.position(stays), m.position(goes), at);
-    move_whole(edit, sheets, stays, at);
-    unite_points(edit, sheets, goes, stays, along);
+    const double t = along(m, *this, goes, stays);
+    move_whole(edit, sheets, stays, place_of(m, *this, goes, stays));
+    unite_points(edit, sheets, goes, stays, t);
   }
   if (is_one_point) {
     move_whole(edit, sheets, a, place_of(m, *this, b, a));

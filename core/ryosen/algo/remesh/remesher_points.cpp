@@ -216,6 +216,15 @@ void Remesher::take_values(const Mesh& before) {
   ShareWriter writer(edit_, before);
   for (Vertex v(0); v.index < mesh_.vertex_slots(); ++v.index)
     if (found[v.index]) writer.write(v, *found[v.index]);
+  // Points that stayed keep what they had, whatever was collapsed into them.
+  for (std::size_t k = 0; k < before.attributes().size(); ++k) {
+    const AttributeColumn& column = before.attributes()[k];
+    if (!column.is_of(ElementKind::vertex)) continue;
+    for (Vertex v(0); v.index < before.vertex_slots(); ++v.index)
+      if (mesh_.is_alive(v) && is_fixed(v))
+        edit_.set_attribute(k, v.index,
+                            std::span(column.data).subspan(std::size_t{v.index} * column.words(), column.words()));
+  }
 }
 
 }  // namespace ryosen::remesh

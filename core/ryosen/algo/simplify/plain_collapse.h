@@ -7,10 +7,10 @@
 namespace ryosen {
 
 // from(h) goes, to(h) stays where it is; the caller unites their values. quick_collapse(mesh, h) must have said legal.
-// `drop(stays, goes)` is told of each edge that goes for another one between the same points. Cost: the valence of the
-// one that goes.
-template <class Drop>
-void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
+// `take_over(stays, goes)` is told of each edge that goes for another one between the same points. Cost: the valence of
+// the one that goes.
+template <class TakeOver>
+void plain_collapse(Edit& edit, Halfedge h, TakeOver take_over) {
   const Mesh& m = edit.mesh();
   const Halfedge o = twin(h);
   const Vertex gone = m.from(h), kept = m.to(h);
@@ -36,7 +36,7 @@ void plain_collapse(Edit& edit, Halfedge h, Drop drop) {
     if (at.face && m.halfedge(at.face) == beyond) edit.set_halfedge(at.face, staying);
     const Halfedge from_apex = m.from(going) == apex ? going : beyond;
     if (m.halfedge(apex) == from_apex) edit.set_halfedge(apex, m.from(staying) == apex ? staying : twin(staying));
-    drop(edge(staying), edge(going));
+    take_over(edge(staying), edge(going));
     edit.derive(edge(staying), edge(staying), edge(going), 0.5, Derivation::unites);
     edit.remove(edge(going));
     edit.drop(face);

@@ -14,7 +14,9 @@
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/rings.h"
 #include "ryosen/ops/collapse_edge.h"
+#include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/plain_check.h"
+#include "ryosen/ops/rules/shares.h"
 
 namespace ryosen {
 
@@ -33,11 +35,6 @@ bool has_only_triangles(const Mesh& mesh) {
   return true;
 }
 
-bool has_values(const Mesh& mesh, ElementKind kind) {
-  return std::any_of(mesh.attributes().begin(), mesh.attributes().end(),
-                     [&](const AttributeColumn& column) { return column.element == kind; });
-}
-
 }  // namespace
 
 Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps,
@@ -51,8 +48,8 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       input_(input),
       is_blocked_(mesh_.edge_slots()),
       has_blocked_(mesh_.vertex_slots()),
-      has_corner_values_(!corner_attributes(mesh_).empty()),
-      has_vertex_values_(has_values(mesh_, ElementKind::vertex)),
+      has_corner_values_(has_attributes(mesh_, ElementKind::corner)),
+      has_vertex_values_(has_attributes(mesh_, ElementKind::vertex)),
       has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (!steps) edit_.emplace(mesh, nullptr);
@@ -247,13 +244,16 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
   carry_values(h, placing);
   if (!merged_into_.empty()) merged_into_[gone.index] = kept;
   if (!is_plain) return collapse_by_kernel(h, placing, position);
-  const Vertex nearer = placing.at == gone ? gone : kept, other = nearer == kept ? gone : kept;
-  edit_->derive(kept, nearer, other, 0, Derivation::unites);
+  const double along = placing.at == gone || !has_vertex_values_ ? 0
+                       : placing.at == kept                      ? 1
+                                            : closest_parameter(mesh_.position(gone), mesh_.position(kept), position);
+  unite_ends(*edit_, gone, kept, along);
   plain_collapse(*edit_, h, [&](Edge stays, Edge goes) { surface_.take_over(stays, goes); });
   edit_->set_position(kept, position);
 }
 
-// Before the collapse, which finds them equal at both ends; where one end comes to the other it does what is needed.
+// Gives both ends the values of the place before the collapse unites them. Where one end comes to the other, uniting is
+// enough.
 void Simplifier::carry_values(Halfedge h, const Placing& placing) {
   if (placing.at || !(has_vertex_values_ || has_corner_values_)) return;
   const RingValues values(surface_, h, placing.place);

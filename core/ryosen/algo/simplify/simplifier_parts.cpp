@@ -106,12 +106,12 @@ void Simplifier::remove_part(std::span<const Vertex> part) {
     for (Halfedge h : outgoing(mesh_, v)) {
       if (const Face f = mesh_.face(h); f && mesh_.is_alive(f)) {
         if (guard_) guard_->forget(f);
-        edit_->remove(f);
+        edit_->drop(f);
       }
       if (h < twin(h)) edges.push_back(edge(h));
     }
-  for (Edge e : edges) edit_->remove(e);
-  for (Vertex v : part) edit_->remove(v);
+  for (Edge e : edges) edit_->drop(e);
+  for (Vertex v : part) edit_->drop(v);
   if (steps_) {
     edit_->commit();
     edit_.reset();

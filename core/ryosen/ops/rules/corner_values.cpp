@@ -19,7 +19,7 @@ bool is_seam(const Mesh& mesh, Halfedge h) {
 void merge_corner_values(Edit& edit, std::span<const Edge> edges_that_go, const NumberOfFace& number) {
   const Mesh& m = edit.mesh();
   const auto goes = [&](Halfedge h) { return std::binary_search(edges_that_go.begin(), edges_that_go.end(), edge(h)); };
-  if (m.attributes().empty()) return;
+  if (!has_attributes(m, ElementKind::corner)) return;
   for (Edge e : edges_that_go)
     for (Halfedge first : {halfedge(e), twin(halfedge(e))}) {
       if (goes(m.prev(first))) continue;

@@ -55,8 +55,12 @@ double closest_parameter(const glm::dvec3& a, const glm::dvec3& b, const glm::dv
   if (p == a) return 0;
   if (p == b) return 1;
   const glm::dvec3 d = b - a;
-  const double length2 = glm::dot(d, d);
-  return length2 > 0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 1.0;
+  const double t = glm::dot(p - a, d) / glm::dot(d, d);
+  if (std::isfinite(t)) return std::clamp(t, 0.0, 1.0);
+  // Squares may overflow or vanish where lengths do not.
+  const double size = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  const double scaled = glm::dot((p - a) / size, d / size) / glm::dot(d / size, d / size);
+  return std::isfinite(scaled) ? std::clamp(scaled, 0.0, 1.0) : 1.0;
 }
 
 }  // namespace ryosen

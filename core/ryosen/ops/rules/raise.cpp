@@ -206,7 +206,7 @@ class Raise {
         edit_.derive(corner, from, Derivation::copies);
         drop_normal(edit_, corner);
       };
-      copy(wall.side, wall.side);
+      drop_normal(edit_, wall.side);
       copy(twin(wall.rise), wall.top);
       copy(twin(wall.top), raised(wall.after));
       copy(wall.rise_after, raised(wall.after));

@@ -44,7 +44,7 @@ void take_face_away(Edit& edit, Face f);
 
 // Sets the face (or none) of all halfedges of the cycle from `start`.
 void set_face_along(Edit& edit, Halfedge start, Face f);
-// The same where they lay outside: their corners are new and have the defaults.
+// Gives a face to halfedges that lay outside: their corners are new and have the defaults.
 void fill_loop(Edit& edit, Halfedge start, Face f);
 
 // Gives new edges the values of an older one between the same points, where there is one.

@@ -21,13 +21,14 @@ std::optional<std::string> said(const std::function<void(Edit&)>& change) {
 }
 
 TEST(provenance, of_new_elements_is_asked) {
-  EXPECT_EQ(said([](Edit& edit) { edit.add_vertex({}); }), "v6 was created, and not said what it comes from");
+  EXPECT_EQ(said([](Edit& edit) { edit.add_vertex({}); }), "v6 was created without saying what its values come from");
   EXPECT_EQ(said([](Edit& edit) { edit.fresh(edit.add_vertex({})); }), std::nullopt);
   EXPECT_EQ(said([](Edit& edit) { edit.derive(edit.add_vertex({}), Vertex(0), Derivation::copies); }), std::nullopt);
   EXPECT_EQ(said([](Edit& edit) { edit.add_edge(Vertex(0), Vertex(5)); }),
-            "e7 was created, and not said what it comes from");
+            "e7 was created without saying what its values come from");
   EXPECT_EQ(said([](Edit& edit) { edit.fresh(edge(edit.add_edge(Vertex(0), Vertex(5)))); }), std::nullopt);
-  EXPECT_EQ(said([](Edit& edit) { edit.add_face(Halfedge(0)); }), "f2 was created, and not said what it comes from");
+  EXPECT_EQ(said([](Edit& edit) { edit.add_face(Halfedge(0)); }),
+            "f2 was created without saying what its values come from");
   EXPECT_EQ(said([](Edit& edit) {
               const Face made = edit.add_face(Halfedge(0)), parts[] = {Face(0), made};
               edit.divide<Face>(Face(0), parts, [] { return std::vector<double>{1, 1}; });
@@ -36,7 +37,7 @@ TEST(provenance, of_new_elements_is_asked) {
 }
 
 TEST(provenance, of_removed_elements_is_asked) {
-  EXPECT_EQ(said([](Edit& edit) { edit.remove(Vertex(1)); }), "v1 was removed, and not said what it is united with");
+  EXPECT_EQ(said([](Edit& edit) { edit.remove(Vertex(1)); }), "v1 was removed without saying what it is united with");
   EXPECT_EQ(said([](Edit& edit) { edit.drop(Vertex(1)); }), std::nullopt);
   EXPECT_EQ(said([](Edit& edit) {
               edit.derive(Face(0), Face(0), Face(1), 0.5, Derivation::unites);
@@ -47,7 +48,7 @@ TEST(provenance, of_removed_elements_is_asked) {
               edit.derive(Face(0), Face(0), Face(1), 0.5, Derivation::copies);
               edit.remove(Face(1));
             }),
-            "f1 was removed, and not said what it is united with");
+            "f1 was removed without saying what it is united with");
   EXPECT_EQ(said([](Edit& edit) {
               const Edge both[] = {Edge(0), Edge(1)};
               edit.unite<Edge>(both[0], both, [] { return std::vector<double>{1, 1}; });
@@ -71,9 +72,9 @@ TEST(provenance, of_corners_is_asked) {
   const std::string of_outside = "corner h" + std::to_string(outside.index),
                     of_inside = "corner h" + std::to_string(inside.index);
   EXPECT_EQ(said([&](Edit& edit) { edit.set_face(outside, Face(0)); }),
-            of_outside + " was created, and not said what it comes from");
+            of_outside + " was created without saying what its values come from");
   EXPECT_EQ(said([&](Edit& edit) { edit.set_face(inside, Face()); }),
-            of_inside + " was removed, and not said what it is united with");
+            of_inside + " was removed without saying what it is united with");
   EXPECT_EQ(said([&](Edit& edit) { edit.set_face(inside, Face(1)); }), std::nullopt) << "it stays a corner";
   EXPECT_EQ(said([&](Edit& edit) {
               edit.derive(outside, inside, Derivation::copies);

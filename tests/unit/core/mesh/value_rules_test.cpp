@@ -184,6 +184,10 @@ TEST(value_rules, an_own_rule_makes_all_but_copies_of_one) {
   EXPECT_EQ(derived<double>(column, {0, 1, 2}, {0.5, 0.25, 0.25}, Derivation::copies), -9);
   EXPECT_EQ(derived<double>(column, {0, 1, 2}, {1, 0, 0}, Derivation::unites), -9);
   EXPECT_EQ(derived<double>(column, {0, 1, 2}, {1, 0, 0}, Derivation::copies), 3);
+  EXPECT_EQ(derived<double>(column, {0, 1, 2}, {0.5, 0, 0.5}, Derivation::copies), 5) << "one has no weight";
+  column.data = column_of<double>(ValueRule::own, {2.5}, 0).data;
+  EXPECT_EQ(parts<double>(column, {3}), (std::vector<double>{2.5})) << "a whole is not divided";
+  column.data = column_of<double>(ValueRule::own, {3}, 0).data;
   EXPECT_EQ(parts<double>(column, {1, 1, 3}), (std::vector<double>{1, 1, 2}));
   EXPECT_EQ(parts<double>(column, {0, 0}), (std::vector<double>{2, 2}));
 }

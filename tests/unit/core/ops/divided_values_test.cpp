@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <tuple>
 
+#include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/edit.h"
@@ -188,6 +190,33 @@ TEST(united_values, sums_stay_and_copies_agree_whatever_is_done) {
     }
   }
   EXPECT_GT(done.size(), test::is_sample() ? 1u : 20u) << "operators";
+}
+
+// The place is told by its word, also where the edge has no length, is turned or very long.
+TEST(united_values, of_a_collapse_are_those_of_the_place) {
+  using Place = CollapseEdge::Place;
+  for (const double length : {0.0, 1.0, 1e200})
+    for (const auto& [place, expected, mark] : {std::tuple(Place::automatic, 8.0, 2),
+                                                {Place::end, 8.0, 2},
+                                                {Place::start, 4.0, 1},
+                                                {Place::middle, 6.0, 2}}) {
+      IndexedMesh list = test::indexed({{0, 1, 2}, {2, 1, 3}}, 4);
+      list.positions = {{0, 0, 0}, {length, 0, 0}, {0, 1, 0}, {length, 1, 0}};
+      Mesh mesh = from_indexed(list);
+      Edit edit(mesh, nullptr);
+      const std::size_t mean = edit.add_attribute("mean", ElementKind::vertex, ValueRule::blend, 0.0),
+                        first = edit.add_attribute("mark", ElementKind::vertex, ValueRule::first, 0);
+      edit.set_attribute(mean, 0, attribute_words(4.0));
+      edit.set_attribute(mean, 1, attribute_words(8.0));
+      edit.set_attribute(first, 0, attribute_words(1));
+      edit.set_attribute(first, 1, attribute_words(2));
+      const CollapseEdge op{find_halfedge(mesh, Vertex(0), Vertex(1)), place};
+      ASSERT_TRUE(op.check(mesh).legal());
+      op.apply(edit);
+      edit.commit();
+      EXPECT_EQ(attribute_value<double>(mesh.attributes()[mean], 1), expected) << length;
+      EXPECT_EQ(attribute_value<int>(mesh.attributes()[first], 1), mark) << length;
+    }
 }
 
 // Which of two parts has which share.

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "ryosen/mesh/invariants.h"
+#include "ryosen/mesh/live_elements.h"
+#include "ryosen/ops/triangulate.h"
 #include "tests/support/core/random_meshes.h"
+#include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
 
 namespace ryosen::test {
@@ -56,6 +59,26 @@ TEST(detail_levels, are_found_by_their_faces) {
     EXPECT_LE(levels.faces(level), faces);
     EXPECT_TRUE(level == 0 || levels.faces(level - 1) > faces);
   }
+}
+
+// Small parts go as a whole, in a step of their own.
+TEST(detail_levels, leave_small_parts_out) {
+  Mesh input;
+  Journal journal;
+  run_algorithm(input, journal, "sphere radius=1");
+  run_algorithm(input, journal, "sphere radius=0.001 at=3,0,0 segments=6 bands=4");
+  Edit edit(input, nullptr);
+  Triangulate{}.apply(edit);
+  edit.commit();
+  DetailLevels levels(input);
+  Progress unheard;
+  SimplifyGoal goal;
+  goal.removes_small_parts = true;
+  ASSERT_TRUE(levels.build({}, goal, unheard));
+  levels.go_to(levels.last());
+  for (const Vertex v : live_vertices(levels.mesh())) EXPECT_LT(levels.mesh().position(v).x, 2);
+  levels.go_to(0);
+  EXPECT_EQ(levels.mesh().columns(), input.columns());
 }
 
 TEST(detail_levels, are_none_where_it_was_cancelled) {

@@ -1,7 +1,6 @@
 #include "ryosen/ops/collapse_edge.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -19,7 +18,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/local_facts.h"
-#include "ryosen/ops/rules/shares.h"
+#include "ryosen/ops/rules/united_values.h"
 
 namespace ryosen {
 
@@ -80,90 +79,14 @@ double along(const Mesh& m, const CollapseEdge& op, Halfedge h) {
   return closest_parameter(m.position(m.from(h)), m.position(m.to(h)), op.target);
 }
 
-// Corner values of an attribute at both ends of a side, which become one.
-struct MergedCorners {
-  using Value = std::vector<std::uint32_t>;
-  Value gone, kept, made;
-};
-
-// Corners that have the value of a side at one of its ends (so up to seams) get that of the side at `along`.
-void merge_corners(Edit& edit, Halfedge h, double along) {
-  const Mesh& m = edit.mesh();
-  const std::vector<CornerAttribute> pooled = corner_attributes(m);
-  for (std::size_t k = 0; k < m.attributes().size(); ++k) {
-    const AttributeColumn& column = m.attributes()[k];
-    const bool has_pool =
-        std::any_of(pooled.begin(), pooled.end(), [&](const CornerAttribute& each) { return each.index_column == k; });
-    if (!column.is_of(ElementKind::corner) || column.rule == ValueRule::sum) continue;
-    const auto value_at = [&](Halfedge corner) {
-      return std::span(column.data).subspan(std::size_t{corner.index} * column.words(), column.words());
-    };
-    const auto is = [&](const MergedCorners::Value& value, Halfedge corner) {
-      return std::equal(value.begin(), value.end(), value_at(corner).begin());
-    };
-    std::vector<MergedCorners> charts;
-    for (const Halfedge side : {h, twin(h)}) {
-      if (m.is_outside(side)) continue;
-      const Halfedge at_gone = side == h ? side : m.next(side), at_kept = side == h ? m.next(side) : side;
-      if (std::any_of(charts.begin(), charts.end(),
-                      [&](const auto& c) { return is(c.gone, at_gone) && is(c.kept, at_kept); }))
-        continue;
-      std::array<std::uint32_t, 2> ends{at_gone.index, at_kept.index};
-      std::array<double, 2> weights{1 - along, along};
-      if (along >= 0.5 && !has_pool) {  // the nearer one first; values of pools have but means
-        std::swap(ends[0], ends[1]);
-        std::swap(weights[0], weights[1]);
-      }
-      const auto gone = value_at(at_gone), kept = value_at(at_kept);
-      charts.push_back(
-          {{gone.begin(), gone.end()}, {kept.begin(), kept.end()}, edit.derived(k, ends, weights, Derivation::copies)});
-    }
-    const auto update = [&](Vertex v, MergedCorners::Value MergedCorners::*old) {
-      if (std::all_of(charts.begin(), charts.end(), [&](const auto& c) { return c.*old == c.made; })) return;
-      for (const Halfedge corner : outgoing(m, v)) {
-        if (m.is_outside(corner)) continue;
-        const auto chart =
-            std::find_if(charts.begin(), charts.end(), [&](const auto& c) { return is(c.*old, corner); });
-        if (chart != charts.end()) edit.set_attribute(k, corner.index, chart->made);
-      }
-    };
-    update(m.from(h), &MergedCorners::gone);
-    update(m.to(h), &MergedCorners::kept);
-  }
+// The edges that take the place of others where triangles go.
+std::vector<Edge> staying_edges(const Mesh& mesh, Halfedge h) {
+  std::vector<Edge> edges;
+  if (!has_attributes(mesh, ElementKind::edge)) return edges;
+  if (is_triangle_side(mesh, h)) edges.push_back(edge(mesh.next(h)));
+  if (is_triangle_side(mesh, twin(h))) edges.push_back(edge(mesh.prev(twin(h))));
+  return edges;
 }
-
-// The values of both ends become those at `along`. Values stand at the numbers of vertices, which may be others than
-// their slots.
-void merge_ends(Edit& edit, Halfedge h, double along, Vertex gone_number, Vertex kept_number) {
-  const Mesh& m = edit.mesh();
-  if (unite_ends(edit, gone_number, kept_number, along))
-    for_each_copy(m, m.to(h), [&](Vertex copy) {
-      if (copy != m.to(h)) edit.derive(copy, kept_number, Derivation::copies);
-    });
-  if (!m.attributes().empty()) merge_corners(edit, h, along);
-}
-
-// The edges that take the place of others where triangles go. They share their values with the other sheets between
-// their ends.
-class StayingEdges {
- public:
-  StayingEdges(const Mesh& mesh, Halfedge h) {
-    if (!has_attributes(mesh, ElementKind::edge)) return;
-    if (is_triangle_side(mesh, h)) edges_.push_back(edge(mesh.next(h)));
-    if (is_triangle_side(mesh, twin(h))) edges_.push_back(edge(mesh.prev(twin(h))));
-  }
-  void share(Edit& edit) const {
-    const Mesh& m = edit.mesh();
-    for (const Edge e : edges_) {
-      const auto [a, b] = ends(m, e);
-      if (!has_copies(m, a) && !has_copies(m, b)) continue;
-      for (const Halfedge sheet : sheets_between(m, a, b)) edit.derive(edge(sheet), e, Derivation::copies);
-    }
-  }
-
- private:
-  std::vector<Edge> edges_;
-};
 
 // Removes a triangle that has become a face with two sides: `going` starts or ends at the removed vertex, `staying` is
 // the other side. `staying` replaces the twin of `going` in the adjacent face or boundary loop.
@@ -281,7 +204,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   std::optional<glm::dvec3> moved;
   if (place != Place::automatic) moved = position(m);
   merge_ends(edit, h, along(m, *this, h), gone, kept);
-  const StayingEdges staying(m, h);
+  const std::vector<Edge> staying = staying_edges(m, h);
   Halfedge hold = m.halfedge(kept);
   const Halfedge some = take_edge_out(edit, h, effect);
   if (hold == o) hold = some;
@@ -298,7 +221,7 @@ OpEffect CollapseEdge::apply(Edit& edit) const {
   } while (g != some);
   edit.set_halfedge(kept, hold);
   edit.remove(gone);
-  staying.share(edit);
+  share_among_sheets(edit, staying);
   if (!moved) return effect;
   move_point(edit, kept, *moved);
   for_each_copy(m, kept, [&](Vertex copy) {
@@ -396,14 +319,14 @@ class CollapseSeries : public OneByOne {
     std::vector<Halfedge> renamed;
     for (const Halfedge g : outgoing(m, other)) renamed.push_back(g);
 
-    const StayingEdges staying(m, h);
+    const std::vector<Edge> staying = staying_edges(m, h);
     OpEffect unheard;
     const Halfedge some = take_edge_out(edit_, h, unheard);
     for (const Halfedge g : renamed)
       if (m.is_alive(g)) edit_.set_from(g, slot);
     if (!hold) hold = gaps_left == 0 ? some : first_gap_clockwise(some);
     edit_.set_halfedge(slot, hold);
-    staying.share(edit_);
+    share_among_sheets(edit_, staying);
     move_point(edit_, slot, moved ? *moved : m.position(kept));
     give_number(slot, other, number(kept));
     gaps_.erase(other);

@@ -11,6 +11,7 @@
 #include "ryosen/ops/rules/pinch.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/rules/united_values.h"
 
 namespace ryosen {
 

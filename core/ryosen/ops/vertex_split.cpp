@@ -7,7 +7,6 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/geometry/is_finite.h"
-#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/parameters/member_values.h"
@@ -15,6 +14,7 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/face_lists.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/rules/united_values.h"
 
 namespace ryosen {
 
@@ -269,10 +269,9 @@ class Splitter {
   void add_triangle(std::array<Halfedge, 3> sides, Halfedge old, Halfedge fresh, std::array<Halfedge, 3> like) {
     const Face part = m_.face(old), beside = part ? part : m_.face(twin(old));
     if (part) edit_.derive(fresh, old, Derivation::copies);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (sides[i] != old) edit_.derive(sides[i], like[i], Derivation::copies);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (sides[i] == old) edit_.derive(old, like[i], Derivation::copies);
+    for (const bool is_old : {false, true})
+      for (std::size_t i = 0; i < 3; ++i)
+        if ((sides[i] == old) == is_old) edit_.derive(sides[i], like[i], Derivation::copies);
     const Halfedge before = m_.prev(old), after = m_.next(old);
     edit_.connect(before, fresh);
     edit_.connect(fresh, after);
@@ -386,16 +385,12 @@ OpEffect VertexSplit::apply(Edit& edit) const {
   hold_outside(edit, vertex);
   edit.set_halfedge(splitter.fresh(), twin(splitter.between()));
   hold_outside(edit, splitter.fresh());
-  if (has_attributes(mesh, ElementKind::edge)) {
-    std::vector<Edge> parts;
-    for (const Halfedge h : {left, right})
-      if (h) parts.push_back(edge(h));
-    for (const Element& e : splitter.effect().created)
-      if (e.kind == Element::Kind::edge) parts.push_back(e.edge());
-    for (const Edge part : parts)
-      for (const Halfedge sheet : sheets_between(mesh, ends(mesh, part).first, ends(mesh, part).second))
-        edit.derive(edge(sheet), part, Derivation::copies);
-  }
+  std::vector<Edge> parts;
+  for (const Halfedge h : {left, right})
+    if (h) parts.push_back(edge(h));
+  for (const Element& e : splitter.effect().created)
+    if (e.kind == Element::Kind::edge) parts.push_back(e.edge());
+  share_among_sheets(edit, parts);
   OpEffect effect = splitter.effect();
   effect.changed.insert(effect.changed.begin(), sector.faces.begin(), sector.faces.end());
   return effect;

@@ -5,11 +5,9 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 #include "ryosen/base/index_set.h"
-#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/ops/op_series.h"
@@ -17,9 +15,9 @@
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/local_facts.h"
 #include "ryosen/ops/rules/pinch.h"
-#include "ryosen/ops/rules/shares.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/rules/united_values.h"
 #include "ryosen/ops/rules/weld_judge.h"
 
 namespace ryosen {
@@ -238,29 +236,6 @@ void move_whole(Edit& edit, Sheets& sheets, Vertex v, const glm::dvec3& to) {
   if (edit.mesh().position(v) == to) return;
   move_point(edit, v, to);
   for_each_copy(edit.mesh(), v, [&](Vertex copy) { sheets.changed_around(copy); });
-}
-
-// Edges to a common neighbour come to lie on each other.
-void unite_edges_at(Edit& edit, Vertex goes, Vertex stays) {
-  const Mesh& m = edit.mesh();
-  if (!has_attributes(m, ElementKind::edge)) return;
-  std::unordered_map<Vertex, Edge> united;  // by point
-  for_each_copy(m, goes, [&](Vertex copy) {
-    for (const Halfedge h : outgoing(m, copy)) {
-      const Vertex beyond = point(m, m.to(h));
-      if (const auto at = united.find(beyond); at != united.end()) {
-        edit.derive(edge(h), at->second, Derivation::copies);
-        continue;
-      }
-      const std::vector<Halfedge> sheets = sheets_between(m, beyond, stays);
-      if (sheets.empty()) continue;
-      const Edge first = edge(sheets[0]);
-      united.emplace(beyond, first);
-      if (edit.derive(first, first, edge(h), 0.5, Derivation::unites))
-        for (const Halfedge sheet : sheets) edit.derive(edge(sheet), first, Derivation::copies);
-      edit.derive(edge(h), first, Derivation::copies);
-    }
-  });
 }
 
 // Makes all vertices of one point copies of the other, with its position and values at `along`, from it on.

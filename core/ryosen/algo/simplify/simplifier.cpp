@@ -16,7 +16,7 @@
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/rules/face_geometry.h"
 #include "ryosen/ops/rules/plain_check.h"
-#include "ryosen/ops/rules/shares.h"
+#include "ryosen/ops/rules/united_values.h"
 
 namespace ryosen {
 

@@ -15,6 +15,7 @@
 #include "ryosen/ops/rules/corner_values.h"
 #include "ryosen/ops/rules/sheets.h"
 #include "ryosen/ops/rules/surgery.h"
+#include "ryosen/ops/rules/united_values.h"
 
 namespace ryosen {
 

@@ -8,11 +8,6 @@
 
 namespace ryosen {
 
-bool unite_ends(Edit& edit, Vertex gone, Vertex kept, double along) {
-  return along < 0.5 ? edit.derive(kept, gone, kept, along, Derivation::unites)
-                     : edit.derive(kept, kept, gone, 1 - along, Derivation::unites);
-}
-
 std::vector<double> areas_of(const Mesh& mesh, std::span<const Face> faces) {
   std::vector<double> areas;
   FacePolygon polygon;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ryosen/mesh/attribute.h"
 #include "ryosen/ops/rules/shares.h"
 
 namespace ryosen {
@@ -113,20 +112,6 @@ void fill_loop(Edit& edit, Halfedge start, Face f) {
 
 void set_face_along(Edit& edit, Halfedge start, Face f) {
   for (Halfedge h : loop(edit.mesh(), start)) edit.set_face(h, f);
-}
-
-void share_values(Edit& edit, std::span<const Edge> made) {
-  const Mesh& m = edit.mesh();
-  if (!has_attributes(m, ElementKind::edge)) return;
-  std::vector<Edge> sorted(made.begin(), made.end());
-  std::sort(sorted.begin(), sorted.end());
-  const auto is_older = [&](Halfedge sheet) { return !std::binary_search(sorted.begin(), sorted.end(), edge(sheet)); };
-  for (const Edge e : made) {
-    const auto [a, b] = ends(m, e);
-    const std::vector<Halfedge> sheets = sheets_between(m, a, b);
-    const auto older = std::find_if(sheets.begin(), sheets.end(), is_older);
-    if (older != sheets.end()) edit.derive(e, edge(*older), Derivation::copies);
-  }
 }
 
 void hold_outside(Edit& edit, Vertex v) {

@@ -47,9 +47,6 @@ void set_face_along(Edit& edit, Halfedge start, Face f);
 // Gives a face to halfedges that lay outside: their corners are new and have the defaults.
 void fill_loop(Edit& edit, Halfedge start, Face f);
 
-// Gives new edges the values of an older one between the same points, where there is one.
-void share_values(Edit& edit, std::span<const Edge> made);
-
 // Makes v store an outgoing boundary halfedge if it has any; it must already store an outgoing halfedge, or none. Cost:
 // its valence.
 void hold_outside(Edit& edit, Vertex v);

@@ -91,7 +91,8 @@ class Joiner {
           if (at.before.insert({std::min(now[0], now[1]), std::max(now[0], now[1])}).second)
             at.edges.push_back(edge(h));
         }
-    for (const auto& [points, joined] : edges) {
+    for (const auto& each : edges) {
+      const Joined& joined = each.second;
       if (joined.edges.size() < 2) continue;
       const Edge first = joined.edges[0];
       edit_.unite<Edge>(first, joined.edges, [&] { return std::vector<double>(joined.edges.size(), 1); });

@@ -196,10 +196,8 @@ TEST(united_values, sums_stay_and_copies_agree_whatever_is_done) {
 TEST(united_values, of_a_collapse_are_those_of_the_place) {
   using Place = CollapseEdge::Place;
   for (const double length : {0.0, 1.0, 1e200})
-    for (const auto& [place, expected, mark] : {std::tuple(Place::automatic, 8.0, 2),
-                                                {Place::end, 8.0, 2},
-                                                {Place::start, 4.0, 1},
-                                                {Place::middle, 6.0, 2}}) {
+    for (const auto& [place, expected, mark] : {std::tuple(Place::automatic, 8.0, 2), std::tuple(Place::end, 8.0, 2),
+                                                std::tuple(Place::start, 4.0, 1), std::tuple(Place::middle, 6.0, 2)}) {
       IndexedMesh list = test::indexed({{0, 1, 2}, {2, 1, 3}}, 4);
       list.positions = {{0, 0, 0}, {length, 0, 0}, {0, 1, 0}, {length, 1, 0}};
       Mesh mesh = from_indexed(list);

@@ -21,6 +21,7 @@
 #include "ryosen/base/resource_limits.h"
 #include "ryosen/base/result.h"
 #include "ryosen/base/split_list.h"
+#include "ryosen/io/folder_entries.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/io/system_reason.h"
 
@@ -56,9 +57,7 @@ class FolderWalk {
     struct stat status;
     if (::stat(folder.c_str(), &status) == 0 && !entered_.emplace(status.st_dev, status.st_ino).second) return;
     std::error_code error;
-    fs::directory_iterator entries(folder, error);
-    for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-      const fs::directory_entry& entry = *entries;
+    for (const fs::directory_entry& entry : folder_entries(folder, error)) {
       std::error_code ignored;
       if (entry.is_directory(ignored)) {
         if (entry.is_symlink(ignored))

@@ -12,9 +12,14 @@
 #include <map>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include "app/cli/run.h"
 #include "app/cli/sudden_end.h"
+#include "app/editor/commands/commands.h"
+#include "app/editor/document/preparation.h"
+#include "app/editor/document/repair_trials.h"
+#include "app/editor/recovery/autosave.h"
 #include "app/editor/session/session.h"
 #include "ryosen/mesh/invariants.h"
 #include "tests/faults/failing_memory.h"
@@ -335,6 +340,73 @@ TEST(allocation_faults, of_a_comparison_leave_the_mesh_beside_as_it_was) {
             session.pointing.point_at({x, 40});  // no view that is gone is asked
         });
   }
+}
+
+// A repair that is tried, at once and on a thread of its own, tells what it would do or that there is no memory.
+TEST(allocation_faults, of_a_tried_repair_are_told) {
+  const auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  const std::uint64_t before = (*document)->mesh().hash();
+  for (const bool in_background : {false, true}) {
+    SCOPED_TRACE(in_background);
+    RepairTrials trials;
+    trials.in_background = in_background;
+    const RepairReport* report = nullptr;
+    at_each_allocation(
+        150, Keeps::history,
+        [&] {
+          report = nullptr;
+          trials.forget();
+          report = tried(**document, trials, "repair detach_nonmanifold");
+          while (!report && trials.share()) {
+            trials.follow(**document);
+            report = tried(**document, trials, "repair detach_nonmanifold");
+          }
+        },
+        [&](bool is_thrown) {
+          EXPECT_TRUE(is_thrown || report);
+          EXPECT_EQ((*document)->mesh().hash(), before);
+        });
+  }
+}
+
+// What cannot be prepared is told to whoever takes it.
+TEST(allocation_faults, of_preparing_are_told) {
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  const Mesh& mesh = (*document)->mesh();
+  const std::size_t edges = HighlightSets(mesh, 0, {}).of(ProblemKind::nonmanifold_edge).size();
+  at_each_allocation(
+      150, Keeps::nothing,
+      [&] {
+        Picker picker(mesh);
+        Preparation preparation(mesh, picker, {});
+        while (!preparation.is_done()) std::this_thread::yield();
+        EXPECT_EQ(preparation.take().highlights.of(ProblemKind::nonmanifold_edge).size(), edges);
+      },
+      [](bool) {});
+}
+
+// An edit stands where there is no memory to record it, and ends are no errors.
+TEST(allocation_faults, of_recording_leave_the_edit) {
+  const Folder folder;
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  Autosave autosave(folder.at("recovery"));
+  session.frontend.autosave = &autosave;
+  autosave.begin(session.document());
+  fail_command(session, "poke f0", "undo");
+  at_each_allocation(
+      150, Keeps::history, [&] { autosave.finish(); },
+      [&](bool is_thrown) {
+        EXPECT_FALSE(is_thrown);
+        autosave.finish();
+        autosave.begin(session.document());
+        EXPECT_TRUE(session.run("poke f0").done());
+        EXPECT_TRUE(session.run("undo").done());
+      });
+  session.frontend.autosave = nullptr;
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "ryosen/io/folder_entries.h"
+
 namespace ryosen {
 
 namespace fs = std::filesystem;
@@ -11,13 +13,12 @@ namespace fs = std::filesystem;
 std::vector<FolderEntry> entries_of_folder(const fs::path& folder, const std::function<bool(const fs::path&)>& lists) {
   std::vector<FolderEntry> entries;
   std::error_code error;
-  fs::directory_iterator at(folder, error);
-  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+  for (const fs::directory_entry& entry : folder_entries(folder, error)) {
     std::error_code ignored;
-    const std::string name = at->path().filename().string();
+    const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;
-    const bool is_folder = at->is_directory(ignored);
-    if (is_folder || !lists || lists(at->path())) entries.push_back({name, is_folder});
+    const bool is_folder = entry.is_directory(ignored);
+    if (is_folder || !lists || lists(entry.path())) entries.push_back({name, is_folder});
   }
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <utility>
 
+#include "ryosen/io/folder_entries.h"
 #include "ryosen/io/safe_write.h"
 
 namespace ryosen {
@@ -112,11 +113,9 @@ bool OwnedScript::append(std::string_view text) {
 void OwnedScript::remove() {
   std::error_code ignored;
   const std::string stem = path_.stem().string() + ".original";
-  for (std::filesystem::directory_iterator entry(path_.parent_path(), ignored), end; entry != end;
-       entry.increment(ignored)) {
-    if (!entry->path().filename().string().starts_with(stem)) continue;
-    if (std::filesystem::is_regular_file(entry->symlink_status(ignored)))
-      std::filesystem::remove(entry->path(), ignored);
+  for (const std::filesystem::directory_entry& entry : folder_entries(path_.parent_path(), ignored)) {
+    if (!entry.path().filename().string().starts_with(stem)) continue;
+    if (std::filesystem::is_regular_file(entry.symlink_status(ignored))) std::filesystem::remove(entry.path(), ignored);
   }
   std::filesystem::remove(path_, ignored);
 }

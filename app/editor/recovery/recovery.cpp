@@ -16,6 +16,7 @@
 #include "app/editor/recovery/owned_script.h"
 #include "app/editor/session/session.h"
 #include "app/editor/texts/message_place.h"
+#include "ryosen/io/folder_entries.h"
 #include "ryosen/io/system_reason.h"
 
 namespace ryosen {
@@ -284,20 +285,20 @@ Status list_lost_sessions(std::vector<LostSession>& lost) {
 Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
   std::vector<LostSession> found;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  for (const fs::directory_entry& entry : folder_entries(folder, error)) {
+    const std::string name = entry.path().filename().string();
     if (!name.starts_with(script_prefix) || !name.ends_with(script_suffix)) continue;
-    std::optional<OwnedScript> script = OwnedScript::take(entry->path());
+    std::optional<OwnedScript> script = OwnedScript::take(entry.path());
     if (!script) continue;
     const std::optional<std::string> content = script->content();
     std::optional<LostSession> lost = content ? read_lost_session(*content) : std::nullopt;
     struct stat status;
-    if (!lost || ::stat(entry->path().c_str(), &status) != 0) continue;
+    if (!lost || ::stat(entry.path().c_str(), &status) != 0) continue;
     if (lost->is_saved()) {
       script->remove();
       continue;
     }
-    lost->script = entry->path();
+    lost->script = entry.path();
     lost->last_edit = status.st_mtime;
     lost->change = lost->known.since(lost->file);
     found.push_back(std::move(*lost));

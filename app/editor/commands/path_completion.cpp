@@ -12,9 +12,8 @@ namespace fs = std::filesystem;
 
 std::vector<FolderEntry> entries_of_folder(const fs::path& folder, const std::function<bool(const fs::path&)>& lists) {
   std::vector<FolderEntry> entries;
-  std::error_code error;
-  for (const fs::directory_entry& entry : folder_entries(folder, error)) {
-    std::error_code ignored;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = entry.is_directory(ignored);

@@ -152,29 +152,17 @@ void Session::end_comparing() {
 void Session::compare_with(std::unique_ptr<Document> other) {
   Size whole = view.size;
   if (compared_) whole.width += gap_px + compared_->state().size.width;
-  const auto colouring = view.colouring;
   if (!other && view.colouring && view.colouring->map->against) view.colouring.reset();
+  // Distances are measured from another mesh.
+  if (view.colouring && view.colouring->map->against) open_.findings->changes().note_everything();
   auto compared = other ? std::make_unique<Compared>(std::move(other), preferences) : nullptr;
-  if (compared) pointing.add(compared->view());
-  // The one that was there stays until all is placed: that may find no memory.
-  const auto exchange = [&] {
-    std::swap(compared_, compared);
-    open_.findings->against = compared_ ? &compared_->findings() : nullptr;
-    if (compared_) compared_->findings().against = open_.findings.get();
-    place_view(whole, view.origin);
-  };
-  exchange();
-  try {
-    // Distances are measured from another mesh.
-    if (view.colouring && view.colouring->map->against) open_.findings->changes().note_everything();
-    framing.frame_all();
-  } catch (const std::bad_alloc&) {
-    exchange();
-    view.colouring = colouring;
-    if (compared) pointing.remove(compared->view());
-    throw;
-  }
-  if (compared) pointing.remove(compared->view());
+  if (compared) pointing.add(compared->view());  // the last that may find no memory
+  end_comparing();
+  compared_ = std::move(compared);
+  if (compared_) open_.findings->against = &compared_->findings();
+  if (compared_) compared_->findings().against = open_.findings.get();
+  place_view(whole, view.origin);
+  framing.frame_all_if_possible();
 }
 
 Compared* Session::compared() {

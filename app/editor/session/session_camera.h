@@ -1,6 +1,8 @@
 // The camera of a session's view, so that it shows all.
 #pragma once
 
+#include <new>
+
 #include "app/editor/camera/framing.h"
 #include "app/editor/camera/view_state.h"
 
@@ -21,6 +23,13 @@ class Framing {
   // compared with, or what is played, as it ends.
   Camera of_all(const Camera& from) const;
   void frame_all() { frame(of_all(view_.camera)); }
+  // The same; the camera stays where there is no memory for it.
+  void frame_all_if_possible() noexcept {
+    try {
+      frame_all();
+    } catch (const std::bad_alloc&) {
+    }
+  }
   // Whether the camera is where frame() has put it last.
   bool is_framed() const { return framed_ == view_.camera; }
   // Takes a camera as one that shows all.

@@ -37,7 +37,7 @@ class RepairTrials::Running {
   void wait_for_copy() const { is_copied_.wait(false); }
   RepairReport take() {
     if (thread_.joinable()) thread_.join();
-    return std::move(report_);
+    return lacks_memory_ ? no_memory() : std::move(report_);
   }
 
  private:
@@ -53,7 +53,7 @@ class RepairTrials::Running {
       if (auto report = try_repair(std::move(mesh), call_, beside_.input(), go_on)) report_ = std::move(*report);
     } catch (const Interrupted&) {  // nobody takes it
     } catch (const std::bad_alloc&) {
-      report_ = no_memory();
+      lacks_memory_ = true;  // even its sentence needs some
     }
     set_copied();
     is_done_ = true;
@@ -68,6 +68,7 @@ class RepairTrials::Running {
   RepairCall call_;
   BesideRepairs beside_;
   RepairReport report_;
+  bool lacks_memory_ = false;
   std::atomic<double> share_ = 0;
   std::atomic<bool> is_copied_ = false, is_done_ = false, is_cancelled_ = false;
   std::thread thread_;

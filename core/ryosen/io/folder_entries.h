@@ -8,7 +8,7 @@
 namespace ryosen {
 
 // The entries of a folder in no order, as far as it could be read before an error. Throws std::bad_alloc, where
-// iterators that take an error code end the program.
+// std::filesystem::directory_iterator ends the program.
 std::vector<std::filesystem::directory_entry> folder_entries(const std::filesystem::path& folder,
                                                              std::error_code& error);
 

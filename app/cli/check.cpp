@@ -57,15 +57,14 @@ class FolderWalk {
     struct stat status;
     if (::stat(folder.c_str(), &status) == 0 && !entered_.emplace(status.st_dev, status.st_ino).second) return;
     std::error_code error;
-    for (const fs::directory_entry& entry : folder_entries(folder, error)) {
-      std::error_code ignored;
-      if (entry.is_directory(ignored)) {
-        if (entry.is_symlink(ignored))
-          links_.insert(entry.path().native());
+    for (const ListedEntry& entry : folder_entries(folder, error)) {
+      if (entry.is_folder) {
+        if (entry.is_link)
+          links_.insert(entry.path.native());
         else
-          enter(entry.path());
-      } else if (may_be_mesh(entry.path())) {
-        found_.push_back({entry.path().generic_string(), {}});
+          enter(entry.path);
+      } else if (may_be_mesh(entry.path)) {
+        found_.push_back({entry.path.generic_string(), {}});
       }
     }
     if (!error) return;

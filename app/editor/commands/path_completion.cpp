@@ -13,11 +13,10 @@ namespace fs = std::filesystem;
 std::vector<FolderEntry> entries_of_folder(const fs::path& folder, const std::function<bool(const fs::path&)>& lists) {
   std::vector<FolderEntry> entries;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : folder_entries(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
+  for (const ListedEntry& entry : folder_entries(folder, ignored)) {
+    const std::string name = entry.path.filename().string();
     if (name.starts_with('.')) continue;
-    const bool is_folder = entry.is_directory(ignored);
-    if (is_folder || !lists || lists(entry.path())) entries.push_back({name, is_folder});
+    if (entry.is_folder || !lists || lists(entry.path)) entries.push_back({name, entry.is_folder});
   }
   std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
     return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;

@@ -113,10 +113,8 @@ bool OwnedScript::append(std::string_view text) {
 void OwnedScript::remove() {
   std::error_code ignored;
   const std::string stem = path_.stem().string() + ".original";
-  for (const std::filesystem::directory_entry& entry : folder_entries(path_.parent_path(), ignored)) {
-    if (!entry.path().filename().string().starts_with(stem)) continue;
-    if (std::filesystem::is_regular_file(entry.symlink_status(ignored))) std::filesystem::remove(entry.path(), ignored);
-  }
+  for (const ListedEntry& entry : folder_entries(path_.parent_path(), ignored))
+    if (entry.is_file && entry.path.filename().string().starts_with(stem)) std::filesystem::remove(entry.path, ignored);
   std::filesystem::remove(path_, ignored);
 }
 

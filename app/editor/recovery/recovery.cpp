@@ -285,20 +285,20 @@ Status list_lost_sessions(std::vector<LostSession>& lost) {
 Result<std::vector<LostSession>> find_lost_sessions(const fs::path& folder) {
   std::vector<LostSession> found;
   std::error_code error;
-  for (const fs::directory_entry& entry : folder_entries(folder, error)) {
-    const std::string name = entry.path().filename().string();
+  for (const ListedEntry& entry : folder_entries(folder, error)) {
+    const std::string name = entry.path.filename().string();
     if (!name.starts_with(script_prefix) || !name.ends_with(script_suffix)) continue;
-    std::optional<OwnedScript> script = OwnedScript::take(entry.path());
+    std::optional<OwnedScript> script = OwnedScript::take(entry.path);
     if (!script) continue;
     const std::optional<std::string> content = script->content();
     std::optional<LostSession> lost = content ? read_lost_session(*content) : std::nullopt;
     struct stat status;
-    if (!lost || ::stat(entry.path().c_str(), &status) != 0) continue;
+    if (!lost || ::stat(entry.path.c_str(), &status) != 0) continue;
     if (lost->is_saved()) {
       script->remove();
       continue;
     }
-    lost->script = entry.path();
+    lost->script = entry.path;
     lost->last_edit = status.st_mtime;
     lost->change = lost->known.since(lost->file);
     found.push_back(std::move(*lost));

@@ -1,6 +1,7 @@
 #include "ryosen/io/folder_entries.h"
 
 #include <dirent.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <memory>
@@ -9,16 +10,30 @@
 
 namespace ryosen {
 
-std::vector<std::filesystem::directory_entry> folder_entries(const std::filesystem::path& folder,
-                                                             std::error_code& error) {
-  std::vector<std::filesystem::directory_entry> entries;
+namespace {
+
+ListedEntry listed_entry(std::filesystem::path path, const dirent& entry) {
+  ListedEntry listed{std::move(path)};
+  unsigned char type = entry.d_type;
+  struct stat status;
+  if (type == DT_UNKNOWN && ::lstat(listed.path.c_str(), &status) == 0) type = IFTODT(status.st_mode);
+  listed.is_link = type == DT_LNK;
+  listed.is_file = type == DT_REG;
+  listed.is_folder =
+      type == DT_DIR || (listed.is_link && ::stat(listed.path.c_str(), &status) == 0 && S_ISDIR(status.st_mode));
+  return listed;
+}
+
+}  // namespace
+
+std::vector<ListedEntry> folder_entries(const std::filesystem::path& folder, std::error_code& error) {
+  std::vector<ListedEntry> entries;
   error.clear();
-  const std::unique_ptr<DIR, int (*)(DIR*)> listed(::opendir(folder.c_str()), &::closedir);
-  errno = listed ? 0 : errno;
-  while (const dirent* const entry = listed ? ::readdir(listed.get()) : nullptr) {
-    std::error_code ignored;
+  const std::unique_ptr<DIR, int (*)(DIR*)> opened(::opendir(folder.c_str()), &::closedir);
+  if (opened) errno = 0;
+  while (const dirent* const entry = opened ? ::readdir(opened.get()) : nullptr) {
     const std::string_view name = entry->d_name;
-    if (name != "." && name != "..") entries.emplace_back(folder / name, ignored);
+    if (name != "." && name != "..") entries.push_back(listed_entry(folder / name, *entry));
     errno = 0;
   }
   if (errno == ENOMEM) throw std::bad_alloc();

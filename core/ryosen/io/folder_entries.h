@@ -1,4 +1,4 @@
-// What is in a folder.
+// The entries of a folder, listed also where memory lacks.
 #pragma once
 
 #include <filesystem>

@@ -99,7 +99,7 @@ TEST(divided_values, sums_stay_and_integers_exactly) {
   EXPECT_GT(done, test::is_sample() ? 1u : 500u);
 }
 
-// What the elements that an operator deletes had before it.
+// The values that deleted elements had before the operator.
 struct Deleted {
   std::int64_t faces = 0;
   double vertices = 0;
@@ -125,7 +125,7 @@ void expect_edges_keep_values(const Mesh& before, const Mesh& after) {
   }
 }
 
-// What is left of the sums when some of the elements are united and others go with their values.
+// Sums count united elements, and lose those of elements that go with their values.
 void expect_sums_are_united(const AnyOp& op, const Mesh& before, const OpEffect& effect, const Mesh& after) {
   const Totals was(before), is(after);
   const Deleted deleted(before, effect);

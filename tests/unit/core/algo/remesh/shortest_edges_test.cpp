@@ -56,7 +56,7 @@ double distance_from(const Segment& segment, const glm::dvec3& p) {
   return glm::distance(p, segment.a + t * along);
 }
 
-// What of a mesh must stay: its boundary and features, and the points on them.
+// The boundary and features of a mesh, and the points on them: they must stay.
 class KeptLines {
  public:
   explicit KeptLines(const Mesh& mesh) {

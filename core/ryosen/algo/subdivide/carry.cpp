@@ -5,10 +5,11 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <limits>
+#include <numeric>
 #include <optional>
 
-#include "ryosen/algo/subdivide/carried_faces.h"
 #include "ryosen/algo/subdivide/masks.h"
+#include "ryosen/algo/subdivide/step_sources.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
@@ -184,35 +185,20 @@ void keep_vertices_within(const Mesh& mesh, const ValueBounds& bounds, Places& v
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) bounds.keep_within(values[i], Vertex(i));
 }
 
-// By new vertex behind the old ones: which place of a step it has, and a vertex that it has come of.
-struct NewVertices {
-  std::vector<std::size_t> places;
-  std::vector<Vertex> sources;
-};
+bool has_masks(const AttributeColumn& column) {
+  return column.element == ElementKind::vertex && is_floating(column.type.scalar) && column.rule == ValueRule::blend;
+}
 
-// Means by the step; else those of the vertex that the new one has come of, but for sums, of which it has none.
-void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
-                    AttributeColumn& column) {
-  const AttributeColumn before = column;
-  const std::size_t old_count = mesh.vertex_slots(), count = old_count + added.places.size();
+// What the step makes of the values of vertices; places(i) is the place of the i-th vertex in it.
+template <class PlaceOf>
+void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, std::size_t count,
+                    const PlaceOf& place_of, const AttributeColumn& before, AttributeColumn& column) {
   column.data.resize(count * column.words());
-  const auto put = [&](std::size_t i, const std::uint32_t* words) {
-    std::copy(words, words + column.words(), column.data.data() + i * column.words());
-  };
-  if (!is_floating(column.type.scalar) || column.rule != ValueRule::blend) {
-    for (std::size_t i = old_count; i < count; ++i)
-      put(i, column.rule == ValueRule::sum
-                 ? column.fill.data()
-                 : before.data.data() + std::size_t{added.sources[i - old_count].index} * column.words());
-    return;
-  }
   for (std::uint32_t first = 0; first < column.type.count; first += 3) {
     const Places values = step(mesh_of_values(mesh, before, first), creases);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::size_t place = i < old_count ? i : added.places[i - old_count];
+    for (std::uint32_t i = 0; i < count; ++i)
       for (std::uint32_t k = first; k < std::min(first + 3, column.type.count); ++k)
-        put_real_number(column, i, k, values[place][static_cast<int>(k - first)]);
-    }
+        put_real_number(column, i, k, values[place_of(i)][static_cast<int>(k - first)]);
   }
 }
 
@@ -261,66 +247,10 @@ Step step_of_sqrt3(bool cuts_creases) {
           }};
 }
 
-void carry_split_corners(const Mesh& mesh, const SplitNumbers& n, const Charts& charts,
-                         std::vector<std::uint32_t>& to) {
-  const bool into_quads = n.split() == Split::into_quads;
-  const SplitNumbers own(charts.mesh(), n.split());
-  const auto middle = [&](Halfedge h) { return own.on_edge(charts.of(h)).index; };
-  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index) {
-    if (mesh.is_outside(h) || !charts.of(h)) continue;
-    to[first_half(h).index] = charts.mesh().from(charts.of(h)).index;
-    to[second_half(h).index] = middle(h);
-    to[n.inner(h).index] = into_quads ? middle(h) : middle(mesh.prev(h));
-    to[twin(n.inner(h)).index] = into_quads ? own.centre(mesh.face(h)).index : middle(h);
-  }
-}
-
-void carry_sqrt3_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Charts& charts,
-                         std::vector<std::uint32_t>& to) {
-  const auto at = [&](Halfedge h) { return charts.of(h) ? charts.mesh().from(charts.of(h)).index : no_index; };
-  const auto third = [&](Halfedge h, unsigned i) {
-    return charts.of(h) ? static_cast<std::uint32_t>(third_place(charts.mesh(), charts.of(h), i)) : no_index;
-  };
-  const auto at_apex = [&](Halfedge h) {
-    if (const Halfedge side = n.cut_side(h)) return third(side, h == mesh.next(side) ? 1 : 0);
-    return charts.of(h) ? static_cast<std::uint32_t>(centre_place(charts.mesh(), mesh.face(h))) : no_index;
-  };
-  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index) {
-    if (mesh.is_outside(h)) continue;
-    if (n.is_cut(h)) {
-      to[n.part(h, 0).index] = at(h);
-      to[n.part(h, 1).index] = third(h, 0);
-      to[n.part(h, 2).index] = third(h, 1);
-      to[twin(n.spoke(h)).index] = third(h, 1);
-      to[n.spoke(mesh.prev(h)).index] = at(mesh.prev(h));
-      continue;
-    }
-    to[n.before(h).index] = at_apex(h);
-    if (n.is_kept(h)) {
-      to[h.index] = at(h);
-      to[n.after(h).index] = at(mesh.next(h));
-    } else {
-      to[h.index] = at_apex(twin(h));
-      to[n.after(twin(h)).index] = at(h);
-    }
-  }
-}
-
-// Gives vertices what the step makes of their values, each new face, child(halfedge), those of the face that it comes
-// of, and calls corners(charts, indices) for each corner attribute, whose pool becomes the values of the step.
-template <class Corners, class Child>
-void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, const NewVertices& added,
-                   MeshColumns& out, const Corners& corners, const Child& child) {
-  out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
-  for (AttributeColumn& column : out.attributes) {
-    if (column.element == ElementKind::vertex) carry_vertices(mesh, creases, step, added, column);
-    if (column.element == ElementKind::face) carry_faces(mesh, column, out, child);
-    if (column.element == ElementKind::corner && mesh.halfedge_slots() != out.halfedges.size()) {
-      column.data.clear();
-      for (std::size_t h = 0; h < out.halfedges.size(); ++h)
-        column.data.insert(column.data.end(), column.fill.begin(), column.fill.end());
-    }
-  }
+// The corner attributes with pools: the values of the step become the pool. corners(charts, indices) gives each corner
+// the index of its own.
+template <class Corners>
+void carry_pools(const Mesh& mesh, const Creases& creases, const Step& step, MeshColumns& out, const Corners& corners) {
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
     const Charts charts(mesh, creases, attribute);
     std::vector<std::uint32_t>& index = out.attributes[attribute.index_column].data;
@@ -333,50 +263,105 @@ void carry_columns(const Mesh& mesh, const Creases& creases, const Step& step, c
   }
 }
 
+bool is_in_pool(const Mesh& mesh, std::size_t attribute) {
+  const std::vector<CornerAttribute> all = corner_attributes(mesh);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const CornerAttribute& each) { return each.index_column == attribute; });
+}
+
+// Whether its rule divides a value by the shares of the parts.
+bool divides_by_share(const AttributeColumn& column) {
+  return column.rule == ValueRule::sum || column.rule == ValueRule::own;
+}
+
+// All attributes: means of vertices and the values of pools by the step, the rest by the rules from the sources.
+// place_of(i) is the place of vertex i in the step, places_of(charts) a function that gives that of a corner.
+template <class Numbers, class PlaceOf, class PlacesOf>
+void carry(const Mesh& mesh, const Creases& creases, const Numbers& numbers, const Step& step, const PlaceOf& place_of,
+           const PlacesOf& places_of, MeshColumns& out) {
+  SourceList vertices, edges, corners, faces;
+  bool has_areas = false;
+  out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
+  for (std::size_t i = 0; i < out.attributes.size(); ++i) {
+    const AttributeColumn& before = mesh.attributes()[i];
+    AttributeColumn& column = out.attributes[i];
+    if (has_masks(before)) {
+      carry_vertices(mesh, creases, step, out.vertex_halfedge.size(), place_of, before, column);
+    } else if (before.element == ElementKind::vertex) {
+      if (vertices.empty()) vertices = vertex_sources(mesh, numbers);
+      column = vertices.derived(before);
+    } else if (before.element == ElementKind::edge) {
+      if (edges.empty()) edges = edge_sources(mesh, numbers);
+      column = edges.derived(before);
+    } else if (before.element == ElementKind::corner && !is_in_pool(mesh, i)) {
+      if (corners.empty()) corners = corner_sources(mesh, numbers, out);
+      column = corners.derived(before);
+    } else if (before.element == ElementKind::face) {
+      const bool by_area = divides_by_share(before);
+      if (faces.empty() || (by_area && !has_areas)) faces = face_sources(mesh, numbers, out, by_area);
+      has_areas = has_areas || by_area;
+      column = faces.derived(before);
+    }
+  }
+  carry_pools(mesh, creases, step, out, [&](const Charts& charts, std::vector<std::uint32_t>& to) {
+    const auto place_in_charts = places_of(charts);
+    place_corners(mesh, numbers, [&](Halfedge corner, CornerPlace place) {
+      if (charts.of(place.h)) to[corner.index] = static_cast<std::uint32_t>(place_in_charts(place));
+    });
+  });
+}
+
 }  // namespace
 
 void carry_split(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& n, MeshColumns& out) {
   if (mesh.attributes().empty()) return;
-  const Step step = step_of_split(scheme, n.split());
-  NewVertices added;
-  for (std::size_t i = mesh.vertex_slots(); i < n.vertex_slots(); ++i) added.places.push_back(i);
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) added.sources.push_back(mesh.from(halfedge(Edge(e))));
-  for (std::uint32_t f = 0; n.split() == Split::into_quads && f < mesh.face_slots(); ++f)
-    if (mesh.is_alive(Face(f))) added.sources.push_back(mesh.from(mesh.halfedge(Face(f))));
-  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
-    carry_split_corners(mesh, n, charts, to);
+  const auto places_of = [&](const Charts& charts) {
+    return [&mesh, &charts, own = SplitNumbers(charts.mesh(), n.split())](CornerPlace place) {
+      const Halfedge h = charts.of(place.h);
+      return place.kind == CornerPlace::Kind::at       ? charts.mesh().from(h).index
+             : place.kind == CornerPlace::Kind::centre ? own.centre(mesh.face(place.h)).index
+                                                       : own.on_edge(h).index;
+    };
   };
-  carry_columns(mesh, creases, step, added, out, corners, [&](Halfedge h) { return n.at_corner(h); });
+  carry(
+      mesh, creases, n, step_of_split(scheme, n.split()), [](std::size_t vertex) { return vertex; }, places_of, out);
 }
 
 void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, const Sqrt3Numbers& n, MeshColumns& out) {
   if (mesh.attributes().empty()) return;
-  const Step step = step_of_sqrt3(cuts_creases);
-  NewVertices added{std::vector<std::size_t>(n.vertex_slots() - mesh.vertex_slots()),
-                    std::vector<Vertex>(n.vertex_slots() - mesh.vertex_slots())};
-  const auto add = [&](Vertex v, std::size_t place, Vertex source) {
-    added.places[v.index - mesh.vertex_slots()] = place;
-    added.sources[v.index - mesh.vertex_slots()] = source;
-  };
-  for (std::uint32_t i = 0; i < mesh.face_slots(); ++i)
-    if (const Face f(i); n.has_centre(f)) add(n.centre(f), centre_place(mesh, f), mesh.from(mesh.halfedge(f)));
+  std::vector<std::size_t> places(n.vertex_slots());
+  std::iota(places.begin(), places.begin() + mesh.vertex_slots(), std::size_t{0});
+  for (const Face f : live_faces(mesh))
+    if (n.has_centre(f)) places[n.centre(f).index] = centre_place(mesh, f);
   for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
-    if (n.is_cut(h)) add(n.third(h, 0), third_place(mesh, h, 0), mesh.from(h));
-  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
-    carry_sqrt3_corners(mesh, n, charts, to);
+    if (n.is_cut(h)) places[n.third(h, 0).index] = third_place(mesh, h, 0);
+  const auto places_of = [&](const Charts& charts) {
+    return [&mesh, &charts](CornerPlace place) -> std::size_t {
+      const Halfedge h = charts.of(place.h);
+      if (place.kind == CornerPlace::Kind::at) return charts.mesh().from(h).index;
+      if (place.kind == CornerPlace::Kind::centre) return centre_place(charts.mesh(), mesh.face(place.h));
+      return third_place(charts.mesh(), h, place.kind == CornerPlace::Kind::second_third ? 1 : 0);
+    };
   };
-  carry_columns(mesh, creases, step, added, out, corners, [&](Halfedge h) { return n.triangle(h); });
+  carry(
+      mesh, creases, n, step_of_sqrt3(cuts_creases), [&](std::size_t vertex) { return places[vertex]; }, places_of,
+      out);
 }
 
 void carry_to_limit(const Mesh& mesh, const Creases& creases, Scheme scheme, MeshColumns& out) {
   if (mesh.attributes().empty()) return;
   const Step step{[=](const Mesh& own, const Creases& sharp) { return limit_places(own, sharp, scheme); },
                   keep_vertices_within};
-  const auto corners = [&](const Charts& charts, std::vector<std::uint32_t>& to) {
+  out.attributes.assign(mesh.attributes().begin(), mesh.attributes().end());
+  for (std::size_t i = 0; i < out.attributes.size(); ++i)
+    if (has_masks(mesh.attributes()[i]))
+      carry_vertices(
+          mesh, creases, step, mesh.vertex_slots(), [](std::size_t vertex) { return vertex; }, mesh.attributes()[i],
+          out.attributes[i]);
+  carry_pools(mesh, creases, step, out, [&](const Charts& charts, std::vector<std::uint32_t>& to) {
     for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
       if (!mesh.is_outside(h) && charts.of(h)) to[h.index] = charts.mesh().from(charts.of(h)).index;
-  };
-  carry_columns(mesh, creases, step, {}, out, corners, [&](Halfedge h) { return mesh.face(h); });
+  });
 }
 
 }  // namespace ryosen::subdivide

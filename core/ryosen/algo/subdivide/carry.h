@@ -1,9 +1,9 @@
-// The attributes of the new elements of a subdivision.
+// The attributes of the elements of the next level of a subdivision.
 //
-// Colours of vertices and values of corners (texture coordinates, normals) go by the masks of the places: where a mask
-// moves a point, its values are those of the place that it comes to, but across a seam, along which each chart keeps an
-// outline of its own. Seams stay, and no value leaves what the faces around it had. New faces have the material and
-// group of the face they lie in.
+// Means of vertices (colours) and the values of pools (texture coordinates, normals) go by the masks of the places:
+// where a mask moves a point, its values are those of the place that it comes to, but across a seam, along which each
+// chart keeps an outline of its own. Seams stay, and no value leaves what the faces around it had. All else is what the
+// rules make of the elements that the new ones come from (step_sources.h).
 #pragma once
 
 #include "ryosen/algo/subdivide/creases.h"
@@ -12,10 +12,9 @@
 
 namespace ryosen::subdivide {
 
-// Fill the attributes of columns whose links are there.
+// Fill the attributes of columns whose links and places are there.
 void carry_split(const Mesh& mesh, const Creases& creases, Scheme scheme, const SplitNumbers& numbers,
                  MeshColumns& out);
-// A triangle that lies in two faces has the values of that of its number.
 void carry_sqrt3(const Mesh& mesh, const Creases& creases, bool cuts_creases, const Sqrt3Numbers& numbers,
                  MeshColumns& out);
 // Moves the values of a mesh to where its vertices come to in the end.

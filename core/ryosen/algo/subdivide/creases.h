@@ -21,7 +21,6 @@ inline constexpr float always_sharp = std::numeric_limits<float>::infinity();
 struct Creases {
   std::vector<float> sharpness;       // per edge; boundaries and wires are sharp whatever it says
   std::vector<std::uint8_t> corners;  // per vertex
-  std::vector<Edge> origins = {};     // per edge, the edge of the mesh as given of which it is a part; where asked for
 
   bool is_corner(Vertex v) const { return !corners.empty() && corners[v.index] != 0; }
   float sharpness_of(const Mesh& mesh, Halfedge h) const {

@@ -102,9 +102,7 @@ std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
 }
 
 // The columns of a mesh with its dead edges left out, and the values per edge with them.
-void drop_dead_edges(MeshColumns& c, Creases& creases) {
-  std::vector<float>& sharpness = creases.sharpness;
-  std::vector<Edge>& origins = creases.origins;
+void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness, std::vector<Edge>& origins) {
   std::vector<std::uint32_t> number(c.halfedges.size() / 2, no_index);
   std::uint32_t kept = 0;
   for (std::size_t e = 0; e < number.size(); ++e)
@@ -176,14 +174,14 @@ std::vector<Edge> edges_to_open(const Mesh& mesh) {
 
 }  // namespace
 
-std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases) {
+std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases, Descent* descent) {
   const std::vector<Edge> shut = edges_to_open(mesh);
   if (shut.empty()) return std::nullopt;
   MeshColumns columns = mesh.columns();
   for (const Edge e : shut) open_edge(columns, e);
   if (!creases.sharpness.empty()) creases.sharpness.resize(columns.halfedges.size() / 2, 0);
-  if (!creases.origins.empty())
-    for (const Edge e : shut) creases.origins.push_back(creases.origins[e.index]);
+  for (const Edge e : shut)
+    if (descent) descent->edges.push_back(Edge(descent->edges[e.index]));
   return Mesh(std::move(columns));
 }
 
@@ -199,20 +197,32 @@ Prepared prepare(const Mesh& mesh, const Options& options) {
   const std::vector<Face> to_cut = faces_to_cut(mesh, options.scheme);
   prepared.creases = creases_of(mesh, options);
   Creases& creases = prepared.creases;
-  if (options.wants_descent) creases.origins = own_edges(mesh.edge_slots());
   const bool is_folded = takes_triangles(options.scheme) && to_cut.empty() && !folded_triangles(mesh).empty();
   if (!to_cut.empty() || is_folded || mesh.live().edges != mesh.edge_slots()) {
-    prepared.changed = mesh;
+    prepared.changed = options.wants_descent ? with_origins(mesh) : mesh;
     prepared.fault = cut(*prepared.changed, to_cut, options.scheme, prepared.cut_faces);
     if (prepared.fault) return prepared;
     if (!creases.sharpness.empty()) creases.sharpness.resize(prepared.changed->edge_slots(), 0);
     if (!creases.corners.empty()) creases.corners.resize(prepared.changed->vertex_slots(), 0);
-    if (!creases.origins.empty()) creases.origins.resize(prepared.changed->edge_slots());
     MeshColumns columns = prepared.changed->columns();
+    std::vector<Edge> edges;
+    if (options.wants_descent) {
+      edges = own_edges(mesh.edge_slots());
+      edges.resize(prepared.changed->edge_slots());
+    }
     columns.first_ring.clear();
     columns.rings.clear();
-    drop_dead_edges(columns, creases);
+    drop_dead_edges(columns, creases.sharpness, edges);
+    if (options.wants_descent) {
+      std::vector<Face> faces = take_origins(columns);
+      prepared.descent = Descent{std::move(faces), std::move(edges)};
+    }
     prepared.changed = Mesh(std::move(columns));
+  }
+  if (options.wants_descent && !prepared.descent) {
+    std::vector<Face> faces;
+    for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) faces.emplace_back(f);
+    prepared.descent = Descent{std::move(faces), own_edges(mesh.edge_slots())};
   }
   if (options.scheme == Scheme::sqrt3)
     prepared.seams = mark_seams(prepared.changed ? *prepared.changed : mesh, creases);

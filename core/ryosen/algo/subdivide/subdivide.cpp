@@ -10,11 +10,11 @@
 #include "ryosen/algo/subdivide/limit_normals.h"
 #include "ryosen/algo/subdivide/masks.h"
 #include "ryosen/algo/subdivide/prepare.h"
+#include "ryosen/algo/subdivide/step_sources.h"
 #include "ryosen/base/resource_limits.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
-#include "ryosen/mesh/value_rules.h"
 
 namespace ryosen::subdivide {
 
@@ -104,46 +104,27 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
   });
 }
 
-// The values of edges on the next level: those of an edge are divided among its parts, which share it equally; the rest
-// is new.
-template <class Parts>
-void divide_edge_values(const Mesh& mesh, MeshColumns& next, const Parts& parts) {
-  for (std::size_t k = 0; k < mesh.attributes().size(); ++k) {
-    const AttributeColumn& before = mesh.attributes()[k];
-    if (before.element != ElementKind::edge) continue;
-    const std::size_t words = before.words();
-    std::vector<std::uint32_t>& data = next.attributes[k].data;
-    data.clear();
-    for (std::size_t e = 0; e < next.halfedges.size() / 2; ++e)
-      data.insert(data.end(), before.fill.begin(), before.fill.end());
-    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
-      std::vector<Edge> own;
-      parts(Edge(e), [&](Edge part) { own.push_back(part); });
-      if (own.empty()) continue;
-      const std::vector<std::uint32_t> values = divide_value(before, e, std::vector<double>(own.size(), 1));
-      for (std::size_t i = 0; i < own.size(); ++i)
-        std::copy_n(values.data() + i * words, words, data.data() + own[i].index * words);
-    }
-  }
-}
-
-// What is known of edges on the next level: `parts(e)` calls a function with each edge that is a part of an edge.
-template <class Parts>
-void pass_on(const Mesh& mesh, MeshColumns& next, const Parts& parts, Creases& creases) {
-  divide_edge_values(mesh, next, parts);
-  if (!creases.sharpness.empty()) {
-    std::vector<float> sharpness(next.halfedges.size() / 2, 0);
-    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
-      const float rest = std::max(0.0f, creases.sharpness[e] - 1);
-      if (rest > 0) parts(Edge(e), [&](Edge part) { sharpness[part.index] = rest; });
-    }
+// What is known of elements on the next level. `edges` and `faces` tell where those come from; they are read where
+// there is something to pass on.
+template <class EdgeSources, class FaceSources>
+void pass_on(const Mesh& mesh, MeshColumns& next, const EdgeSources& edges, const FaceSources& faces, Creases& creases,
+             Descent* descent) {
+  if (!creases.sharpness.empty() || descent) {
+    const SourceList sources = edges();
+    std::vector<float> sharpness(creases.sharpness.empty() ? 0 : sources.size(), 0);
+    std::vector<Edge> origins(descent ? sources.size() : 0);
+    sources.for_each_origin([&](std::uint32_t e, std::uint32_t before) {
+      if (!sharpness.empty()) sharpness[e] = std::max(0.0f, creases.sharpness[before] - 1);
+      if (descent) origins[e] = descent->edges[before];
+    });
     creases.sharpness = std::move(sharpness);
+    if (descent) descent->edges = std::move(origins);
   }
-  if (!creases.origins.empty()) {
-    std::vector<Edge> origins(next.halfedges.size() / 2);
-    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
-      parts(Edge(e), [&](Edge part) { origins[part.index] = creases.origins[e]; });
-    creases.origins = std::move(origins);
+  if (descent) {
+    const SourceList sources = faces();
+    std::vector<Face> origins(sources.size());
+    sources.for_each_origin([&](std::uint32_t f, std::uint32_t before) { origins[f] = descent->faces[before]; });
+    descent->faces = std::move(origins);
   }
   if (creases.corners.empty()) return;
   creases.corners.resize(next.vertex_halfedge.size(), 0);
@@ -151,7 +132,7 @@ void pass_on(const Mesh& mesh, MeshColumns& next, const Parts& parts, Creases& c
     creases.corners[i] = next.next_copy[i] != Vertex(i);
 }
 
-MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split split) {
+MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split split, Descent* descent) {
   MeshColumns next;
   const SplitNumbers numbers(mesh, split);
   link_split(mesh, numbers, next);
@@ -159,15 +140,13 @@ MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split 
   carry_split(mesh, creases, scheme, numbers, next);
   link_copies(
       mesh, 1, [&](Halfedge h, unsigned) { return numbers.on_edge(h); }, next);
-  const auto parts = [](Edge e, const auto& visit) {
-    visit(edge(first_half(halfedge(e))));
-    visit(edge(second_half(halfedge(e))));
-  };
-  pass_on(mesh, next, parts, creases);
+  pass_on(
+      mesh, next, [&] { return edge_sources(mesh, numbers); }, [&] { return face_sources(mesh, numbers, next, false); },
+      creases, descent);
   return next;
 }
 
-MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
+MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases, Descent* descent) {
   MeshColumns next;
   const Sqrt3Numbers numbers(mesh, creases, cuts_creases);
   link_sqrt3(mesh, numbers, next);
@@ -189,12 +168,9 @@ MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases) {
   carry_sqrt3(mesh, creases, cuts_creases, numbers, next);
   link_copies(
       mesh, cuts_creases ? 2 : 0, [&](Halfedge h, unsigned i) { return numbers.third(h, i); }, next);
-  const auto parts = [&](Edge e, const auto& visit) {
-    const Halfedge h = halfedge(e);
-    if (!numbers.is_kept(h)) return;
-    for (unsigned i = 0; i < (numbers.is_cut(h) ? 3u : 1u); ++i) visit(edge(numbers.part(h, i)));
-  };
-  pass_on(mesh, next, parts, creases);
+  pass_on(
+      mesh, next, [&] { return edge_sources(mesh, numbers); }, [&] { return face_sources(mesh, numbers, next, false); },
+      creases, descent);
   return next;
 }
 
@@ -212,10 +188,8 @@ bool all_finite(std::span<const glm::dvec3> places) {
 
 }  // namespace
 
-Subdivided subdivided(const Mesh& given, const Options& options, Progress& progress) {
+Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress) {
   Subdivided result;
-  const std::optional<Mesh> marked = options.wants_descent ? std::optional(with_origins(given)) : std::nullopt;
-  const Mesh& mesh = marked ? *marked : given;
   const auto is_cancelled = [&](std::size_t done) {
     return result.is_cancelled = !progress.go_on(done, options.steps + 1);
   };
@@ -225,6 +199,7 @@ Subdivided subdivided(const Mesh& given, const Options& options, Progress& progr
   result.seams = prepared.seams;
   if ((result.fault = std::move(prepared.fault))) return result;
   Creases& creases = prepared.creases;
+  Descent* const descent = prepared.descent ? &*prepared.descent : nullptr;
   const Mesh* at = prepared.changed ? &*prepared.changed : &mesh;
   if ((result.fault = fault_of_limit(*at, creases, options))) return result;
   const bool into_quads =
@@ -235,11 +210,12 @@ Subdivided subdivided(const Mesh& given, const Options& options, Progress& progr
     std::optional<Mesh> opened;
     if (options.scheme == Scheme::sqrt3)
       mark_shut_sheets(*at, creases);
-    else if ((opened = with_open_sheets(*at, creases)))
+    else if ((opened = with_open_sheets(*at, creases, descent)))
       at = &*opened;
-    MeshColumns next = options.scheme == Scheme::sqrt3 ? sqrt3_step(*at, creases, step % 2 != 0)
-                                                       : split_step(*at, creases, options.scheme,
-                                                                    into_quads ? Split::into_quads : Split::into_four);
+    MeshColumns next =
+        options.scheme == Scheme::sqrt3
+            ? sqrt3_step(*at, creases, step % 2 != 0, descent)
+            : split_step(*at, creases, options.scheme, into_quads ? Split::into_quads : Split::into_four, descent);
     if (step + 1 == options.steps && !options.to_limit) {
       result.columns = std::move(next);
       break;
@@ -256,10 +232,7 @@ Subdivided subdivided(const Mesh& given, const Options& options, Progress& progr
       put_normals(result.columns, limit_normals(level, creases, options.scheme));
     }
   }
-  if (options.wants_descent) {
-    std::vector<Face> faces = take_origins(result.columns);
-    result.descent = Descent{std::move(faces), std::move(creases.origins)};
-  }
+  result.descent = std::move(prepared.descent);
   if (is_huge(mesh.positions()) && all_finite(mesh.positions()) && !all_finite(result.columns.positions))
     result.fault = Text{"coordinates would become infinite; scale the mesh down",
                         "座標が無限大になります。メッシュを縮小してください"};

@@ -1,0 +1,98 @@
+#include "ryosen/algo/subdivide/step_sources.h"
+
+#include "ryosen/geometry/polygon_normal.h"
+#include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/live_elements.h"
+
+namespace ryosen::subdivide {
+
+namespace {
+
+SourceList with_old_vertices(const Mesh& mesh, std::size_t vertices) {
+  SourceList list(vertices);
+  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) list.keep(v, v);
+  return list;
+}
+
+void put_on_edge(const Mesh& mesh, Vertex to, Halfedge h, double t, SourceList& list) {
+  const std::uint32_t ends[] = {mesh.from(h).index, mesh.to(h).index};
+  const double weights[] = {1 - t, t};
+  list.between(to.index, ends, weights);
+}
+
+void put_in_centre(const Mesh& mesh, Vertex to, Face f, SourceList& list) {
+  std::vector<std::uint32_t> corners;
+  for (const Vertex v : vertices_around(mesh, f)) corners.push_back(v.index);
+  list.between(to.index, corners, std::vector<double>(corners.size(), 1.0 / static_cast<double>(corners.size())));
+}
+
+double area_of(const MeshColumns& columns, Face f) {
+  std::vector<glm::dvec3> places;
+  Halfedge h = columns.face_halfedge[f.index];
+  do {
+    places.push_back(columns.positions[columns.halfedges[h.index].from.index]);
+    h = columns.halfedges[h.index].next;
+  } while (h != columns.face_halfedge[f.index]);
+  return polygon_area(places);
+}
+
+// One part keeps the number of its face; child(h) is that of a halfedge.
+template <class Child>
+SourceList parts_of_faces(const Mesh& mesh, const MeshColumns& next, bool by_area, const Child& child) {
+  SourceList list(next.face_halfedge.size());
+  const auto put = [&](Face part, Face whole) {
+    list.part(part.index, whole.index, by_area ? area_of(next, part) : 1);
+  };
+  for (const Face f : live_faces(mesh)) put(f, f);
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+    if (!mesh.is_outside(h)) put(child(h), mesh.face(h));
+  return list;
+}
+
+}  // namespace
+
+SourceList vertex_sources(const Mesh& mesh, const SplitNumbers& n) {
+  SourceList list = with_old_vertices(mesh, n.vertex_slots());
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
+    put_on_edge(mesh, n.on_edge(halfedge(Edge(e))), halfedge(Edge(e)), 0.5, list);
+  if (n.split() == Split::into_quads)
+    for (const Face f : live_faces(mesh)) put_in_centre(mesh, n.centre(f), f, list);
+  return list;
+}
+
+SourceList vertex_sources(const Mesh& mesh, const Sqrt3Numbers& n) {
+  SourceList list = with_old_vertices(mesh, n.vertex_slots());
+  for (const Face f : live_faces(mesh))
+    if (n.has_centre(f)) put_in_centre(mesh, n.centre(f), f, list);
+  for (Halfedge h(0); h.index < mesh.halfedge_slots(); ++h.index)
+    if (n.is_cut(h)) put_on_edge(mesh, n.third(h, 0), h, 1 / 3.0, list);
+  return list;
+}
+
+SourceList edge_sources(const Mesh& mesh, const SplitNumbers& n) {
+  SourceList list(n.edge_slots());
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
+    for (const Halfedge part : {first_half(halfedge(Edge(e))), second_half(halfedge(Edge(e)))})
+      list.part(edge(part).index, e, 1);
+  return list;
+}
+
+SourceList edge_sources(const Mesh& mesh, const Sqrt3Numbers& n) {
+  SourceList list(n.edge_slots());
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    const Halfedge h = halfedge(Edge(e));
+    if (!n.is_kept(h)) continue;
+    for (unsigned i = 0; i < (n.is_cut(h) ? 3u : 1u); ++i) list.part(edge(n.part(h, i)).index, e, 1);
+  }
+  return list;
+}
+
+SourceList face_sources(const Mesh& mesh, const SplitNumbers& n, const MeshColumns& next, bool by_area) {
+  return parts_of_faces(mesh, next, by_area, [&](Halfedge h) { return n.at_corner(h); });
+}
+
+SourceList face_sources(const Mesh& mesh, const Sqrt3Numbers& n, const MeshColumns& next, bool by_area) {
+  return parts_of_faces(mesh, next, by_area, [&](Halfedge h) { return n.triangle(h); });
+}
+
+}  // namespace ryosen::subdivide

@@ -262,6 +262,7 @@ const std::map<std::string, std::string> out_of_reach{
     {"codes.cancelled", "it takes a signal; signals_test sends some"},
     {"codes.folder_unreadable", "a test may run as a user who may read everything"},
     {"codes.gzip_too_large", "it takes a file of gigabytes"},
+    {"codes.loses_rules", "only a program that links the library can make own rules"},
     {"codes.internal_error", "the program itself would have to be wrong"},
     {"codes.no_render_backend", "every way to draw is there where the tests run"},
     {"codes.out_of_memory", "it takes a limit of memory; little_memory_test sets some"},

@@ -179,7 +179,7 @@ TEST(convert, edited_files_keep_what_belongs_to_them) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   const std::string text = read_file(folder.at("b.ply"));
   EXPECT_NE(text.find("comment kept\nelement vertex 6\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("9 9 9 14\n0.5 0.5 0 0\n"), std::string::npos) << "a new vertex gets zeros" << text;
+  EXPECT_NE(text.find("9 9 9 14\n0.5 0.5 0 10\n"), std::string::npos) << "as the first end of the edge" << text;
   EXPECT_NE(text.find(" 8 21\n"), std::string::npos) << "the face that was set aside stays" << text;
   EXPECT_EQ(text.substr(text.size() - 8), "0 1\n2 4\n") << "the edge keeps the vertex that is gone" << text;
   const Json report = run_program({"check", folder.at("b.ply"), "--json"}).line();

@@ -183,6 +183,7 @@ constexpr CodeRow rows[] = {
     {"loses_properties", warning, "Further properties of PLY are lost.", "PLY のその他のプロパティが失われます。"},
     {"loses_quarantined", warning, "Quarantined faces are lost.", "隔離された面が失われます。"},
     {"loses_rings", warning, "Faces with rings are cut into triangles.", "穴のある面が三角形に分割されます。"},
+    {"loses_rules", warning, "Own rules of attributes are lost.", "属性の独自の規則が失われます。"},
     {"loses_small_numbers", warning, "Coordinates become 0 in single precision.", "座標が単精度では 0 になります。"},
     {"loses_smoothing", warning, "Smoothing groups are lost.", "スムージンググループが失われます。"},
     {"loses_texcoords", warning, "Texture coordinates are lost.", "テクスチャ座標が失われます。"},

@@ -159,6 +159,7 @@ inline constexpr std::string_view ids[] = {
     "loses_properties",
     "loses_quarantined",
     "loses_rings",
+    "loses_rules",
     "loses_small_numbers",
     "loses_smoothing",
     "loses_texcoords",

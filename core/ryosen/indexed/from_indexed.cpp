@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/indexed/fans.h"
 #include "ryosen/indexed/indexed.h"
+#include "ryosen/indexed/list_attributes.h"
 #include "ryosen/indexed/pair_corners.h"
 #include "ryosen/indexed/pair_regular.h"
 #include "ryosen/mesh/attribute.h"
@@ -90,6 +90,8 @@ std::vector<std::uint32_t> split_bridges(IndexedMesh& source) {
   reorder(source.corners, order);
   reorder(source.texcoords.index, order);
   reorder(source.normals.index, order);
+  for (AttributeColumn& column : source.attributes)
+    if (column.element == ElementKind::corner) column = with_rows(column, order);
   source.face_offsets = std::move(offsets);
   return face_of_ring;
 }
@@ -213,57 +215,6 @@ void link_regular(const IndexedMesh& source, const RegularPairing& p, unsigned t
   for (std::uint32_t e = 0; e < p.up_edges; ++e)
     if (p.sides[e].down == no_index) link_outside_half(c, halfedge(Edge(e), 1));
   for (std::uint32_t corner : p.down_only) link_outside_half(c, twin(p.halfedge[corner]));
-}
-
-template <class T>
-void copy_words(AttributeColumn& column, const std::vector<T>& values) {
-  column.data.resize(values.size() * column.words());
-  if (!values.empty()) std::memcpy(column.data.data(), values.data(), values.size() * sizeof(T));
-}
-
-void add_corner_values(const CornerValues& values, std::string_view index_name, std::string_view pool_name,
-                       const CornerPairing& pairing, MeshColumns& c) {
-  if (values.pool.empty() && values.index.empty()) return;
-  auto [index, pool] = make_corner_columns(index_name, pool_name);
-  index.data.assign(c.halfedges.size(), no_index);
-  for (std::size_t corner = 0; corner < values.index.size(); ++corner)
-    index.data[pairing.halfedge[corner].index] = values.index[corner];
-  copy_words(pool, values.pool);
-  c.attributes.push_back(std::move(index));
-  c.attributes.push_back(std::move(pool));
-}
-
-void add_face_names(const FaceNames& names, std::string_view name, MeshColumns& c) {
-  if (names.index.empty()) return;
-  AttributeColumn column = make_column(name, ElementKind::face, ValueRule::first, no_index);
-  column.data = names.index;
-  c.attributes.push_back(std::move(column));
-}
-
-void add_colours(const IndexedMesh& source, MeshColumns& c) {
-  if (source.vertex_colours.empty()) return;
-  AttributeColumn column =
-      make_column(attribute_names::colour, ElementKind::vertex, ValueRule::blend, glm::dvec4(no_colour));
-  copy_words(column, source.vertex_colours);
-  // Copies of a point take its colour.
-  column.data.resize(c.vertex_halfedge.size() * column.words());
-  for (std::size_t v = source.vertex_colours.size(); v < c.vertex_halfedge.size(); ++v) {
-    const Vertex point = c.copy_point[v];
-    std::memcpy(column.data.data() + v * column.words(), &source.vertex_colours[point.index], sizeof(glm::dvec4));
-  }
-  c.attributes.push_back(std::move(column));
-}
-
-// Adds one column per attribute that the list uses (names in ryosen/mesh/attribute.h). Copies take the values of their
-// point. Linear in the size of the attributes.
-void add_attributes(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& c) {
-  add_corner_values(source.texcoords, attribute_names::texcoord, attribute_names::texcoord_pool, pairing, c);
-  add_corner_values(source.normals, attribute_names::normal, attribute_names::normal_pool, pairing, c);
-  add_colours(source, c);
-  add_face_names(source.materials, attribute_names::material, c);
-  add_face_names(source.groups, attribute_names::group, c);
-  add_face_names(source.objects, attribute_names::object, c);
-  add_face_names(source.smoothing, attribute_names::smoothing, c);
 }
 
 void link_faces(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& c) {

@@ -1,4 +1,5 @@
 #include "ryosen/indexed/indexed.h"
+#include "ryosen/base/sort_unique.h"
 
 #include <algorithm>
 #include <unordered_set>
@@ -66,6 +67,27 @@ std::optional<std::vector<std::uint32_t>> per_vertex(const IndexedMesh& mesh, co
     if (out[v] == no_index && values.pool.size() == count) out[v] = static_cast<std::uint32_t>(v);
   if (std::all_of(out.begin(), out.end(), [](std::uint32_t index) { return index == no_index; })) return std::nullopt;
   return out;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_of_faces(const IndexedMesh& mesh) {
+  using Ends = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Ends> edges, ways;
+  edges.reserve(mesh.corners.size());
+  auto bridged = mesh.bridged.begin();
+  for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+    const std::span<const std::uint32_t> corners = mesh.face(f);
+    const bool has_bridges = bridged != mesh.bridged.end() && *bridged == f;
+    if (has_bridges) ++bridged;
+    ways.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      ways.emplace_back(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0]);
+    if (has_bridges) std::sort(ways.begin(), ways.end());
+    for (const Ends& way : ways)
+      if (!has_bridges || !std::binary_search(ways.begin(), ways.end(), Ends{way.second, way.first}))
+        edges.push_back(std::minmax({way.first, way.second}));
+  }
+  sort_unique(edges);
+  return edges;
 }
 
 }  // namespace ryosen

@@ -21,6 +21,7 @@
 
 #include "ryosen/base/handle.h"
 #include "ryosen/base/message.h"
+#include "ryosen/mesh/columns.h"
 
 namespace ryosen {
 
@@ -128,13 +129,15 @@ class LineRuns {
 };
 
 // A face that cannot take part in the connectivity. It keeps its number, so the numbering of the file stays. A
-// malformed file may have one for every byte or two, so it is small: 40 bytes, and one allocation per non-empty list.
+// malformed file may have one for every byte or two, so it is small: 48 bytes, and one allocation per non-empty list.
 struct QuarantinedFace {
   std::uint32_t face = 0;              // its number in the file, from 0
   std::uint32_t line = 0;              // from 1; 0 when the format has no lines
   Code code = "face_too_few_corners";  // the cause: this, index_out_of_range or repeated_corner
   CompactList<std::int64_t> corners;   // vertex numbers from 0; out of range values (negative, too large) are kept
   CompactList<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the face has none
+  // Words of the corner attributes of the list, one attribute after the other; empty when it has none.
+  CompactList<std::uint32_t> values;
 
   // The message for the user, made from the code and the corners.
   Text cause() const;
@@ -172,6 +175,12 @@ struct FaceColours {
   bool are_bytes = false;           // the file gave some as 0..255
 };
 
+// An edge by the numbers of its ends, in the order in which the file has them.
+struct ListedEdge {
+  std::uint32_t from = 0, to = 0;
+  std::uint32_t row = no_index;  // its place among all edges of the file; no_index: behind them
+};
+
 struct IndexedMesh {
   std::vector<glm::dvec3> positions;
   std::vector<std::uint32_t> corners;          // vertex numbers, face after face
@@ -191,6 +200,11 @@ struct IndexedMesh {
   std::vector<double> vertex_weights;  // the w of OBJ, NaN if a vertex has none; empty when unused
   FaceColours face_colours;
   FaceNames materials, groups, objects, smoothing;
+  // Further attributes, named as in the mesh: of vertices and faces (quarantined ones too) by number, of corners by
+  // place in `corners`, of edges by place in `edges`.
+  std::vector<AttributeColumn> attributes;
+  std::vector<ListedEdge>
+      edges;  // edges of faces, or wires, that the file lists or that have values; each at most once
 
   std::size_t face_count() const { return face_offsets.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t f) const {
@@ -209,6 +223,9 @@ void for_each_face(const IndexedMesh& mesh, Visit visit, VisitAside visit_aside)
       visit(f, mesh.face(f));
   }
 }
+
+// Each edge of the faces once, the smaller end first, in ascending order; bridges are none. O(n log n) in the corners.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_of_faces(const IndexedMesh& mesh);
 
 // The pool index for each vertex, if all corners of each vertex have the same value; none if some differ, if corners
 // lack a value, or if no vertex has one. An isolated vertex gets the entry with its own number if the pool has one

@@ -8,6 +8,7 @@
 
 #include "ryosen/base/sort_unique.h"
 #include "ryosen/indexed/bridged_corners.h"
+#include "ryosen/indexed/list_attributes.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
@@ -115,7 +116,8 @@ class FaceWriter {
         texcoords_(mesh, attribute_names::texcoord, attribute_names::texcoord_pool, tables.texcoord_components,
                    out.mesh.texcoords),
         normals_(mesh, attribute_names::normal, attribute_names::normal_pool, tables.normal_components,
-                 out.mesh.normals) {}
+                 out.mesh.normals),
+        wants_corners_(has_free_attributes(mesh, ElementKind::corner)) {}
 
   void write() {
     IndexedMesh& m = out_.mesh;
@@ -135,6 +137,9 @@ class FaceWriter {
     normals_.finish();
   }
 
+  // The corners of the mesh by place in the list, where the mesh has further attributes of corners.
+  const std::vector<std::uint32_t>& corners() const { return corners_; }
+
  private:
   void write_corners(Face f) {
     if (visits_a_corner_twice(mesh_, f)) {
@@ -145,8 +150,13 @@ class FaceWriter {
     for (Halfedge h : halfedges_around(mesh_, f)) add(h);
   }
 
-  void add(Halfedge h) {
+  void add_corner(Halfedge h) {
     out_.mesh.corners.push_back(out_.vertex_number[mesh_.from(h).index]);
+    if (wants_corners_) corners_.push_back(h.index);
+  }
+
+  void add(Halfedge h) {
+    add_corner(h);
     texcoords_.add(h);
     normals_.add(h);
   }
@@ -158,7 +168,7 @@ class FaceWriter {
       if (const auto corners = corners_as_in_file(mesh_, f, in_file->corners)) {
         for (std::size_t i = 0; i < corners->size(); ++i) {
           const auto& [corner, place] = (*corners)[i];
-          out_.mesh.corners.push_back(out_.vertex_number[mesh_.from(corner).index]);
+          add_corner(corner);
           texcoords_.add(corner, in_file->texcoords, i, place);
           normals_.add(corner, in_file->normals, i, place);
         }
@@ -172,6 +182,8 @@ class FaceWriter {
   const FileTables& tables_;
   CompactMesh& out_;
   CornerColumn texcoords_, normals_;
+  std::vector<std::uint32_t> corners_;
+  const bool wants_corners_;
 };
 
 void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& out) {
@@ -186,6 +198,7 @@ void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& o
     face.face = out.face_number[face.face];
     face.line = 0;
     for (std::int64_t& corner : face.corners) corner = new_number(corner);
+    face.values = quarantined_values(face, tables.quarantined_attributes, out.mesh.attributes);
   }
 }
 
@@ -271,9 +284,11 @@ LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<con
 }
 
 FileTables file_tables(const IndexedMesh& source) {
-  return {source.quarantine,      bridged_faces(source),       source.face_lines,         source.vertex_weights,
-          source.face_colours,    source.materials.names,      source.groups.names,       source.objects.names,
-          source.smoothing.names, source.texcoords.components, source.normals.components, source.colour_components};
+  return {
+      source.quarantine,       bridged_faces(source),          source.face_lines,           source.vertex_weights,
+      source.face_colours,     source.materials.names,         source.groups.names,         source.objects.names,
+      source.smoothing.names,  quarantined_attributes(source), source.texcoords.components, source.normals.components,
+      source.colour_components};
 }
 
 FileTables take_file_tables(IndexedMesh& source) {
@@ -287,9 +302,11 @@ CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables, std::span<con
   CompactMesh out;
   const LostVertices lost = find_lost(mesh, tables, used_beside);
   number_vertices(mesh, lost.kept, out);
-  FaceWriter(mesh, tables, out).write();
+  FaceWriter faces(mesh, tables, out);
+  faces.write();
   write_vertex_values(mesh, tables, out);
   write_face_values(mesh, tables, out);
+  list_attributes(mesh, faces.corners(), out);
   // Only now: replaced vertices must not contribute attribute values.
   for (const auto& [gone, there] : lost.replacements) out.vertex_number[gone.index] = out.vertex_number[there.index];
   write_quarantine(mesh, tables, out);

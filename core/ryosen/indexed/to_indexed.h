@@ -26,6 +26,7 @@ struct FileTables {
   std::vector<double> vertex_weights;
   FaceColours face_colours;
   std::vector<std::string> materials, groups, objects, smoothing;  // name tables indexed by the face columns
+  std::vector<AttributeColumn> quarantined_attributes;             // those of QuarantinedFace::values, without values
   int texcoord_components = 3;
   int normal_components = 3;
   int colour_components = 3;
@@ -56,13 +57,14 @@ struct LostVertices {
 LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<const Vertex> used_beside);
 
 // Live points (isolated ones too) and live and quarantined faces, renumbered without gaps in order; each face starts at
-// its first corner; pools are unchanged. A face with rings is written with bridges: those of the file while its loops
-// are unchanged, else the shortest visible ones. Face lines are omitted. from_indexed of the result gives the same
-// polygons. A quarantined face keeps its cause and polygon: corners are renumbered with their vertices, a number past
-// the end is written equally far past the new end, a negative one unchanged. A deleted file vertex that a quarantined
-// face or `used_beside` references stays in the list, at its last position and without a face; but a live point at
-// exactly that position that precedes it or is new, or is a copy of it, is used instead. O(corners), plus a sort of the
-// points if such a vertex exists.
+// its first corner; pools are unchanged. Edges are listed that the file listed, in its order, and behind them, by their
+// ends, those with a value other than the default. A face with rings is written with bridges: those of the file while
+// its loops are unchanged, else the shortest visible ones. Face lines are omitted. from_indexed of the result gives the
+// same polygons. A quarantined face keeps its cause and polygon: corners are renumbered with their vertices, a number
+// past the end is written equally far past the new end, a negative one unchanged. A deleted file vertex that a
+// quarantined face or `used_beside` references stays in the list, at its last position and without a face; but a live
+// point at exactly that position that precedes it or is new, or is a copy of it, is used instead. O(corners), plus a
+// sort of the points if such a vertex exists.
 CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables = {}, std::span<const Vertex> used_beside = {});
 
 }  // namespace ryosen

@@ -80,7 +80,7 @@ ElementTotals totals_of(const MeshFile& file) {
     const bool has_ends = std::any_of(table.properties.begin(), table.properties.end(), [](const Property& p) {
       return p.role == PropertyRole::vertex_number && !p.is_list;
     });
-    if (table.kind == TableKind::other && has_ends) totals.lines += table.rows;
+    if (table.is_further() && has_ends) totals.lines += table.rows;
   }
   return totals;
 }

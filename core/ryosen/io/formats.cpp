@@ -326,7 +326,7 @@ std::vector<Message> give_up_lost_elements(MeshFile& file, const Format& format,
   if (!format.holds) return {};
   const Encoding encoding = encoding_of(file, format, wanted);
   const Holds held = format.holds(encoding);
-  const auto is_other = [](const PropertyTable& table) { return table.kind == TableKind::other; };
+  const auto is_other = [](const PropertyTable& table) { return table.is_further(); };
   const std::vector<PropertyTable>& tables = file.properties.tables;
   const bool loses_elements = !holds(held, Holds::elements) && !file.elements.items.empty();
   const bool loses_tables = !holds(held, Holds::properties) && std::any_of(tables.begin(), tables.end(), is_other);

@@ -153,29 +153,40 @@ std::uint64_t welded_points(const MeshFile& file, Holds held) {
   return count;
 }
 
-bool is_held_elsewhere(const PropertyTable& table, const Property& property, Holds held) {
-  return holds(held, Holds::facet_attributes) && table.kind == TableKind::faces && property.type == NumberType::u16 &&
-         !property.is_list && property.name == facet_attribute;
+bool is_held_elsewhere(const AttributeColumn& column, Holds held) {
+  return holds(held, Holds::facet_attributes) && column.name == facet_attribute &&
+         column.type == value_type<std::uint16_t>;
 }
 
+// Edges count as rows where one has a value.
 std::uint64_t extra_properties(const MeshFile& file, Holds held) {
-  if (holds(held, Holds::properties)) return 0;
+  if (holds(held, Holds::properties)) return ply_unwritten_attributes(file);
   std::uint64_t count = 0;
   for (const PropertyTable& table : file.properties.tables) {
-    if (table.kind == TableKind::other) continue;
-    for (const Property& property : table.properties)
-      count += property.is_kept() && !is_held_elsewhere(table, property, held) ? 1 : 0;
+    if (table.is_further()) continue;
+    for (const Property& property : table.properties) count += property.is_kept() ? 1 : 0;
+  }
+  for (const AttributeColumn& column : file.mesh.attributes) {
+    const bool counts_as_rows = column.element == ElementKind::edge && !file.mesh.edges.empty();
+    count += !counts_as_rows && !is_held_elsewhere(column, held) ? 1 : 0;
   }
   return count;
 }
 
 std::uint64_t extra_rows(const MeshFile& file, Holds held) {
   if (holds(held, Holds::properties)) return 0;
-  std::uint64_t count = file.properties.obj_info.size();
+  std::uint64_t count = file.properties.obj_info.size() + file.mesh.edges.size();
   for (const UnknownLines& lines : file.properties.unknown_lines)
     count += static_cast<std::uint64_t>(std::count(lines.text.begin(), lines.text.end(), '\n'));
-  for (const PropertyTable& table : file.properties.tables) count += table.kind == TableKind::other ? table.rows : 0;
+  for (const PropertyTable& table : file.properties.tables) count += table.is_further() ? table.rows : 0;
   return count;
+}
+
+std::uint64_t own_rules(const MeshFile& file, Holds held) {
+  if (!holds(held, Holds::properties)) return 0;
+  const auto& all = file.mesh.attributes;
+  return static_cast<std::uint64_t>(std::count_if(
+      all.begin(), all.end(), [](const AttributeColumn& column) { return column.rule == ValueRule::own; }));
 }
 
 std::uint64_t comments(const MeshFile& file, Holds held) {
@@ -291,6 +302,8 @@ const std::vector<LossKind>& loss_kinds() {
        [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.material_libraries.size(); }); }},
       {"loses_properties", "further properties of vertices or faces", "頂点または面のその他のプロパティ",
        extra_properties},
+      {"loses_rules", "own rules of attributes, which get the usual rule of their type",
+       "属性の独自の規則(型の標準の規則になります)", own_rules},
       {"loses_extra_elements", "rows of further elements, lines obj_info and unknown lines of a header",
        "その他の要素、obj_info の行、ヘッダーの未知の行", extra_rows},
       {"loses_comments", "lines of comments", "コメントの行", comments},

@@ -48,8 +48,8 @@ constexpr bool holds(Holds all, Holds one) {
   return (static_cast<std::uint32_t>(all) & static_cast<std::uint32_t>(one)) == static_cast<std::uint32_t>(one);
 }
 
-// The name of the property with the attribute bytes of binary STL facets.
-inline constexpr std::string_view facet_attribute = "attribute";
+// The attribute with the attribute bytes of binary STL facets, of type ushort.
+inline constexpr std::string_view facet_attribute = "face.attribute";
 
 // How the sentence of a loss is made; the count is always appended.
 enum class LossSentence {

@@ -39,7 +39,7 @@ struct MeshFile {
   std::vector<std::string> head_comments;       // lines of the leading comment, including #
   std::vector<std::string> material_libraries;  // the rest of each mtllib line, without duplicates
   ElementList elements;
-  PropertyTables properties;                // PLY: layout and data not in the mesh; STL: facet attributes
+  PropertyTables properties;                // PLY: layout and data not in the mesh
   Encoding encoding = Encoding::automatic;  // as read, and as it will be written
   // Edges without a face of the edited mesh, by the numbers of their ends in `mesh`, ascending. Formats with lines
   // write them as lines; reading gives lines, never edges.

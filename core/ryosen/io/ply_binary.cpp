@@ -41,7 +41,7 @@ Number load(const char* at) {
 std::size_t least_bytes(const PropertyTable& table) {
   std::size_t bytes = 0;
   for (const Property& property : table.properties)
-    bytes += size_of(property.is_list ? property.count_type : property.type);
+    bytes += bytes_of(property.is_list ? property.count_type : property.type);
   return bytes;
 }
 
@@ -109,7 +109,7 @@ class PlyBinaryReader {
     const std::size_t stride = least_bytes(table);
     for (std::size_t p = 0; p < targets.size(); ++p) {
       Property& property = table.properties[p];
-      if (!targets[p].first) property.data.resize(table.rows * size_of(property.type));
+      if (!targets[p].first) property.data.resize(table.rows * bytes_of(property.type));
     }
     std::atomic<bool> all_sound = true;
     for_each_part(static_cast<std::uint32_t>(table.rows), threads_for(table.rows * targets.size()),
@@ -137,12 +137,12 @@ class PlyBinaryReader {
       const std::size_t last = std::min(first + block, end);
       std::size_t offset = 0;
       for (std::size_t p = 0; p < table.properties.size(); ++p) {
-        const NumberType type = table.properties[p].type;
-        with_number_type(type, [&](auto zero) {
+        const Scalar type = table.properties[p].type;
+        with_scalar(type, [&](auto zero) {
           visit(zero, p, at_ + offset, first, last);
           return 0;
         });
-        offset += size_of(type);
+        offset += bytes_of(type);
       }
     }
   }
@@ -202,13 +202,13 @@ class PlyBinaryReader {
   static bool has_corners_alone(const PropertyTable& table) {
     if (table.properties.size() != 1 || table.properties[0].role != PropertyRole::corners) return false;
     const Property& corners = table.properties[0];
-    return size_of(corners.count_type) == 1 && size_of(corners.type) == 4;
+    return bytes_of(corners.count_type) == 1 && bytes_of(corners.type) == 4;
   }
 
   bool read_corners(const PropertyTable& table) {
     IndexedMesh& mesh = builder_.mesh();
-    const bool is_signed = table.properties[0].type == NumberType::i32;
-    const bool has_signed_count = table.properties[0].count_type == NumberType::i8;
+    const bool is_signed = table.properties[0].type == Scalar::int32;
+    const bool has_signed_count = table.properties[0].count_type == Scalar::int8;
     const std::size_t expected = std::min(3 * table.rows, left() / 4);
     reserve_large(mesh.corners, expected);
     if (mesh.corners.empty()) touch_pages(mesh.corners.data(), expected * sizeof(std::uint32_t));
@@ -285,7 +285,7 @@ class PlyBinaryReader {
       if (are_strips) builder_.note_strip(static_cast<std::uint64_t>(at_ - begin_));
       for (std::size_t p = 0; p < targets.size(); ++p) {
         Property& property = table.properties[p];
-        const bool done = with_number_type(property.type, [&](auto zero) {
+        const bool done = with_scalar(property.type, [&](auto zero) {
           using Number = decltype(zero);
           return property.is_list ? read_list<Number>(table, property, row)
                                   : read_number<Number>(table, property, targets[p], row);
@@ -318,9 +318,9 @@ class PlyBinaryReader {
 
   template <class Number>
   bool read_list(const PropertyTable& table, Property& property, std::size_t row) {
-    const std::size_t count_size = size_of(property.count_type);
+    const std::size_t count_size = bytes_of(property.count_type);
     if (left() < count_size) return ends_early(table, row);
-    const auto count = with_number_type(
+    const auto count = with_scalar(
         property.count_type, [&](auto zero) { return static_cast<std::int64_t>(load<decltype(zero), Swap>(at_)); });
     if (count < 0) return negative_length(at_);
     at_ += count_size;

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "ryosen/base/column_memory.h"
+#include "ryosen/io/ply_attributes.h"
 
 namespace ryosen {
 namespace {
 
 // The number in place of -1 in an unsigned type, if no vertex has it.
-std::int64_t end_of_strip(NumberType type, std::size_t vertices) {
-  return with_number_type(type, [&](auto zero) -> std::int64_t {
+std::int64_t end_of_strip(Scalar type, std::size_t vertices) {
+  return with_scalar(type, [&](auto zero) -> std::int64_t {
     using Number = decltype(zero);
     if constexpr (std::is_unsigned_v<Number> && sizeof(Number) < 8) {
       constexpr auto last = std::int64_t{std::numeric_limits<Number>::max()};
@@ -58,7 +59,7 @@ void warn_of_further_properties(Reporter& reporter, FilePlace place, std::size_t
 PropertyTable face_table() {
   Property corners;
   corners.name = "vertex_indices";
-  corners.type = NumberType::i32;
+  corners.type = Scalar::int32;
   corners.is_list = true;
   corners.role = PropertyRole::corners;
   return {"face", TableKind::faces, 0, {corners}};
@@ -92,12 +93,13 @@ PlyTarget component_of(std::vector<Vector>& values, std::size_t component, doubl
 const Property* strip_corners(const PropertyTable& table) {
   if (table.kind != TableKind::other || table.name != "tristrips") return nullptr;
   const auto found = std::find_if(table.properties.begin(), table.properties.end(), [](const Property& property) {
-    return property.role == PropertyRole::vertex_number && property.is_list && !is_real(property.type);
+    return property.role == PropertyRole::vertex_number && property.is_list && !is_floating(property.type);
   });
   return found == table.properties.end() ? nullptr : &*found;
 }
 
-PlyBuilder::PlyBuilder(PlyHeader header) : faces_(file_.mesh), places_(header.tables.tables.size()) {
+PlyBuilder::PlyBuilder(PlyHeader header)
+    : attributes_(std::move(header.attributes)), faces_(file_.mesh), places_(header.tables.tables.size()) {
   file_.properties = std::move(header.tables);
   file_.head_comments = std::move(header.comments);
   file_.encoding = header.encoding;
@@ -150,7 +152,7 @@ std::vector<PlyTarget> PlyBuilder::begin_table(std::size_t number, FilePlace pla
   for (Property& property : table.properties) {
     targets.push_back(target_of(property));
     if (property.is_list && property.role != PropertyRole::corners) property.ends.reserve(table.rows);
-    if (property.is_kept() && !property.is_list) property.data.reserve(table.rows * size_of(property.type));
+    if (property.is_kept() && !property.is_list) property.data.reserve(table.rows * bytes_of(property.type));
   }
   return targets;
 }
@@ -278,13 +280,13 @@ void PlyBuilder::widen_odd_colours() {
     for (const PropertyRole role : {PropertyRole::vertex_colour, PropertyRole::face_colour}) {
       bool are_bytes = true;
       for (const Property& property : table.properties) {
-        if (property.role != role || property.type != NumberType::u8) continue;
+        if (property.role != role || property.type != Scalar::uint8) continue;
         const PlyTarget target = target_of(property);
         for (std::size_t row = 0; are_bytes && row < table.rows; ++row)
           are_bytes = is_byte(target.first[row * target.stride]);
       }
       for (Property& property : table.properties)
-        if (!are_bytes && property.role == role) property.type = NumberType::f64;
+        if (!are_bytes && property.role == role) property.type = Scalar::float64;
     }
 }
 
@@ -311,6 +313,7 @@ Result<MeshFile> PlyBuilder::finish() {
                       "ヘッダーのバイト順が誤っています。"},
                      first_face);
   }
+  take_attributes(file_, std::move(attributes_));
   if (!mesh.normals.pool.empty()) mesh.normals.index = mesh.corners;
   if (!mesh.texcoords.pool.empty() && mesh.texcoords.index.empty()) {
     mesh.texcoords.index = mesh.corners;

@@ -67,6 +67,7 @@ class PlyBuilder {
   FilePlace place_of_faces() const;
 
   MeshFile file_;
+  std::vector<PlyAttribute> attributes_;  // that comments describe
   FaceList faces_;
   Reporter reporter_;
   std::vector<FilePlace> places_;            // of the first row of each table

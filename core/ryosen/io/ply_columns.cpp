@@ -13,14 +13,14 @@
 namespace ryosen {
 namespace {
 
-bool type_holds(NumberType type, double value) {
-  if (type == NumberType::f64) return true;
-  if (type == NumberType::f32) {
+bool type_holds(Scalar type, double value) {
+  if (type == Scalar::float64) return true;
+  if (type == Scalar::float32) {
     if (!std::isfinite(value)) return true;
     if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
     return static_cast<double>(static_cast<float>(value)) == value;
   }
-  return with_number_type(type, [&](auto zero) {
+  return with_scalar(type, [&](auto zero) {
     using Number = decltype(zero);
     constexpr double whole_limit = 9007199254740992.0;  // whole numbers below it are exact doubles
     if (!(std::abs(value) <= whole_limit) || std::trunc(value) != value || (value == 0 && std::signbit(value)))
@@ -33,7 +33,7 @@ bool type_holds(NumberType type, double value) {
 
 // Where reading makes floats, if it is how the float is printed: with its shortest digits.
 bool is_shortest_of_single(double value) {
-  if (type_holds(NumberType::f32, value)) return true;
+  if (type_holds(Scalar::float32, value)) return true;
   if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max())) return false;
   char text[32];
   const char* const end = std::to_chars(text, text + sizeof text, static_cast<float>(value)).ptr;
@@ -73,7 +73,7 @@ int ply_face_colour_components(const FaceColours& colours) {
 }
 
 std::uint64_t ply_rounded_colours(const MeshFile& file) {
-  const auto is_byte_colour = [](const Property& p) { return is_colour(p.role) && p.type == NumberType::u8; };
+  const auto is_byte_colour = [](const Property& p) { return is_colour(p.role) && p.type == Scalar::uint8; };
   const std::vector<PropertyTable>& layout = file.properties.tables;
   if (std::none_of(layout.begin(), layout.end(), [&](const PropertyTable& table) {
         return std::any_of(table.properties.begin(), table.properties.end(), is_byte_colour);
@@ -82,10 +82,10 @@ std::uint64_t ply_rounded_colours(const MeshFile& file) {
   const PlyColumns columns(file, Encoding::binary_little);
   std::uint64_t count = 0;
   for (const PlyTable& table : columns.tables()) {
-    if (table.kind == TableKind::other) continue;
+    if (table.kind != TableKind::vertices && table.kind != TableKind::faces) continue;
     std::vector<const PlyColumn*> bytes;
     for (const PlyColumn& column : table.columns)
-      if (is_colour(column.role) && column.type == NumberType::u8 && column.is_of_layout) bytes.push_back(&column);
+      if (is_colour(column.role) && column.type == Scalar::uint8 && column.is_of_layout) bytes.push_back(&column);
     for (std::size_t row = 0; row < table.rows && !bytes.empty(); ++row)
       count += std::any_of(bytes.begin(), bytes.end(),
                            [&](const PlyColumn* column) { return !byte_meant(columns.mesh_value(*column, row)); });
@@ -108,6 +108,7 @@ PlyColumns::PlyColumns(const MeshFile& file, Encoding encoding)
   }
   add_layout();
   add_missing();
+  add_attributes();
   for (PlyTable& table : tables_) {
     for (PlyColumn& column : table.columns) widen(table, column);
     using enum PropertyRole;
@@ -157,9 +158,15 @@ void PlyColumns::add_layout() {
     out.rows = table.kind == TableKind::vertices ? file_.mesh.positions.size()
                : table.kind == TableKind::faces  ? file_.mesh.face_count()
                                                  : table.rows;
+    if (table.kind == TableKind::edges) add_edge_rows(out, &table);
     for (const Property& property : table.properties) {
-      if (!has_data(property.role, property.component)) continue;
+      const AttributeColumn* const attribute = attribute_of(table.kind, property);
+      if (!has_data(property.role, property.component) || property.role == PropertyRole::row) continue;
+      if (property.role == PropertyRole::attribute && !attribute && (table.kind != TableKind::edges || table.rows == 0))
+        continue;
       PlyColumn& column = out.columns.emplace_back(PlyColumn{property});
+      if (attribute) set_attribute(column, *attribute);
+      if (table.kind == TableKind::edges) column.kept = &property;
       column.is_of_layout = true;
       if (is_colour(property.role)) column.scale = colour_scale(property.type);
       if (property.is_kept()) column.kept = &property;
@@ -171,9 +178,7 @@ void PlyColumns::add_reals(PlyTable& table, PropertyRole role, std::initializer_
   std::uint8_t component = 0;
   const auto first = std::find_if(table.columns.begin(), table.columns.end(),
                                   [&](const PlyColumn& column) { return column.role == role; });
-  const NumberType type = first != table.columns.end() ? first->type
-                          : is_colour(role)            ? NumberType::u8
-                                                       : NumberType::f32;
+  const Scalar type = first != table.columns.end() ? first->type : is_colour(role) ? Scalar::uint8 : Scalar::float32;
   for (const std::string_view name : names) {
     const bool is_there = std::any_of(table.columns.begin(), table.columns.end(), [&](const PlyColumn& column) {
       return column.role == role && column.component == component;
@@ -199,7 +204,7 @@ void PlyColumns::add_missing() {
       if (table.kind == kind) return table;
     // Vertices come first.
     return *tables_.insert(kind == TableKind::vertices ? tables_.begin() : tables_.end(),
-                           PlyTable{name, kind, rows, {}});
+                           PlyTable{name, kind, rows, {}, {}});
   };
   using enum PropertyRole;
   PlyTable& vertices = table_of(TableKind::vertices, "vertex", file_.mesh.positions.size());
@@ -212,7 +217,7 @@ void PlyColumns::add_missing() {
       std::any_of(tables_.begin(), tables_.end(), [](const PlyTable& table) { return table.kind == TableKind::faces; });
   if (file_.properties.has_layout() && !has_faces && file_.mesh.face_count() == 0) return;
   PlyTable& faces = table_of(TableKind::faces, "face", file_.mesh.face_count());
-  const auto add_list = [&](PropertyRole role, std::string_view name, NumberType type) {
+  const auto add_list = [&](PropertyRole role, std::string_view name, Scalar type) {
     const bool is_there = std::any_of(faces.columns.begin(), faces.columns.end(),
                                       [&](const PlyColumn& column) { return column.role == role; });
     if (is_there) return;
@@ -223,8 +228,8 @@ void PlyColumns::add_missing() {
     column.role = role;
     faces.columns.insert(role == corners ? faces.columns.begin() : faces.columns.end(), column);
   };
-  add_list(corners, "vertex_indices", NumberType::i32);
-  if (has_corner_texcoords_) add_list(corner_texcoord, "texcoord", NumberType::f32);
+  add_list(corners, "vertex_indices", Scalar::int32);
+  if (has_corner_texcoords_) add_list(corner_texcoord, "texcoord", Scalar::float32);
   add_reals(faces, face_colour, {"red", "green", "blue", "alpha"});
 }
 
@@ -250,7 +255,7 @@ double PlyColumns::mesh_value(const PlyColumn& column, std::size_t row) const {
 double PlyColumns::value(const PlyColumn& column, std::size_t row) const {
   const double value = mesh_value(column, row);
   if (!is_colour(column.role)) return value;
-  return column.type == NumberType::u8 ? std::nearbyint(value * column.scale) : scaled_colour(value, column.scale);
+  return column.type == Scalar::uint8 ? std::nearbyint(value * column.scale) : scaled_colour(value, column.scale);
 }
 
 const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) const {
@@ -271,17 +276,17 @@ const std::vector<glm::dvec3>& PlyColumns::corner_texcoords(std::size_t face) co
   return scratch_;
 }
 
-bool PlyColumns::holds_value(NumberType type, const PlyColumn& column, double value) const {
-  if (type == NumberType::u8 && is_colour(column.role))
+bool PlyColumns::holds_value(Scalar type, const PlyColumn& column, double value) const {
+  if (type == Scalar::uint8 && is_colour(column.role))
     return column.is_of_layout ? rounds_to_byte(value) : byte_meant(value).has_value();
-  if (type == NumberType::f32 && has_decimals_) {
+  if (type == Scalar::float32 && has_decimals_) {
     const bool stay_decimals = writes_decimals_ && column.role != PropertyRole::corner_texcoord;
     return stay_decimals ? is_decimal_of_single(value) : is_shortest_of_single(value);
   }
   return type_holds(type, is_colour(column.role) ? scaled_colour(value, colour_scale(type)) : value);
 }
 
-bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t rows) const {
+bool PlyColumns::holds(Scalar type, const PlyColumn& column, std::size_t rows) const {
   if (column.role == PropertyRole::corner_texcoord) {
     for (std::size_t row = 0; row < rows; ++row) {
       for (const glm::dvec3& value : corner_texcoords(row))
@@ -295,18 +300,22 @@ bool PlyColumns::holds(NumberType type, const PlyColumn& column, std::size_t row
 }
 
 void PlyColumns::widen(const PlyTable& table, PlyColumn& column) {
-  if (column.is_list && !column.kept) {
-    std::size_t longest = 0;
-    const std::size_t per_corner = column.role == PropertyRole::corners ? 1 : 2;
-    for (std::size_t row = 0; row < table.rows; ++row) longest = std::max(longest, per_corner * corner_count(row));
-    for (const NumberType type : {column.count_type, NumberType::u8, NumberType::u16, NumberType::u32}) {
+  if (column.role == PropertyRole::vertex_number && table.kind == TableKind::edges) return widen_ends(column);
+  if (column.is_list && (!column.kept || column.attribute)) {
+    const bool is_of_element = column.attribute && column.attribute->element != ElementKind::corner;
+    const std::size_t count = column.attribute ? column.attribute->type.count : 1;
+    std::size_t longest = is_of_element ? count : 0;
+    const std::size_t per_corner = column.role == PropertyRole::corner_texcoord ? 2 : count;
+    for (std::size_t row = 0; row < table.rows && !is_of_element; ++row)
+      longest = std::max(longest, per_corner * corner_count(row));
+    for (const Scalar type : {column.count_type, Scalar::uint8, Scalar::uint16, Scalar::uint32}) {
       column.count_type = type;
       if (type_holds(type, static_cast<double>(longest))) break;
     }
   }
   if (column.role == PropertyRole::corners) return widen_corners(column);
   if (column.role != PropertyRole::corner_texcoord || holds(column.type, column, table.rows)) return;
-  column.type = holds(NumberType::f32, column, table.rows) ? NumberType::f32 : NumberType::f64;
+  column.type = holds(Scalar::float32, column, table.rows) ? Scalar::float32 : Scalar::float64;
 }
 
 void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
@@ -316,10 +325,10 @@ void PlyColumns::widen_together(PlyTable& table, PropertyRole role) {
   const auto keeps = [&](const PlyColumn* column) { return holds(column->type, *column, table.rows); };
   if (std::all_of(columns.begin(), columns.end(), keeps)) return;
   const bool are_singles = std::all_of(columns.begin(), columns.end(), [&](const PlyColumn* column) {
-    return column->type != NumberType::f64 && holds(NumberType::f32, *column, table.rows);
+    return column->type != Scalar::float64 && holds(Scalar::float32, *column, table.rows);
   });
   for (PlyColumn* const column : columns) {
-    column->type = are_singles ? NumberType::f32 : NumberType::f64;
+    column->type = are_singles ? Scalar::float32 : Scalar::float64;
     column->scale = 1.0;
   }
 }
@@ -333,7 +342,7 @@ void PlyColumns::widen_corners(PlyColumn& column) {
     });
   }
   // Numbers that fit no type are out of range anyway; the writer saturates them (a loss: Holds::wide_numbers).
-  for (const NumberType type : {column.type, NumberType::i32, NumberType::u32, NumberType::i32}) {
+  for (const Scalar type : {column.type, Scalar::int32, Scalar::uint32, Scalar::int32}) {
     column.type = type;
     if (type_holds(type, static_cast<double>(least)) && type_holds(type, static_cast<double>(most))) break;
   }

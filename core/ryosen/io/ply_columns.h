@@ -13,6 +13,13 @@ struct PlyColumn : PropertyHead {
   double scale = 1.0;  // for colours: the written value of 1
   bool is_of_layout = false;
   const Property* kept = nullptr;  // the source of its values, if not in the mesh
+  const AttributeColumn* attribute = nullptr;
+};
+
+// A row of the element edge: an edge of the mesh, or a row that the table of the file has kept.
+struct PlyEdgeRow {
+  bool is_kept = false;
+  std::uint32_t index = 0;
 };
 
 struct PlyTable {
@@ -20,6 +27,7 @@ struct PlyTable {
   TableKind kind = TableKind::other;
   std::size_t rows = 0;
   std::vector<PlyColumn> columns;
+  std::vector<PlyEdgeRow> edges;  // of TableKind::edges, by row
 };
 
 class PlyColumns {
@@ -44,6 +52,10 @@ class PlyColumns {
     }
   }
   std::size_t corner_count(std::size_t face) const;
+  // The value of an attribute at a corner of a face, by its place there.
+  const std::uint32_t* corner_value(const AttributeColumn& column, std::size_t face, std::size_t corner) const;
+  // Whether the columns have this attribute of the mesh.
+  bool has(const AttributeColumn& column) const;
   // The texture coordinates of a face's corners: empty, or one per corner.
   const std::vector<glm::dvec3>& corner_texcoords(std::size_t face) const;
 
@@ -51,14 +63,20 @@ class PlyColumns {
   const QuarantinedFace* quarantined(std::size_t face) const;
   void add_layout();
   void add_missing();
+  // The attribute of the mesh that a property was read as, or null.
+  const AttributeColumn* attribute_of(TableKind kind, const Property& property) const;
+  static void set_attribute(PlyColumn& column, const AttributeColumn& attribute);
+  void add_attributes();
+  void add_edge_rows(PlyTable& table, const PropertyTable* kept) const;
   bool has_data(PropertyRole role, std::uint8_t component) const;
   void add_reals(PlyTable& table, PropertyRole role, std::initializer_list<std::string_view> names);
   void widen(const PlyTable& table, PlyColumn& column);
   // Keeps the layout's types for a role, or widens all its components to one type.
   void widen_together(PlyTable& table, PropertyRole role);
+  void widen_ends(PlyColumn& column) const;
   void widen_corners(PlyColumn& column);
-  bool holds(NumberType type, const PlyColumn& column, std::size_t rows) const;
-  bool holds_value(NumberType type, const PlyColumn& column, double value) const;
+  bool holds(Scalar type, const PlyColumn& column, std::size_t rows) const;
+  bool holds_value(Scalar type, const PlyColumn& column, double value) const;
 
   const MeshFile& file_;
   std::vector<PlyTable> tables_;
@@ -76,5 +94,9 @@ int ply_face_colour_components(const FaceColours& colours);
 
 // The number of vertices and faces whose colours are rounded to the uchar that the file had. O(colours).
 std::uint64_t ply_rounded_colours(const MeshFile& file);
+
+// The number of attributes that have no place in PLY beside what the file has there: those of edges where its element
+// edge is something else, and those whose names it has for something else. O(values) where there are attributes.
+std::uint64_t ply_unwritten_attributes(const MeshFile& file);
 
 }  // namespace ryosen

@@ -69,7 +69,7 @@ void give_scalar_role(PropertyTable& table, const RoleRow& row) {
   for (const std::string_view name : row.names) {
     Property* const property = find_property(table, name, false);
     if (!property) break;
-    if (row.role == PropertyRole::vertex_number && is_real(property->type)) break;
+    if (row.role == PropertyRole::vertex_number && is_floating(property->type)) break;
     found.push_back(property);
   }
   if (found.size() < row.needed) return;
@@ -86,7 +86,8 @@ void give_roles(PropertyTable& table) {
   for (const ListRoleRow& row : list_roles) {
     if (row.kind != table.kind || has_role(table, row.role)) continue;
     Property* const property = find_property(table, row.name, true);
-    if (property && is_real(property->type) == (row.role == PropertyRole::corner_texcoord)) property->role = row.role;
+    if (property && is_floating(property->type) == (row.role == PropertyRole::corner_texcoord))
+      property->role = row.role;
   }
 }
 
@@ -122,7 +123,7 @@ class HeaderReader {
     std::string_view rest = text;
     const std::string_view word = take_word(rest);
     if (word == "comment")
-      header_.comments.push_back(on_one_line(after_blank(rest)));
+      comment(on_one_line(after_blank(rest)));
     else if (word == "obj_info")
       header_.tables.obj_info.push_back(on_one_line(after_blank(rest)));
     else if (word == "format")
@@ -135,6 +136,23 @@ class HeaderReader {
       is_done_ = true;
     else if (!word.empty())
       unknown(word, text);
+  }
+
+  void comment(std::string text) {
+    std::string_view rest = text;
+    std::vector<std::string_view> words;
+    if (take_word(rest) == "attribute")
+      for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) words.push_back(word);
+    if (words.empty() || !element_of_attribute(words[0])) return header_.comments.push_back(std::move(text));
+    ReadAttribute read = read_attribute(words);
+    if (read.fault) {
+      header_.reporter.warn("unknown_type", FilePlace::at_line(lines_.count()), [&] {
+        return Text{"The comment on an attribute is not understood: ", "属性についてのコメントを解釈できません: "} +
+               sentence_of(*read.fault);
+      });
+      return header_.comments.push_back(std::move(text));
+    }
+    header_.attributes.push_back({std::move(read.column), std::move(text)});
   }
 
   // If the end_header line is missing, data lines get here too; they do not begin with a letter.
@@ -216,8 +234,8 @@ class HeaderReader {
     header_.element_lines.push_back(lines_.count());
   }
 
-  bool type(std::string_view word, NumberType& type) {
-    if (find_number_type(word, type)) return true;
+  bool type(std::string_view word, Scalar& type) {
+    if (const auto found = find_scalar(word); found && *found != Scalar::boolean) return type = *found, true;
     fail("unknown_type", {shown(word) + " is not a type of PLY, such as float or int.",
                           shown(word) + " は PLY の型(float や int など)ではありません。"});
     return false;
@@ -233,7 +251,7 @@ class HeaderReader {
     property.is_list = word == "list";
     if (property.is_list) {
       if (!type(take_word(rest), property.count_type)) return;
-      if (is_real(property.count_type)) {
+      if (is_floating(property.count_type)) {
         return fail("unknown_type",
                     {"The length of a list must be a whole number.", "リストの長さは整数型でなければなりません。"});
       }
@@ -313,6 +331,24 @@ std::string_view header_bytes(std::string_view bytes, PlyLineEnd ends) {
 }
 
 }  // namespace
+
+std::string attribute_of_property(TableKind kind, std::string_view property) {
+  const ElementKind element = kind == TableKind::vertices ? ElementKind::vertex
+                              : kind == TableKind::faces  ? ElementKind::face
+                                                          : ElementKind::edge;
+  const auto named = element_of_attribute(property);
+  if (named && (*named == element || (*named == ElementKind::corner && kind == TableKind::faces)))
+    return std::string(property);
+  return std::string(name_of(element)).append(".").append(property);
+}
+
+bool has_meaning_in_ply(TableKind kind, std::string_view property) {
+  const TableKind roles = kind == TableKind::edges ? TableKind::other : kind;
+  for (const RoleRow& row : scalar_roles())
+    if (row.kind == roles && std::find(row.names.begin(), row.names.end(), property) != row.names.end()) return true;
+  return std::any_of(std::begin(list_roles), std::end(list_roles),
+                     [&](const ListRoleRow& row) { return row.kind == roles && row.name == property; });
+}
 
 const PropertyTable* PlyHeader::find(TableKind kind) const {
   for (const PropertyTable& table : tables.tables)

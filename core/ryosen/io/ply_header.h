@@ -13,12 +13,28 @@
 
 namespace ryosen {
 
+// An attribute as a comment describes it, behind the word attribute (see mesh/attribute_text.h), because its property
+// cannot say all:
+//
+//   comment attribute vertex.fixed bool first false
+struct PlyAttribute {
+  AttributeColumn column;  // without values
+  std::string comment;
+};
+
+// The name of the attribute that a property of an element would be: that of the property if it begins with the element
+// (in faces also with corner), else with the element before it.
+std::string attribute_of_property(TableKind kind, std::string_view property);
+// Whether a property of this name may be read as something else than an attribute.
+bool has_meaning_in_ply(TableKind kind, std::string_view property);
+
 struct PlyHeader {
   Encoding encoding = Encoding::ascii;
   PropertyTables tables;                     // with roles, without values; row counts are unverified
   std::vector<std::uint64_t> element_lines;  // the header line of each table
   std::vector<std::string> counts;           // of rows as the header spells them, for messages
-  std::vector<std::string> comments;         // without the word
+  std::vector<std::string> comments;         // without the word and without those of `attributes`
+  std::vector<PlyAttribute> attributes;      // that comments describe
   Reporter reporter;                         // the warnings of the header
   std::optional<Failure> missing_z;          // the failure if vertices have no z, unless the count of numbers is exact
   std::string unknown_word;                  // the first one, as it may be shown; empty if there is none

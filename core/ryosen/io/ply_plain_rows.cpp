@@ -113,7 +113,7 @@ PlainRows read_in_blocks(std::vector<Block>& blocks, unsigned threads, std::size
 }
 
 bool goes_to_the_mesh(const Property& property, const PlyTarget& target) {
-  const bool may_be_rounded = !is_real(property.type) && size_of(property.type) == 8;
+  const bool may_be_rounded = !is_floating(property.type) && bytes_of(property.type) == 8;
   return !property.is_list && target.first && !may_be_rounded;
 }
 

@@ -132,7 +132,7 @@ class PlyTextReader {
     double value = 0;
     if (!read_number(value)) return false;
     is_finite_ = is_finite_ && std::isfinite(value);
-    if (!is_real(property.type) && size_of(property.type) == 8 && !is_read_exactly(before))
+    if (!is_floating(property.type) && bytes_of(property.type) == 8 && !is_read_exactly(before))
       builder_.warn_rounded(lines_.place(before.data()));
     if (!faults_.any()) target.put(row, value);  // rows with faults may be more than there is room for
     return true;
@@ -173,13 +173,13 @@ class PlyTextReader {
   // Reads a value into Property::data. Integers must fit their type and may be written with a zero fraction.
   bool read_kept(Property& property) {
     if (are_words_) has_number();
-    if (is_real(property.type)) {
+    if (is_floating(property.type)) {
       double value = 0;
       if (!read_number(value)) return false;
       property.append(value);
       return true;
     }
-    if (property.type == NumberType::u64) {
+    if (property.type == Scalar::uint64) {
       std::uint64_t large = 0;
       if (take_number(rest_, large)) return property.append(static_cast<std::int64_t>(large)), true;
     }
@@ -192,7 +192,7 @@ class PlyTextReader {
       if (!(real > -limit && real < limit) || std::trunc(real) != real) return out_of_type(before, property);
       value = static_cast<std::int64_t>(real);
     }
-    const std::size_t at = property.data.size() / size_of(property.type);
+    const std::size_t at = property.data.size() / bytes_of(property.type);
     property.append(value);
     return property.integer(at) == value || out_of_type(before, property);
   }
@@ -235,7 +235,7 @@ class PlyTextReader {
     if (are_corners)
       builder_.faces().end_face(row_line_);
     else
-      property.ends.push_back(static_cast<std::uint32_t>(property.data.size() / size_of(property.type)));
+      property.ends.push_back(static_cast<std::uint32_t>(property.data.size() / bytes_of(property.type)));
     return true;
   }
 

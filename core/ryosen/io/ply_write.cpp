@@ -3,11 +3,13 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "ryosen/base/enum_table.h"
 #include "ryosen/geometry/single_precision.h"
 #include "ryosen/io/ply.h"
+#include "ryosen/io/ply_attributes.h"
 #include "ryosen/io/ply_columns.h"
 #include "ryosen/io/text_lines.h"
 #include "ryosen/io/text_out.h"
@@ -21,31 +23,33 @@ class PlyTextSink {
   explicit PlyTextSink(TextOut& out) : out_(out) {}
 
   // A float has the shortest digits of one; a decimal of a text in its place keeps its own.
-  void real(NumberType type, double value) {
+  void real(Scalar type, double value) {
     blank();
-    if (!is_real(type))
+    if (!is_floating(type))
       out_ << static_cast<std::int64_t>(value);
-    else if (type == NumberType::f32 && to_single(value) == value)
+    else if (type == Scalar::float32 && to_single(value) == value)
       out_ << static_cast<float>(value);
     else
       out_ << value;
   }
-  void kept(const Property& property, std::size_t value) {
-    if (property.type == NumberType::f32) {
-      float single = 0;
-      std::memcpy(&single, property.data.data() + value * sizeof single, sizeof single);
-      blank();
-      out_ << single;
-    } else if (is_real(property.type)) {
-      real(property.type, property.real(value));
-    } else if (property.type == NumberType::u64) {
-      blank();
-      out_ << static_cast<std::uint64_t>(property.integer(value));
-    } else {
-      whole(property.type, property.integer(value));
-    }
+  // A number as it lies in memory.
+  void stored(Scalar type, const std::byte* at) {
+    with_scalar(type, [&](auto number) {
+      std::memcpy(&number, at, sizeof number);
+      if constexpr (std::is_same_v<decltype(number), double>) {
+        real(Scalar::float64, number);
+      } else if constexpr (std::is_same_v<decltype(number), float>) {
+        blank();
+        out_ << number;
+      } else if constexpr (std::is_same_v<decltype(number), std::uint64_t>) {
+        blank();
+        out_ << number;
+      } else {
+        whole(type, number);
+      }
+    });
   }
-  void whole(NumberType, std::int64_t value) {
+  void whole(Scalar, std::int64_t value) {
     blank();
     out_ << value;
   }
@@ -68,17 +72,17 @@ class PlyBinarySink {
  public:
   PlyBinarySink(TextOut& out, bool swaps) : out_(out), swaps_(swaps) {}
 
-  void real(NumberType type, double value) {
-    with_number_type(type, [&](auto zero) { return put(static_cast<decltype(zero)>(value)); });
+  void real(Scalar type, double value) {
+    with_scalar(type, [&](auto zero) { return put(static_cast<decltype(zero)>(value)); });
   }
-  void kept(const Property& property, std::size_t value) {
-    with_number_type(property.type, [&](auto number) {
-      std::memcpy(&number, property.data.data() + value * sizeof number, sizeof number);
+  void stored(Scalar type, const std::byte* at) {
+    with_scalar(type, [&](auto number) {
+      std::memcpy(&number, at, sizeof number);
       return put(number);
     });
   }
-  void whole(NumberType type, std::int64_t value) {
-    with_number_type(type, [&](auto zero) {
+  void whole(Scalar type, std::int64_t value) {
+    with_scalar(type, [&](auto zero) {
       using Number = decltype(zero);
       if constexpr (std::is_floating_point_v<Number>) {
         return put(static_cast<Number>(value));
@@ -147,6 +151,10 @@ class PlyWriter {
       if (!came_from_ply && text.starts_with('#')) text.remove_prefix(text.starts_with("# ") ? 2 : 1);
       out_ << "comment " << on_one_line(text) << '\n';
     }
+    for (const PlyTable& table : columns_.tables())
+      for (const PlyColumn& column : table.columns)
+        if (column.attribute && !is_plain_in_ply(*column.attribute))
+          out_ << "comment attribute " << words_of(*column.attribute) << '\n';
     for (const std::string& info : file_.properties.obj_info) out_ << "obj_info " << on_one_line(info) << '\n';
     unknown_lines(0, 0);
     std::uint32_t tables = 0;
@@ -180,25 +188,84 @@ class PlyWriter {
     for (const PlyTable& table : columns_.tables()) {
       if (table.columns.empty()) continue;
       for (std::size_t row = 0; row < table.rows; ++row) {
-        for (const PlyColumn& column : table.columns) value(sink, column, row);
+        for (const PlyColumn& column : table.columns) {
+          if (table.kind == TableKind::edges)
+            edge_value(sink, column, table.edges[row]);
+          else if (column.attribute)
+            attribute_value(sink, column, row);
+          else
+            value(sink, column, row);
+        }
         sink.end_row();
       }
+    }
+  }
+
+  // The numbers of one value of an attribute.
+  template <class Sink>
+  void numbers(Sink& sink, const PlyColumn& column, const std::uint32_t* value) const {
+    const auto* at = reinterpret_cast<const std::byte*>(value);
+    for (std::uint32_t i = 0; i < column.attribute->type.count; ++i, at += bytes_of(column.type))
+      sink.stored(column.type, at);
+  }
+  template <class Sink>
+  void whole_value(Sink& sink, const PlyColumn& column, const std::uint32_t* value) const {
+    if (column.is_list) sink.whole(column.count_type, column.attribute->type.count);
+    numbers(sink, column, value);
+  }
+
+  template <class Sink>
+  void attribute_value(Sink& sink, const PlyColumn& column, std::size_t row) const {
+    const AttributeColumn& attribute = *column.attribute;
+    if (attribute.element != ElementKind::corner)
+      return whole_value(sink, column, attribute.data.data() + row * attribute.words());
+    const std::size_t corners = columns_.corner_count(row);
+    sink.whole(column.count_type, static_cast<std::int64_t>(corners * attribute.type.count));
+    for (std::size_t i = 0; i < corners; ++i) numbers(sink, column, columns_.corner_value(attribute, row, i));
+  }
+
+  template <class Sink>
+  void edge_value(Sink& sink, const PlyColumn& column, PlyEdgeRow row) const {
+    const ListedEdge* const e = row.is_kept ? nullptr : &file_.mesh.edges[row.index];
+    const AttributeColumn* const attribute = column.attribute;
+    if (e && column.role == PropertyRole::vertex_number)
+      return sink.whole(column.type, column.component == 0 ? e->from : e->to);
+    if (e && attribute)
+      return whole_value(sink, column, attribute->data.data() + std::size_t{row.index} * attribute->words());
+    const bool has_kept = column.kept && row.is_kept &&
+                          (!attribute || (column.kept->is_list == column.is_list &&
+                                          column.kept->value_count(row.index) == attribute->type.count));
+    if (!has_kept && attribute) return whole_value(sink, column, attribute->fill.data());
+    if (has_kept) return kept_values(sink, column, row.index);
+    sink.whole(column.is_list ? column.count_type : column.type, 0);  // of an attribute that has been removed
+  }
+
+  template <class Sink>
+  void kept_values(Sink& sink, const PlyColumn& column, std::size_t row) const {
+    const Property& kept = *column.kept;
+    const std::size_t first = kept.first_value(row), count = kept.value_count(row);
+    if (column.is_list) sink.whole(column.count_type, static_cast<std::int64_t>(count));
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (column.type == kept.type)
+        sink.stored(kept.type, kept.data.data() + i * bytes_of(kept.type));
+      else if (is_floating(column.type))
+        sink.real(column.type, kept.real(i));
+      else
+        sink.whole(column.type, kept.integer(i));
     }
   }
 
   template <class Sink>
   void value(Sink& sink, const PlyColumn& column, std::size_t row) const {
     if (column.kept) {
-      const std::size_t first = column.kept->first_value(row), count = column.kept->value_count(row);
-      if (column.is_list) sink.whole(column.count_type, static_cast<std::int64_t>(count));
-      for (std::size_t i = first; i < first + count; ++i) sink.kept(*column.kept, i);
+      kept_values(sink, column, row);
     } else if (column.role == PropertyRole::corners) {
       sink.whole(column.count_type, static_cast<std::int64_t>(columns_.corner_count(row)));
       columns_.for_each_corner(row, [&](std::int64_t corner) { sink.whole(column.type, corner); });
     } else if (column.role == PropertyRole::corner_texcoord) {
       const std::vector<glm::dvec3>& texcoords = columns_.corner_texcoords(row);
       sink.whole(column.count_type, static_cast<std::int64_t>(2 * texcoords.size()));
-      const bool are_singles = column.type == NumberType::f32;  // reading makes them floats
+      const bool are_singles = column.type == Scalar::float32;  // reading makes them floats
       for (const glm::dvec3& texcoord : texcoords)
         for (const double number : {texcoord.x, texcoord.y})
           sink.real(column.type, are_singles ? to_single(number) : number);

@@ -3,32 +3,14 @@
 #include <algorithm>
 #include <cstring>
 
-#include "ryosen/base/enum_table.h"
 #include "ryosen/indexed/indexed.h"
 
 namespace ryosen {
 namespace {
 
-struct TypeRow {
-  NumberType type;
-  std::string_view name, other_name;
-  std::size_t size;
-};
-
-constexpr TypeRow number_types[] = {
-    {NumberType::i8, "char", "int8", 1},       {NumberType::u8, "uchar", "uint8", 1},
-    {NumberType::i16, "short", "int16", 2},    {NumberType::u16, "ushort", "uint16", 2},
-    {NumberType::i32, "int", "int32", 4},      {NumberType::u32, "uint", "uint32", 4},
-    {NumberType::i64, "int64", "longlong", 8}, {NumberType::u64, "uint64", "ulonglong", 8},
-    {NumberType::f32, "float", "float32", 4},  {NumberType::f64, "double", "float64", 8},
-};
-static_assert(rows_are_in_order(number_types, &TypeRow::type));
-
-const TypeRow& row_of(NumberType type) { return number_types[static_cast<std::size_t>(type)]; }
-
 template <class Target>
 Target load_as(const Property& property, std::size_t value) {
-  return with_number_type(property.type, [&](auto number) {
+  return with_scalar(property.type, [&](auto number) {
     std::memcpy(&number, property.data.data() + value * sizeof number, sizeof number);
     return static_cast<Target>(number);
   });
@@ -36,7 +18,7 @@ Target load_as(const Property& property, std::size_t value) {
 
 template <class Source>
 void append_as(Property& property, Source value) {
-  with_number_type(property.type, [&](auto number) {
+  with_scalar(property.type, [&](auto number) {
     number = static_cast<decltype(number)>(value);
     const auto* const bytes = reinterpret_cast<const std::byte*>(&number);
     property.data.insert(property.data.end(), bytes, bytes + sizeof number);
@@ -45,7 +27,7 @@ void append_as(Property& property, Source value) {
 }
 
 void copy_row(const Property& from, std::size_t row, Property& to) {
-  const std::size_t size = size_of(from.type);
+  const std::size_t size = bytes_of(from.type);
   const auto begin = from.data.begin() + static_cast<std::ptrdiff_t>(from.first_value(row) * size);
   to.data.insert(to.data.end(), begin, begin + static_cast<std::ptrdiff_t>(from.value_count(row) * size));
   if (from.is_list) to.ends.push_back(static_cast<std::uint32_t>(to.data.size() / size));
@@ -55,7 +37,7 @@ void add_empty_row(Property& to) {
   if (to.is_list)
     to.ends.push_back(to.ends.empty() ? 0 : to.ends.back());
   else
-    to.data.resize(to.data.size() + size_of(to.type));
+    to.data.resize(to.data.size() + bytes_of(to.type));
 }
 
 PropertyTable without_rows(const PropertyTable& table) {
@@ -64,7 +46,8 @@ PropertyTable without_rows(const PropertyTable& table) {
   return out;
 }
 
-// A table with these rows of another one; an empty row for no_index.
+}  // namespace
+
 PropertyTable rows_of(const PropertyTable& table, std::span<const std::uint32_t> source) {
   PropertyTable out = without_rows(table);
   out.rows = source.size();
@@ -79,6 +62,8 @@ PropertyTable rows_of(const PropertyTable& table, std::span<const std::uint32_t>
   }
   return out;
 }
+
+namespace {
 
 // Rows of vertices or faces in the order of their new numbers.
 PropertyTable reordered(const PropertyTable& table, std::span<const std::uint32_t> number, std::size_t new_rows) {
@@ -125,7 +110,7 @@ PropertyTable with_new_numbers(const PropertyTable& table, const VertexNumbers& 
       }
       const std::size_t first = from.first_value(row);
       for (std::size_t i = first; i < first + from.value_count(row); ++i) to.append(numbers.of(from.integer(i)));
-      if (to.is_list) to.ends.push_back(static_cast<std::uint32_t>(to.data.size() / size_of(to.type)));
+      if (to.is_list) to.ends.push_back(static_cast<std::uint32_t>(to.data.size() / bytes_of(to.type)));
     }
   }
   return out;
@@ -133,25 +118,10 @@ PropertyTable with_new_numbers(const PropertyTable& table, const VertexNumbers& 
 
 }  // namespace
 
-std::size_t size_of(NumberType type) { return row_of(type).size; }
-
-bool is_real(NumberType type) { return type == NumberType::f32 || type == NumberType::f64; }
-
-double colour_scale(NumberType type) {
-  if (is_real(type)) return 1.0;
-  return type == NumberType::u16 || type == NumberType::i16 ? 65535.0 : 255.0;
+double colour_scale(Scalar type) {
+  if (is_floating(type)) return 1.0;
+  return type == Scalar::uint16 || type == Scalar::int16 ? 65535.0 : 255.0;
 }
-
-bool find_number_type(std::string_view word, NumberType& type) {
-  for (const TypeRow& row : number_types) {
-    if (word != row.name && word != row.other_name) continue;
-    type = row.type;
-    return true;
-  }
-  return false;
-}
-
-std::string_view name_of(NumberType type) { return row_of(type).name; }
 
 std::int64_t Property::integer(std::size_t value) const { return load_as<std::int64_t>(*this, value); }
 double Property::real(std::size_t value) const { return load_as<double>(*this, value); }
@@ -167,7 +137,7 @@ std::vector<std::int64_t> vertices_named(const PropertyTables& tables) {
   std::vector<std::int64_t> named;
   for (const PropertyTable& table : tables.tables)
     for (const Property& property : table.properties) {
-      if (table.kind != TableKind::other || property.role != PropertyRole::vertex_number) continue;
+      if (!table.is_further() || property.role != PropertyRole::vertex_number) continue;
       const std::size_t values = property.is_list ? property.ends.empty() ? 0 : property.ends.back() : table.rows;
       for (std::size_t i = 0; i < values; ++i) named.push_back(property.integer(i));
     }

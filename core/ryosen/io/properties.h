@@ -1,5 +1,5 @@
-// Tables of typed values that a file has besides its mesh: elements and properties of PLY, facet attributes of binary
-// STL. They are renumbered with their vertices and faces through edits and written back.
+// Tables of typed values that a file has besides its mesh: elements and properties of PLY. They are renumbered with
+// their vertices and faces through edits and written back.
 #pragma once
 
 #include <cstddef>
@@ -10,46 +10,12 @@
 #include <vector>
 
 #include "ryosen/base/handle.h"
+#include "ryosen/mesh/attribute_text.h"
 
 namespace ryosen {
 
-enum class NumberType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
-
-// Size in bytes: 1, 2, 4 or 8.
-std::size_t size_of(NumberType type);
-bool is_real(NumberType type);
 // The value that represents 1 in a colour of this type.
-double colour_scale(NumberType type);
-// Parses a type name of a PLY header, in either spelling (float, float32); false for any other word.
-bool find_number_type(std::string_view word, NumberType& type);
-std::string_view name_of(NumberType type);
-
-// Calls visit with a zero of the C++ type corresponding to `type`.
-template <class Visit>
-auto with_number_type(NumberType type, Visit visit) {
-  switch (type) {
-    case NumberType::i8:
-      return visit(std::int8_t());
-    case NumberType::u8:
-      return visit(std::uint8_t());
-    case NumberType::i16:
-      return visit(std::int16_t());
-    case NumberType::u16:
-      return visit(std::uint16_t());
-    case NumberType::i32:
-      return visit(std::int32_t());
-    case NumberType::u32:
-      return visit(std::uint32_t());
-    case NumberType::i64:
-      return visit(std::int64_t());
-    case NumberType::u64:
-      return visit(std::uint64_t());
-    case NumberType::f32:
-      return visit(float());
-    default:
-      return visit(double());
-  }
-}
+double colour_scale(Scalar type);
 
 // The encoding of numbers; automatic leaves the choice to the format.
 enum class Encoding : std::uint8_t { automatic, ascii, binary_little, binary_big };
@@ -63,24 +29,26 @@ enum class PropertyRole : std::uint8_t {
   corners,          // the faces
   corner_texcoord,  // IndexedMesh::texcoords, two numbers per corner
   face_colour,      // IndexedMesh::face_colours
+  attribute,        // IndexedMesh::attributes; for further edges (TableKind::edges) in the property
   vertex_number,    // in the property; vertex numbers, renumbered with the vertices
+  row,              // in the property: the place of the row in the file; never written
   extra,            // in the property
 };
 
 // Head of a property: all but its values.
 struct PropertyHead {
   std::string name;
-  NumberType type = NumberType::f32;
+  Scalar type = Scalar::float32;
   bool is_list = false;
-  NumberType count_type = NumberType::u8;  // of a list
+  Scalar count_type = Scalar::uint8;  // of a list
   PropertyRole role = PropertyRole::extra;
   std::uint8_t component = 0;
 
-  bool is_kept() const { return role == PropertyRole::vertex_number || role == PropertyRole::extra; }
+  bool is_kept() const { return role >= PropertyRole::vertex_number; }
 };
 
 struct Property : PropertyHead {
-  // For the last two roles: the values in native byte order, row by row. The values of row i of a list end before index
+  // For the last roles: the values in native byte order, row by row. The values of row i of a list end before index
   // ends[i].
   std::vector<std::byte> data;
   std::vector<std::uint32_t> ends;
@@ -94,13 +62,17 @@ struct Property : PropertyHead {
   void append(double value);
 };
 
-enum class TableKind : std::uint8_t { vertices, faces, other };
+// edges: those of the file that are no edges of the mesh, which are in IndexedMesh::edges.
+enum class TableKind : std::uint8_t { vertices, faces, edges, other };
 
 struct PropertyTable {
   std::string name;
   TableKind kind = TableKind::other;
   std::size_t rows = 0;  // for vertices and faces: as many as in the mesh
   std::vector<Property> properties;
+
+  // Whether its rows are neither vertices nor faces.
+  bool is_further() const { return kind == TableKind::edges || kind == TableKind::other; }
 };
 
 // Lines of a PLY header that begin with a word it does not know, and where they stand.
@@ -131,6 +103,9 @@ PropertyTables renumbered(const PropertyTables& tables, std::span<const std::uin
 
 // The vertex numbers in properties (such as ends of edges), in table order.
 std::vector<std::int64_t> vertices_named(const PropertyTables& tables);
+
+// A table with these rows of another one; no_index gives zeros and empty lists. O(values).
+PropertyTable rows_of(const PropertyTable& table, std::span<const std::uint32_t> source);
 
 // The tables for a new list of faces: each new face copies the row of an old one. O(values).
 PropertyTables with_faces_of(const PropertyTables& tables, std::span<const std::uint32_t> old_face);

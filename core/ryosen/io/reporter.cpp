@@ -127,6 +127,11 @@ Failure too_many_corners(FilePlace place) {
       place);
 }
 
+Text sentence_of(const WordFault& fault) {
+  const std::string word = shown(fault.word);
+  return Text{word, word} + fault.rest + Text{".", "。"};
+}
+
 Text not_a_number(std::string_view word) {
   return {shown(word) + " is not a number.", shown(word) + " は数として読めません。"};
 }

@@ -12,6 +12,7 @@
 
 #include "ryosen/base/message.h"
 #include "ryosen/base/result.h"
+#include "ryosen/mesh/attribute_text.h"
 
 namespace ryosen {
 
@@ -123,6 +124,7 @@ std::optional<Failure> refuse_nul_bytes(std::string_view bytes);
 Failure empty_file();
 Failure too_many_corners(FilePlace place);
 Text not_a_number(std::string_view word);
+Text sentence_of(const WordFault& fault);
 Text not_a_whole_number(std::string_view word);
 Text not_a_finite_number(std::string_view word);
 void warn_of_non_finite_vertex(Reporter& reporter, FilePlace place);

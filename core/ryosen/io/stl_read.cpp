@@ -16,6 +16,7 @@
 #include "ryosen/io/stl.h"
 #include "ryosen/io/stl_facets.h"
 #include "ryosen/io/text_lines.h"
+#include "ryosen/mesh/attribute.h"
 
 namespace ryosen {
 namespace {
@@ -280,19 +281,11 @@ class StlBinaryReader {
 
   void keep_attributes(const StlFacets& facets) {
     const std::uint32_t count = facets.count();
-    Property property;
-    property.name = facet_attribute;
-    property.type = NumberType::u16;
-    property.data.resize(2 * std::size_t{count});
-    for (std::uint32_t facet = 0; facet < count; ++facet) {
-      const std::uint16_t attribute = facets.attribute(facet);
-      std::memcpy(property.data.data() + 2 * std::size_t{facet}, &attribute, sizeof attribute);
-    }
-    PropertyTable& table = file_.properties.tables.emplace_back();
-    table.name = "face";
-    table.kind = TableKind::faces;
-    table.rows = count;
-    table.properties.push_back(std::move(property));
+    AttributeColumn column = make_column(facet_attribute, ElementKind::face, ValueRule::first, std::uint16_t{0});
+    column.data.reserve(count);
+    for (std::uint32_t facet = 0; facet < count; ++facet)
+      column.data.push_back(attribute_words(facets.attribute(facet))[0]);
+    file_.mesh.attributes.push_back(std::move(column));
   }
 
   void warn_of_the_end(std::size_t claimed, std::size_t whole, std::size_t room) {

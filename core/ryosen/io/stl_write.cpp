@@ -11,6 +11,7 @@
 #include "ryosen/io/text_lines.h"
 #include "ryosen/io/text_out.h"
 #include "ryosen/io/triangulated.h"
+#include "ryosen/mesh/attribute.h"
 
 namespace ryosen {
 namespace {
@@ -108,14 +109,9 @@ void put_little(TextOut& out, Number number) {
   out << std::string_view(bytes, sizeof bytes);
 }
 
-const Property* find_attributes(const MeshFile& file) {
-  for (const PropertyTable& table : file.properties.tables) {
-    if (table.kind != TableKind::faces) continue;
-    for (const Property& property : table.properties) {
-      const bool fits = property.is_kept() && !property.is_list && property.type == NumberType::u16;
-      if (fits && property.name == facet_attribute) return &property;
-    }
-  }
+const AttributeColumn* find_attributes(const MeshFile& file) {
+  for (const AttributeColumn& column : file.mesh.attributes)
+    if (column.name == facet_attribute && column.type == value_type<std::uint16_t>) return &column;
   return nullptr;
 }
 
@@ -126,7 +122,7 @@ std::string write_binary(const MeshFile& file) {
   TextOut out(stl_head_bytes + 4 + std::size_t{stl_facet_bytes} * count);
   out << stl_head(file);
   put_little(out, count);
-  const Property* const attributes = find_attributes(file);
+  const AttributeColumn* const attributes = find_attributes(file);
   const auto put = [&](const glm::dvec3& p) {
     for (int i = 0; i < 3; ++i) put_little(out, static_cast<float>(p[i]));
   };
@@ -135,7 +131,8 @@ std::string write_binary(const MeshFile& file) {
     const auto place = [&](std::size_t i) { return to_single(mesh.positions[corners[i]]); };
     const glm::dvec3 a = place(0), b = place(1), c = place(2);
     for (const glm::dvec3& p : {facet_normal(a, b, c), a, b, c}) put(p);
-    put_little(out, attributes ? static_cast<std::uint16_t>(attributes->integer(face)) : std::uint16_t{0});
+    put_little(out, attributes ? attribute_value<std::uint16_t>(*attributes, static_cast<std::uint32_t>(face))
+                               : std::uint16_t{0});
   });
   return out.take();
 }

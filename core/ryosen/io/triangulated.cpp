@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ryosen/geometry/triangulate.h"
+#include "ryosen/mesh/attribute.h"
 
 namespace ryosen {
 namespace {
@@ -32,6 +33,7 @@ class Triangulator {
 
  private:
   void add_corner(std::uint32_t place) {
+    places_.push_back(place);
     out_.corners.push_back(mesh_.corners[place]);
     if (!mesh_.texcoords.index.empty()) out_.texcoords.index.push_back(mesh_.texcoords.index[place]);
     if (!mesh_.normals.index.empty()) out_.normals.index.push_back(mesh_.normals.index[place]);
@@ -79,11 +81,18 @@ class Triangulator {
     out_.groups = by_source(mesh_.groups);
     out_.objects = by_source(mesh_.objects);
     out_.smoothing = by_source(mesh_.smoothing);
+    out_.edges = mesh_.edges;
+    for (const AttributeColumn& column : mesh_.attributes) {
+      const bool is_of_face = column.element == ElementKind::face, is_of_corner = column.element == ElementKind::corner;
+      out_.attributes.push_back(is_of_face     ? with_rows(column, source_)
+                                : is_of_corner ? with_rows(column, places_)
+                                               : column);
+    }
   }
 
   const IndexedMesh& mesh_;
   IndexedMesh out_;
-  std::vector<std::uint32_t> source_;  // the old face of each new one
+  std::vector<std::uint32_t> source_, places_;  // the old face of each new one, and the place of each corner
   std::vector<glm::dvec3> polygon_;
   std::vector<CornerTriangle> triangles_;
 };

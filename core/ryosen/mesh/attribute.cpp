@@ -3,8 +3,35 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <iterator>
 
 namespace ryosen {
+
+AttributeColumn with_rows(const AttributeColumn& column, std::span<const std::uint32_t> rows) {
+  const std::size_t words = column.words();
+  AttributeColumn out{column.name, column.element, column.type, column.rule, {}, column.fill, 0, column.own_rule};
+  out.data.reserve(rows.size() * words);
+  for (const std::uint32_t row : rows) {
+    const std::uint32_t* const value = row == no_index ? column.fill.data() : column.data.data() + row * words;
+    out.data.insert(out.data.end(), value, value + words);
+  }
+  return out;
+}
+
+bool is_reserved_name(std::string_view name) {
+  using namespace attribute_names;
+  constexpr std::string_view reserved[] = {texcoord, texcoord_pool, normal,    normal_pool, colour,       material,
+                                           group,    object,        smoothing, edge_row,    "face.origin"};
+  return std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved);
+}
+
+std::vector<const AttributeColumn*> free_attributes(const Mesh& mesh) {
+  std::vector<const AttributeColumn*> found;
+  for (const AttributeColumn& column : mesh.attributes())
+    if (column.is_removed == 0 && column.element != ElementKind::pool && !is_reserved_name(column.name))
+      found.push_back(&column);
+  return found;
+}
 
 CornerColumns make_corner_columns(std::string_view index_name, std::string_view pool_name) {
   return {make_column(index_name, ElementKind::corner, ValueRule::first, no_index),
@@ -17,6 +44,17 @@ double real_number(const AttributeColumn& column, std::uint32_t index, std::uint
   double found = 0;
   std::memcpy(&found, value + 2 * std::size_t{number}, sizeof found);
   return found;
+}
+
+double number_at(const AttributeColumn& column, std::uint32_t index, std::uint32_t number) {
+  const auto* const value =
+      reinterpret_cast<const std::byte*>(column.data.data() + std::size_t{index} * column.words());
+  return with_scalar(column.type.scalar, [&](auto zero) {
+    using Number = std::conditional_t<std::is_same_v<decltype(zero), bool>, std::uint8_t, decltype(zero)>;
+    Number found;
+    std::memcpy(&found, value + number * sizeof found, sizeof found);
+    return static_cast<double>(found);
+  });
 }
 
 void put_real_number(AttributeColumn& column, std::uint32_t index, std::uint32_t number, double value) {

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ inline constexpr std::string_view material = "face.material";       // index int
 inline constexpr std::string_view group = "face.group";
 inline constexpr std::string_view object = "face.object";
 inline constexpr std::string_view smoothing = "face.smoothing";
+// The place of an edge in the list of the file, no_index where it is not listed: twice its row, and one more where the
+// row has the larger end first.
+inline constexpr std::string_view edge_row = "edge.row";
 }  // namespace attribute_names
 
 // The column with this name, or null.
@@ -49,6 +53,8 @@ requires(sizeof(T) % sizeof(std::uint32_t) == 0) std::vector<T> attribute_values
 // One number of a value, whose type must be of floats or doubles.
 double real_number(const AttributeColumn& column, std::uint32_t index, std::uint32_t number);
 void put_real_number(AttributeColumn& column, std::uint32_t index, std::uint32_t number, double value);
+// One number of a value of any type as a double; 1 for true.
+double number_at(const AttributeColumn& column, std::uint32_t index, std::uint32_t number = 0);
 // A value as the words of a column.
 template <AttributeValue T>
 std::array<std::uint32_t, value_type<T>.words()> attribute_words(const T& value) {
@@ -63,6 +69,13 @@ AttributeColumn make_column(std::string_view name, ElementKind element, ValueRul
   const auto words = attribute_words(fill);
   return {std::string(name), element, value_type<T>, rule, {}, {words.begin(), words.end()}};
 }
+// A copy with the values of these elements, one after the other: the default for no_index.
+AttributeColumn with_rows(const AttributeColumn& column, std::span<const std::uint32_t> rows);
+// Whether the name is one of attribute_names, or of a column that the program makes for itself.
+bool is_reserved_name(std::string_view name);
+// The attributes that are neither removed nor reserved: those of files, scripts and programs.
+std::vector<const AttributeColumn*> free_attributes(const Mesh& mesh);
+
 // A corner attribute with its pool, both without values.
 struct CornerColumns {
   AttributeColumn index, pool;

@@ -309,6 +309,24 @@ std::size_t Journal::bytes() const {
          transactions_.size() * sizeof(Transaction);
 }
 
+namespace {
+
+void add_new_values(const Mesh& mesh, const ColumnLengths& before, const ColumnLengths& after,
+                    std::vector<TouchedElements::Value>& values) {
+  const std::span<const AttributeColumn> attributes = mesh.attributes();
+  for (std::uint32_t a = 0; a < attributes.size(); ++a) {
+    const AttributeColumn& column = attributes[a];
+    if (column.element == ElementKind::pool || column.is_removed != 0) continue;
+    const auto length = [&](const ColumnLengths& of) {
+      return length_of(column.element, of.vertices, of.halfedges, of.faces);
+    };
+    const auto [least, most] = std::minmax({length(before), length(after)});
+    for (std::uint32_t index = least; index < most; ++index) values.push_back({a, index});
+  }
+}
+
+}  // namespace
+
 TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::size_t i) {
   TouchedElements touched;
   const std::vector<TouchedCell> cells = journal.touched(i);
@@ -339,6 +357,8 @@ TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::
         touched.faces.push_back(Face(cell.index));
         break;
       default:
+        if (cell.column >= Column::first_attribute)
+          touched.values.push_back({static_cast<std::uint32_t>(attribute_of_column(cell.column)), cell.index});
         break;
     }
   }
@@ -347,6 +367,8 @@ TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::
   add_range(touched.moved, before.vertices, after.vertices);
   add_range(touched.halfedges, before.halfedges, after.halfedges);
   add_range(touched.faces, before.faces, after.faces);
+  add_new_values(mesh, before, after, touched.values);
+  sort_unique(touched.values);
   sort_unique(touched.halfedges);
   for (Halfedge h : touched.halfedges) {
     if (!mesh.exists(h) || !mesh.is_alive(h)) continue;

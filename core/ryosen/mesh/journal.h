@@ -191,14 +191,21 @@ class Journal {
 
 // The elements that a transaction changed, for everything that is updated incrementally through edits, undo and redo.
 // Sorted, without duplicates. Slots may be dead or past the end of the columns (elements removed by an undo). Elements
-// that the transaction creates, or its undo removes, are in all lists of their kind. Attribute changes are not
-// reported.
+// that the transaction creates, or its undo removes, are in all lists of their kind, with all attributes that they may
+// have.
 struct TouchedElements {
+  // A value: an index in a column of Mesh::attributes().
+  struct Value {
+    std::uint32_t attribute, index;
+    friend auto operator<=>(const Value&, const Value&) = default;
+  };
+
   bool everything = false;          // columns were replaced whole, added or removed; the lists are empty then
   std::vector<Vertex> vertices;     // its link, its position, or a link of an outgoing halfedge was written
   std::vector<Vertex> moved;        // its position was written
   std::vector<Halfedge> halfedges;  // a link was written
   std::vector<Face> faces;          // its link or that of a side was written, or a corner moved
+  std::vector<Value> values;        // written; a pool only grows, and is not among them
 };
 
 // The elements that differ between the states before and after transaction i. Call it in either state, right after the

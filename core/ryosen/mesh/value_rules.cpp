@@ -31,35 +31,6 @@ void put_scalar(std::uint32_t* words, std::uint32_t i, T value) {
   std::memcpy(reinterpret_cast<std::byte*>(words) + i * sizeof(T), &value, sizeof(T));
 }
 
-// Calls visit with a 0 of the C++ type.
-template <class Visit>
-void visit_scalar(Scalar scalar, const Visit& visit) {
-  switch (scalar) {
-    case Scalar::boolean:
-      return visit(bool());
-    case Scalar::uint8:
-      return visit(std::uint8_t());
-    case Scalar::int8:
-      return visit(std::int8_t());
-    case Scalar::int16:
-      return visit(std::int16_t());
-    case Scalar::uint16:
-      return visit(std::uint16_t());
-    case Scalar::int32:
-      return visit(std::int32_t());
-    case Scalar::uint32:
-      return visit(std::uint32_t());
-    case Scalar::int64:
-      return visit(std::int64_t());
-    case Scalar::uint64:
-      return visit(std::uint64_t());
-    case Scalar::float32:
-      return visit(float());
-    case Scalar::float64:
-      return visit(double());
-  }
-}
-
 struct Sources {
   const AttributeColumn& column;
   std::span<const std::uint32_t> at;
@@ -187,7 +158,7 @@ void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> 
       (column.rule == ValueRule::blend && !has_mean))
     return copy_first(sources, value);
   std::fill(value.begin(), value.end(), 0u);
-  visit_scalar(column.type.scalar, [&](auto zero) {
+  with_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);
     for (std::uint32_t i = 0; i < column.type.count; ++i)
       put_scalar<T>(value.data(), i,
@@ -218,7 +189,7 @@ std::vector<std::uint32_t> divide_value(const AttributeColumn& column, std::uint
     }
     return values;
   }
-  visit_scalar(column.type.scalar, [&](auto zero) {
+  with_scalar(column.type.scalar, [&](auto zero) {
     using T = decltype(zero);
     for (std::uint32_t i = 0; i < column.type.count; ++i) {
       const T number = scalar_at<T>(whole.data(), i);

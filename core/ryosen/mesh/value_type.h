@@ -31,6 +31,35 @@ constexpr std::uint32_t bytes_of(Scalar scalar) {
 }
 constexpr bool is_floating(Scalar scalar) { return scalar == Scalar::float32 || scalar == Scalar::float64; }
 
+// Calls visit with a zero of the C++ type of this scalar.
+template <class Visit>
+auto with_scalar(Scalar scalar, const Visit& visit) {
+  switch (scalar) {
+    case Scalar::boolean:
+      return visit(bool());
+    case Scalar::int8:
+      return visit(std::int8_t());
+    case Scalar::uint8:
+      return visit(std::uint8_t());
+    case Scalar::int16:
+      return visit(std::int16_t());
+    case Scalar::uint16:
+      return visit(std::uint16_t());
+    case Scalar::int32:
+      return visit(std::int32_t());
+    case Scalar::uint32:
+      return visit(std::uint32_t());
+    case Scalar::int64:
+      return visit(std::int64_t());
+    case Scalar::uint64:
+      return visit(std::uint64_t());
+    case Scalar::float32:
+      return visit(float());
+    default:
+      return visit(double());
+  }
+}
+
 // `count` scalars in a row, without gaps. A value fills whole 32-bit words; bytes behind its last scalar are 0.
 struct ValueType {
   Scalar scalar = Scalar::uint32;

@@ -45,11 +45,17 @@ inline bool same_quarantine(const std::vector<QuarantinedFace>& a, const std::ve
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].face != b[i].face || a[i].code != b[i].code || a[i].corners != b[i].corners ||
-        a[i].texcoords != b[i].texcoords || a[i].normals != b[i].normals) {
+        a[i].texcoords != b[i].texcoords || a[i].normals != b[i].normals || a[i].values != b[i].values) {
       return false;
     }
   }
   return true;
+}
+
+inline bool same_edges(const std::vector<ListedEdge>& a, const std::vector<ListedEdge>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ListedEdge& x, const ListedEdge& y) {
+    return x.from == y.from && x.to == y.to && x.row == y.row;
+  });
 }
 
 inline bool same_elements(const ElementList& a, const ElementList& b) {
@@ -113,6 +119,8 @@ inline MeshFile without_form(MeshFile file) {
   file.head_comments.clear();
   file.byte_colours = false;
   file.properties = {};
+  file.mesh.attributes.clear();
+  file.mesh.edges.clear();
   without_off(file);
   for (CornerValues* values : {&file.mesh.texcoords, &file.mesh.normals}) {
     *values = by_corner(*values);
@@ -130,7 +138,7 @@ inline MeshFile without_form(MeshFile file) {
   for (FaceNames* names : {&file.mesh.materials, &file.mesh.groups, &file.mesh.objects, &file.mesh.smoothing})
     if (std::all_of(names->index.begin(), names->index.end(), [](std::uint32_t i) { return i == no_index; }))
       names->index.clear();
-  for (QuarantinedFace& face : file.mesh.quarantine) face.texcoords.clear(), face.normals.clear();
+  for (QuarantinedFace& face : file.mesh.quarantine) face.texcoords.clear(), face.normals.clear(), face.values.clear();
   return file;
 }
 
@@ -186,6 +194,8 @@ inline std::string difference(const MeshFile& a, const MeshFile& b) {
   compare(same_names(x.groups, y.groups), "groups");
   compare(same_names(x.objects, y.objects), "objects");
   compare(same_names(x.smoothing, y.smoothing), "smoothing");
+  compare(x.attributes == y.attributes, "attributes");
+  compare(same_edges(x.edges, y.edges), "edges");
   compare(same_elements(a.elements, b.elements), "elements");
   compare(same_properties(a.properties, b.properties), "properties");
   compare(a.head_comments == b.head_comments, "comments");

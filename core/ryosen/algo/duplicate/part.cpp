@@ -1,11 +1,12 @@
 #include "ryosen/algo/duplicate/part.h"
 
 #include <algorithm>
+#include <map>
 
 #include "ryosen/base/index_set.h"
-#include "ryosen/base/sort_unique.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/append_mesh.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
@@ -51,6 +52,13 @@ class Meant {
   IndexSet vertices_, edges_, faces_;
 };
 
+void keep_rows(AttributeColumn& column, const std::vector<bool>& stays) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < stays.size(); ++i)
+    if (stays[i]) rows.push_back(i);
+  column = with_rows(column, rows);
+}
+
 // Leaves those entries of a table with a row per element whose element stays.
 template <class Values>
 void keep_rows(Values& values, const std::vector<bool>& stays) {
@@ -73,6 +81,8 @@ void keep_corners(IndexedMesh& list, const std::vector<bool>& stays, const std::
     if (std::binary_search(list.bridged.begin(), list.bridged.end(), f)) bridged.push_back(faces);
     ++faces;
   }
+  for (AttributeColumn& column : list.attributes)
+    if (column.element == ElementKind::corner) keep_rows(column, corner_stays);
   keep_rows(list.texcoords.index, corner_stays);
   keep_rows(list.normals.index, corner_stays);
   keep_rows(list.corners, corner_stays);
@@ -81,11 +91,25 @@ void keep_corners(IndexedMesh& list, const std::vector<bool>& stays, const std::
   list.bridged = std::move(bridged);
 }
 
-void keep(IndexedMesh& list, const std::vector<bool>& points, const std::vector<bool>& faces) {
-  std::vector<std::uint32_t> number(points.size(), no_index);
-  std::uint32_t next = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i]) number[i] = next++;
+// The listed edges of faces that are left, and of wires.
+void keep_edges(IndexedMesh& list, const std::vector<std::uint32_t>& number,
+                const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wires) {
+  if (list.edges.empty()) return;
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>> left = edges_of_faces(list);
+  std::vector<bool> stays;
+  for (ListedEdge& e : list.edges) {
+    e = {number[e.from], number[e.to], e.row};
+    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax({e.from, e.to});
+    stays.push_back(std::binary_search(left.begin(), left.end(), ends) ||
+                    std::binary_search(wires.begin(), wires.end(), ends));
+  }
+  keep_rows(list.edges, stays);
+  for (AttributeColumn& column : list.attributes)
+    if (column.element == ElementKind::edge) keep_rows(column, stays);
+}
+
+void keep(IndexedMesh& list, const std::vector<bool>& points, const std::vector<bool>& faces,
+          const std::vector<std::uint32_t>& number, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& wires) {
   keep_corners(list, faces, number);
   keep_rows(list.positions, points);
   keep_rows(list.vertex_colours, points);
@@ -94,6 +118,11 @@ void keep(IndexedMesh& list, const std::vector<bool>& points, const std::vector<
     keep_rows(names->index, faces);
   keep_rows(list.face_colours.values, faces);
   keep_rows(list.face_colours.count, faces);
+  for (AttributeColumn& column : list.attributes) {
+    if (column.element == ElementKind::vertex) keep_rows(column, points);
+    if (column.element == ElementKind::face) keep_rows(column, faces);
+  }
+  keep_edges(list, number, wires);
   list.quarantine.clear();
   list.face_lines.clear();
   list.vertex_lines = {};
@@ -150,13 +179,18 @@ Part part_of(const Mesh& mesh, std::span<const Element> elements, const FileTabl
     number[i] = static_cast<std::uint32_t>(part.points.size());
     part.points.push_back(point_of[i]);
   }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Edge> edge_between;
   for (const Edge e : wires) {
     const auto [a, b] = ends(mesh, e);
-    part.wires.push_back(std::minmax(number[compact.vertex_number[a.index]], number[compact.vertex_number[b.index]]));
+    edge_between.try_emplace(
+        std::minmax({number[compact.vertex_number[a.index]], number[compact.vertex_number[b.index]]}), e);
   }
-  sort_unique(part.wires);
+  for (const auto& [ends, e] : edge_between) {
+    part.wires.push_back(ends);
+    part.wire_edges.push_back(e);
+  }
   part.list = std::move(compact.mesh);
-  keep(part.list, points, faces);
+  keep(part.list, points, faces, number, part.wires);
   return part;
 }
 
@@ -166,7 +200,8 @@ AddedPart add_part(Edit& edit, Part part, bool keeps_attributes) {
   const Mesh surface = from_indexed(std::move(part.list));
   append_mesh(edit, surface, keeps_attributes ? AppendedAttributes::same_pools : AppendedAttributes::none);
   added.counts = surface.live();
-  for (const auto& [a, b] : part.wires) {
+  for (std::size_t i = 0; i < part.wires.size(); ++i) {
+    const auto [a, b] = part.wires[i];
     const Vertex from(added.first.index + a), to(added.first.index + b);
     const MakeEdge wire{from, to, gap_at(mesh, from), gap_at(mesh, to)};
     if (!wire.check(mesh).legal()) {
@@ -174,6 +209,7 @@ AddedPart add_part(Edit& edit, Part part, bool keeps_attributes) {
       continue;
     }
     wire.apply(edit);
+    if (keeps_attributes) edit.derive(edge(any_sheet_between(mesh, from, to)), part.wire_edges[i], Derivation::copies);
     ++added.counts.edges;
   }
   return added;

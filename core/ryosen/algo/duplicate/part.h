@@ -16,6 +16,7 @@ struct Part {
   std::vector<Vertex> points;  // of the mesh, by number in the list
   // Edges without a face in the part, by numbers in the list.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wires;
+  std::vector<Edge> wire_edges;  // of the mesh, by place in `wires`
 };
 
 // The faces among the elements and those all of whose corners or sides are, and what else is there: edges that none of

@@ -113,8 +113,8 @@ TEST(ply_strips, stand_behind_the_faces_of_the_file_and_get_their_columns) {
   EXPECT_EQ(file.mesh.face_colours.count, (std::vector<std::uint8_t>{3, 0}));
   EXPECT_EQ(file.mesh.texcoords.index, (Corners{0, 1, 2, no_index, no_index, no_index}));
   EXPECT_EQ(file.properties.tables[1].rows, 2u);
-  EXPECT_EQ(file.properties.tables[1].properties[4].integer(0), 7);
-  EXPECT_EQ(file.properties.tables[1].properties[4].integer(1), 0);
+  ASSERT_EQ(file.mesh.attributes.size(), 1u);
+  EXPECT_EQ(file.mesh.attributes[0].data, (std::vector<std::uint32_t>{7, 0}));
   const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply")));
   EXPECT_EQ(again.mesh.corners, file.mesh.corners);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstring>
 
+#include "ryosen/mesh/attribute.h"
 #include "tests/unit/core/io/io_helpers.h"
 
 namespace ryosen {
@@ -103,8 +104,18 @@ TEST(ply_read, every_property_goes_where_it_belongs) {
   EXPECT_EQ(camera.properties[0].real(0), 1.5);
   EXPECT_EQ(camera.properties[1].integer(0), -3);
   EXPECT_EQ(camera.properties[1].integer(1), 4);
-  EXPECT_EQ(edges.properties[1].integer(1), 2);
-  EXPECT_EQ(edges.properties[2].real(0), 0.5);
+  ASSERT_EQ(edges.rows, 1u) << "the other row is an edge of a face";
+  EXPECT_EQ(edges.properties[1].integer(0), 2);
+  EXPECT_EQ(edges.properties[2].real(0), 1);
+  ASSERT_EQ(mesh.edges.size(), 1u);
+  EXPECT_EQ(mesh.edges[0].to, 1u);
+  ASSERT_EQ(mesh.attributes.size(), 3u);
+  EXPECT_EQ(mesh.attributes[0].name, "vertex.quality");
+  EXPECT_EQ(attribute_value<float>(mesh.attributes[0], 2), -1.0f);
+  EXPECT_EQ(mesh.attributes[1].name, "face.label");
+  EXPECT_EQ(attribute_values<std::int32_t>(mesh.attributes[1]), (std::vector<std::int32_t>{-1, 2147483647, 0}));
+  EXPECT_EQ(mesh.attributes[2].name, "edge.crease");
+  EXPECT_EQ(attribute_values<float>(mesh.attributes[2]), (std::vector<float>{0.5f}));
   EXPECT_EQ(file.messages.size(), 2u) << "the faces that were set aside";
 }
 

@@ -132,16 +132,17 @@ TEST(stl_read, places_that_are_not_finite) {
 TEST(stl_read, attributes_and_head_are_kept) {
   const MeshFile file = read_sound("stl", binary("solid, but binary", 4, four_facets, 65533));
   EXPECT_EQ(file.head_comments, std::vector<std::string>{"solid, but binary"});
-  ASSERT_EQ(file.properties.tables.size(), 1u);
-  EXPECT_EQ(file.properties.tables[0].properties[0].integer(2), 65535);
+  ASSERT_EQ(file.mesh.attributes.size(), 1u);
+  EXPECT_EQ(file.mesh.attributes[0].name, "face.attribute");
+  EXPECT_EQ(file.mesh.attributes[0].data[2], 65535u);
   EXPECT_EQ(difference_after_round_trip(file, "stl"), "");
   EXPECT_EQ(io_test::loss_codes(file, "stl"), "");
   EXPECT_EQ(io_test::loss_codes(file, "stl-ascii"), "loses_properties loses_comments");
   const MeshFile ply = read_sound("ply", bytes_of(file, *find_format("ply"), Encoding::ascii));
-  EXPECT_EQ(ply.properties.tables[1].properties[1].integer(3), 0) << "after 65535";
-  EXPECT_EQ(read_sound("stl", bytes_of(ply, *find_format("stl"), Encoding::binary_little)).properties.tables.size(),
-            1u);
-  EXPECT_TRUE(read_sound("stl", binary("", 4, four_facets)).properties.tables.empty());
+  EXPECT_EQ(ply.mesh.attributes, file.mesh.attributes);
+  EXPECT_EQ(read_sound("stl", bytes_of(ply, *find_format("stl"), Encoding::binary_little)).mesh.attributes,
+            file.mesh.attributes);
+  EXPECT_TRUE(read_sound("stl", binary("", 4, four_facets)).mesh.attributes.empty());
 }
 
 TEST(stl_read, heads_are_written_back_byte_for_byte) {

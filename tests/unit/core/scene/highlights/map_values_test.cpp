@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ryosen/geometry/is_finite.h"
+#include "tests/support/core/element_values.h"
 #include "tests/support/core/long_run.h"
 #include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_meshes.h"
@@ -90,6 +91,18 @@ TEST(map_values, follow_edits_undo_and_redo) {
   for (const ColourMap& map : colour_maps())
     for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed)
       follow_edits(random_complex(seed), map, seed, edits);
+  EXPECT_GT(edits, 17 * static_cast<int>(seeds));
+}
+
+TEST(map_values, of_attributes_follow_edits_undo_and_redo) {
+  int edits = 0;
+  const std::uint64_t seeds = seed_count(25, 200);
+  for (const char* name : {"vertex.mean", "vertex.top", "edge.length", "edge.count", "corner.mean", "face.area"})
+    for (std::uint64_t seed = 1; seed <= seeds && !HasFailure(); ++seed) {
+      Mesh mesh = random_complex(seed);
+      add_values(mesh, nullptr);
+      follow_edits(std::move(mesh), *find_colour_map(name), seed, edits);
+    }
   EXPECT_GT(edits, 17 * static_cast<int>(seeds));
 }
 

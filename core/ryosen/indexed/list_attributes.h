@@ -1,0 +1,30 @@
+// The attributes of a mesh that is built from a polygon list, and of a list that is made of a mesh.
+#pragma once
+
+#include "ryosen/indexed/indexed.h"
+#include "ryosen/indexed/pair_corners.h"
+#include "ryosen/indexed/to_indexed.h"
+#include "ryosen/mesh/columns.h"
+#include "ryosen/mesh/mesh.h"
+
+namespace ryosen {
+
+// Adds one column per attribute that the list uses (names in ryosen/mesh/attribute.h). Copies take the values of their
+// point, all halves of an edge those of the edge. Linear in the size of the attributes, and a sort of the listed edges.
+void add_attributes(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& c);
+
+// Whether the mesh has free attributes (attribute.h) of this kind of elements.
+bool has_free_attributes(const Mesh& mesh, ElementKind element);
+// Fills the free attributes and the edges of a list whose elements are numbered. `corners` has the corners of the mesh
+// by place in the list; it is read only where the mesh has free attributes of corners. O(values), and a sort of the
+// listed edges.
+void list_attributes(const Mesh& mesh, const std::vector<std::uint32_t>& corners, CompactMesh& out);
+
+// The corner attributes of a list, without values.
+std::vector<AttributeColumn> quarantined_attributes(const IndexedMesh& source);
+// QuarantinedFace::values for the corner attributes among `now`, from those of a face that has `before`. The default
+// for an attribute that is new or has another type now.
+CompactList<std::uint32_t> quarantined_values(const QuarantinedFace& face, std::span<const AttributeColumn> before,
+                                              std::span<const AttributeColumn> now);
+
+}  // namespace ryosen

@@ -47,6 +47,7 @@ const std::map<std::string_view, std::vector<const char*>>& lines_of_commands() 
       {"save", {"save out.obj", "save out.nothing"}},
       {"save_selected", {"save_selected part.obj"}},
       {"append", {"append torus.off"}},
+      {"attribute", {"attribute add face.load float", "attribute list", "attribute remove face.none"}},
       {"compare", {"compare torus.off", "compare off"}},
       {"select", {"select f2", "select all", "select none", "select"}},
       {"box", {"box 300,200 900,600"}},

@@ -40,6 +40,11 @@ RunOn<Document> run_undo, run_redo;
 RunOn<Frontend, RunFiles> run_shot;
 FaultOfCommand fault_of_recover;
 bool recover_only_tells(Words arguments);
+// Attributes: commands_attribute.cpp
+RunOn<Document, const Selecting> run_attribute;
+FaultOfCommand fault_of_attribute;
+bool attribute_only_tells(Words arguments);
+std::string attribute_syntax();
 // Algorithms: commands_algorithm.cpp
 CommandRow row_of(const AlgorithmRow& algorithm);
 RunCommand run_repair;

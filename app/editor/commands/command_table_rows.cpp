@@ -135,6 +135,16 @@ const std::vector<CommandRow>& first_command_rows() {
        "選択中の半稜線から次へ移る（around：始点のまわり）", Effect::reads, run_walk},
       {"undo", "[N]", "takes back the last N edits", "直前の N 回の編集を元に戻す", Effect::steps, run_undo},
       {"redo", "[N]", "does N undone edits again", "元に戻した N 回の編集をやり直す", Effect::steps, run_redo},
+      {.id = "attribute",
+       .syntax = attribute_syntax(),
+       .help_en = "adds, removes or sets values of vertices, edges, corners or faces, which edits carry on and PLY "
+                  "keeps; NAME as vertex.load, TYPE as float or doublex3, RULE blend, first, greatest or sum",
+       .help_ja = "頂点・稜線・角・面の値（属性）を加える、取り除く、設定する。編集に従い PLY に保存される（NAME は "
+                  "vertex.load など、TYPE は float や doublex3 など、RULE は blend、first、greatest、sum）",
+       .effect = Effect::edits,
+       .run = run_attribute,
+       .fault = fault_of_attribute,
+       .only_tells = attribute_only_tells},
       {.id = "repair",
        .syntax = "KIND [VALUE|NAME=VALUE ...] | KIND[=VALUE],...",
        .help_en =

@@ -29,7 +29,7 @@ void show_panel(Layout& layout) { layout.show(panel_opened_by(PanelOpener::colou
 
 }  // namespace
 
-std::string colours_syntax() { return colour_map_ids() + "|off [LOW HIGH|all]"; }
+std::string colours_syntax() { return colour_map_ids() + "|ATTRIBUTE|off [LOW HIGH|all]"; }
 
 std::optional<Text> fault_of_colours(Words arguments, const std::string&) {
   if (arguments.size() == 1 && arguments[0] == "off") return std::nullopt;
@@ -48,6 +48,11 @@ Outcome run_colours(Findings& findings, ViewState& view, Layout& layout, Words a
   if (!map) {
     view.colouring.reset();
     return {};
+  }
+  if (!has_numbers(findings.mesh(), *map)) {
+    const std::string name(map->id);
+    return failed(ExitCode::refused, {"there is no attribute " + name + " with one number per element",
+                                      "要素ごとに数を一つ持つ属性 " + name + " はありません"});
   }
   if (map->against && !findings.against)
     return failed(ExitCode::refused, {"there is no other mesh to measure from; compare FILE puts one beside this one",

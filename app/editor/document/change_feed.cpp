@@ -13,6 +13,7 @@ ChangeFeed::Changes ChangeFeed::since(const Cursor& cursor) const {
     if (cell.sort == Sort::vertex) changes.vertices.push_back(cell.index);
     if (cell.sort == Sort::face) changes.faces.push_back(cell.index);
     if (cell.sort == Sort::mark) changes.marks.push_back({cell.mark, cell.index});
+    if (cell.sort == Sort::value) changes.values.push_back({cell.attribute, cell.index});
     changes.searched |= cell.sort == Sort::search;
     changes.hiding |= cell.sort == Sort::hiding;
   });

@@ -25,9 +25,10 @@ class ChangeFeed {
     std::vector<std::uint32_t> vertices;  // created or moved
     std::vector<std::uint32_t> faces;     // with changed corners or changed tinting highlights
     std::vector<Marked> marks;
-    bool searched = false;  // for a highlight: take all marks and tints anew
-    bool hiding = false;    // something was hidden or shown: it is in the lists
-    Cursor now;             // for the next call
+    std::vector<TouchedElements::Value> values;  // of attributes: written, or of elements that were created
+    bool searched = false;                       // for a highlight: take all marks and tints anew
+    bool hiding = false;                         // something was hidden or shown: it is in the lists
+    Cursor now;                                  // for the next call
   };
   // Since the cursor was given out; everything where that is another document's, or where more has changed than is
   // kept. O(answer).
@@ -38,17 +39,19 @@ class ChangeFeed {
   void note_everything() { cells_.forget(); }
   void note_vertex(std::uint32_t index) { cells_.add({Sort::vertex, {}, index}); }
   void note_face(std::uint32_t index) { cells_.add({Sort::face, {}, index}); }
+  void note_value(const TouchedElements::Value& value) { cells_.add({Sort::value, {}, value.index, value.attribute}); }
   // A face that is marked looks otherwise, too.
   void note_mark(const Marked& marked);
   void note_search() { cells_.add({Sort::search, {}, 0}); }
   void note_hiding() { cells_.add({Sort::hiding, {}, 0}); }
 
  private:
-  enum class Sort : std::uint8_t { vertex, face, mark, search, hiding };
+  enum class Sort : std::uint8_t { vertex, face, mark, value, search, hiding };
   struct Cell {
     Sort sort;
     Mark mark;
     std::uint32_t index;
+    std::uint32_t attribute = 0;
   };
 
   RecentCells<Cell> cells_;

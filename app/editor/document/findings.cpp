@@ -64,6 +64,7 @@ void Findings::follow(const Journal& journal, std::size_t transaction, Document:
   if (touched.everything) changes_.note_everything();
   for (Vertex v : touched.moved) changes_.note_vertex(v.index);
   for (Face f : touched.faces) changes_.note_face(f.index);
+  for (const TouchedElements::Value& value : touched.values) changes_.note_value(value);
   if (picker_) follow_picker(touched);
   follow_map_values(transaction, is_trial);
   if (highlights_) follow_highlights(journal, transaction, touched);

@@ -47,10 +47,10 @@ class ColoursPanel : public Panel {
     ImGui::SetNextItemWidth(-1);
     if (!ImGui::BeginCombo("##map", map ? context.text(map->name_en, map->name_ja) : off)) return;
     if (ImGui::Selectable(off, !map)) context.run("colours off");
-    for (const ColourMap& row : colour_maps()) {
-      if (ImGui::Selectable(context.text(row.name_en, row.name_ja), &row == map))
-        context.run("colours " + std::string(row.id));
-      tip(context.text(row.legend_en, row.legend_ja));
+    for (const ColourMap* const row : colour_maps_of(context.mesh())) {
+      if (ImGui::Selectable(context.text(row->name_en, row->name_ja), row == map))
+        context.run("colours " + std::string(row->id));
+      tip(context.text(row->legend_en, row->legend_ja));
     }
     ImGui::EndCombo();
   }

@@ -2,6 +2,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "app/editor/commands/text/words.h"
+#include "app/editor/document/element_values.h"
 #include "app/editor/document/findings.h"
 #include "app/editor/session/selecting.h"
 #include "app/editor/shown/levels.h"
@@ -37,15 +39,18 @@ class Inspector {
   void draw(const Element& element, std::size_t selected) {
     bold_text(context_, name_and_slot(m_, element).c_str());
     if (selected > 1) tell_of_others(selected - 1, element.kind == Element::Kind::vertex);
-    if (element.kind == Element::Kind::vertex) return draw(element.vertex());
-    if (element.kind == Element::Kind::edge) return draw(element.edge());
-    if (element.kind == Element::Kind::halfedge) return draw(element.halfedge());
-    draw(element.face());
+    element.visit([&](auto handle) { draw(handle); });
+    draw_values(element);
   }
 
  private:
   void value(UiText label, const std::string& text) { labelled(context_, context_.text(label), text); }
   void note(UiText text) { coloured_text(context_.colours().warning, context_.text(text)); }
+
+  void draw_values(const Element& element) {
+    for (const ElementValue& each : values_of(m_, context_.document().tables(), element))
+      labelled(context_, each.name.c_str(), with_short_numbers(each.value));
+  }
 
   // Above what may take more lines than the panel has.
   void tell_of_others(std::size_t others, bool is_vertex) {

@@ -64,7 +64,7 @@ std::optional<bool> holds_float_coordinates(const MeshFile& file) {
   bool are_floats = true;
   for (const PropertyTable& table : file.properties.tables)
     for (const Property& property : table.properties)
-      if (property.role == PropertyRole::position) are_floats = are_floats && property.type == NumberType::f32;
+      if (property.role == PropertyRole::position) are_floats = are_floats && property.type == Scalar::float32;
   if (are_floats || is_binary) return are_floats;
   return std::nullopt;
 }
@@ -222,6 +222,7 @@ Text Document::append(MeshFile file, std::string command) {
   const std::size_t unusable = file.mesh.quarantine.size(), lines = file.elements.items.size();
   const bool has_values = !file.mesh.texcoords.index.empty() || !file.mesh.normals.index.empty() ||
                           !file.mesh.vertex_colours.empty() || !file.mesh.materials.index.empty();
+  const bool has_attributes = !file.mesh.attributes.empty();
   file.mesh.quarantine.clear();
   const Mesh added = from_indexed(std::move(file.mesh));
   Part part = part_of(added, all_elements(added));
@@ -239,6 +240,7 @@ Text Document::append(MeshFile file, std::string command) {
     left_out.ja += (left_out.ja.empty() ? "追加しなかったもの：" : "、") + std::string(ja);
   };
   say(has_values, "texture coordinates, normals, colours and materials", "テクスチャ座標・法線・色・材質");
+  say(has_attributes, "attributes", "属性");
   say(lines > 0, "lines and points", "線と点");
   say(unusable > 0, "faces that cannot be used", "使えない面");
   return left_out.en.empty() ? left_out : left_out + Text{".", "。"};

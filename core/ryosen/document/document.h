@@ -78,6 +78,16 @@ class Document {
   // Adds the mesh of a file as parts of their own, as one entry of the history. The sentence says what of the file was
   // left out: what belongs to corners and faces, lines, and faces that cannot be used; empty where nothing was.
   Text append(MeshFile file, std::string command);
+  // Adds an attribute without values, of which every element has the default, as one entry of the history. Refused
+  // where its name is taken or one of the program's own. `command` is the line where that has been written.
+  Outcome add_attribute(AttributeColumn column, std::string command = {});
+  // Removes one, likewise.
+  Outcome remove_attribute(std::string_view name, std::string command = {});
+  // Gives elements a value, as words of the attribute's type: a point with all its copies, an edge with all its sheets,
+  // of a face or vertex all its corners. Elements of other kinds are passed over; refused where all are. No entry where
+  // all have that value.
+  Outcome set_attribute(std::string_view name, std::span<const Element> elements, std::span<const std::uint32_t> value,
+                        std::string command);
   // What part_of() takes of these elements, as a file of its own. Nothing is on trial.
   MeshFile part(std::span<const Element> elements) const;
   // The verdict and the ghost of the result, on the mesh with what is on trial. The document is unchanged.

@@ -3,15 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <mutex>
 
 #include "ryosen/analysis/curvature.h"
 #include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/measures.h"
 #include "ryosen/base/open_table.h"
 #include "ryosen/base/rows.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/attribute_text.h"
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
@@ -150,6 +154,33 @@ constexpr std::array built_in_maps{
 
 constinit OpenTable<ColourMap, 32> map_table(built_in_maps);
 
+// The map of an attribute; rows stay where they are.
+struct AttributeMap {
+  std::string name, legend_en, legend_ja;
+  ColourMap map;
+
+  explicit AttributeMap(std::string_view attribute)
+      : name(attribute),
+        legend_en("The values of the attribute " + name + "."),
+        legend_ja("属性 " + name + " の値。"),
+        map{.id = name,
+            .name_en = name,
+            .name_ja = name,
+            .legend_en = legend_en,
+            .legend_ja = legend_ja,
+            .attribute = name} {}
+  AttributeMap(const AttributeMap&) = delete;
+};
+
+const ColourMap* map_of_attribute(std::string_view name) {
+  static std::mutex mutex;
+  static std::deque<AttributeMap> maps;
+  const std::lock_guard lock(mutex);
+  for (const AttributeMap& each : maps)
+    if (each.name == name) return &each.map;
+  return &maps.emplace_back(name).map;
+}
+
 double gamma(double linear) {
   const double c = std::clamp(linear, 0.0, 1.0);
   return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
@@ -173,7 +204,24 @@ constexpr glm::dvec3 blue{0.46, -0.02, -0.14}, white{0.96, 0.0, 0.0}, orange{0.5
 }  // namespace
 
 std::span<const ColourMap> colour_maps() { return map_table.rows(); }
-const ColourMap* find_colour_map(std::string_view id) { return map_table.find(id); }
+const ColourMap* find_colour_map(std::string_view id) {
+  const ColourMap* const row = map_table.find(id);
+  return row || !element_of_attribute(id) ? row : map_of_attribute(id);
+}
+
+bool has_numbers(const Mesh& mesh, const ColourMap& map) {
+  if (map.attribute.empty()) return true;
+  const AttributeColumn* const column = find_column(mesh, map.attribute);
+  return column && column->type.count == 1;
+}
+
+std::vector<const ColourMap*> colour_maps_of(const Mesh& mesh) {
+  std::vector<const ColourMap*> maps;
+  for (const ColourMap& map : colour_maps()) maps.push_back(&map);
+  for (const AttributeColumn* const column : free_attributes(mesh))
+    if (column->type.count == 1) maps.push_back(find_colour_map(column->name));
+  return maps;
+}
 
 std::string colour_map_ids() { return joined_ids(colour_maps()); }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ryosen/analysis/measures.h"
 #include "ryosen/analysis/neighbourhood.h"
@@ -36,16 +37,26 @@ struct ColourMap {
   double (*edge)(Neighbourhood&, Edge) = nullptr;
   double (*face)(Neighbourhood&, Face) = nullptr;
   double (*against)(const Mesh&, Vertex, const OtherSurface&) = nullptr;  // only where there is another mesh
+  std::string_view attribute = {};  // whose numbers these are, in place of a function; corners: their mean in a face
   bool reads_whole_faces = false;
   bool reads_two_rings = false;  // of a vertex: what is two edges away
 
   Element::Kind sort() const {
+    if (!attribute.empty())
+      return attribute.starts_with("vertex.") ? Element::Kind::vertex
+             : attribute.starts_with("edge.") ? Element::Kind::edge
+                                              : Element::Kind::face;
     return vertex || against ? Element::Kind::vertex : edge ? Element::Kind::edge : Element::Kind::face;
   }
 };
 
 std::span<const ColourMap> colour_maps();
+// A row of the table, or the map of the attribute with this name (vertex.load), whether a mesh has it or not.
 const ColourMap* find_colour_map(std::string_view id);
+// Whether a mesh has numbers for it: an attribute with one number per element.
+bool has_numbers(const Mesh& mesh, const ColourMap& map);
+// The table, and behind it the maps of the attributes of a mesh that have one number.
+std::vector<const ColourMap*> colour_maps_of(const Mesh& mesh);
 // "edge_length|valence|..."
 std::string colour_map_ids();
 

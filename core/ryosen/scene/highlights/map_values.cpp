@@ -8,6 +8,8 @@
 
 #include "ryosen/analysis/ask_elements.h"
 #include "ryosen/analysis/edit_reach.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
 
@@ -15,9 +17,44 @@ const double MapValues::missing = std::numeric_limits<double>::quiet_NaN();
 
 namespace {
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+int attribute_of(const Mesh& mesh, const ColourMap& map) {
+  return map.attribute.empty() || !has_numbers(mesh, map) ? -1 : mesh.find_attribute(map.attribute);
+}
+
+// Of the vertices of a point and the sheets of an edge one answers.
+template <class Ask>
+auto with_attribute(const Mesh& mesh, const ColourMap& map, const Ask& ask) {
+  const int attribute = attribute_of(mesh, map);
+  const AttributeColumn* const column =
+      attribute < 0 ? nullptr : &mesh.attributes()[static_cast<std::size_t>(attribute)];
+  if (map.sort() == Element::Kind::vertex)
+    return ask(Vertex(), [column](Neighbourhood& around, Vertex v) {
+      return column && around.point(v) == v ? number_at(*column, v.index) : no_number;
+    });
+  if (map.sort() == Element::Kind::edge)
+    return ask(Edge(), [column](Neighbourhood& around, Edge e) {
+      const auto [left, right] = faces(around.mesh(), e);
+      const bool answers = !(left || right) || around.is_first_sheet(e);
+      return column && answers ? number_at(*column, e.index) : no_number;
+    });
+  return ask(Face(), [column](Neighbourhood& around, Face f) {
+    if (!column) return no_number;
+    if (column->element == ElementKind::face) return number_at(*column, f.index);
+    double sum = 0, corners = 0;
+    for (const Halfedge h : halfedges_around(around.mesh(), f)) {
+      sum += number_at(*column, h.index);
+      ++corners;
+    }
+    return sum / corners;
+  });
+}
+
 // Calls ask(handle of the sort, the row's function about it).
 template <class Ask>
-auto with_sort(const ColourMap& map, const OtherSurface* other, Ask ask) {
+auto with_sort(const Mesh& mesh, const ColourMap& map, const OtherSurface* other, Ask ask) {
+  if (!map.attribute.empty()) return with_attribute(mesh, map, ask);
   if (map.against)
     return ask(Vertex(), [&map, other](Neighbourhood& around, Vertex v) {
       return other ? map.against(around.mesh(), v, *other) : std::numeric_limits<double>::quiet_NaN();
@@ -33,8 +70,8 @@ bool is_same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std
 
 MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads,
                      std::shared_ptr<const OtherSurface> other)
-    : map_(&map), other_(std::move(other)), had_copies_(mesh.has_copies()) {
-  with_sort(map, other_.get(), [&](auto handle, auto value) {
+    : map_(&map), other_(std::move(other)), had_copies_(mesh.has_copies()), attribute_(attribute_of(mesh, map)) {
+  with_sort(mesh, map, other_.get(), [&](auto handle, auto value) {
     using Handle = decltype(handle);
     const std::uint32_t slots = slots_of(mesh, Handle());
     values_.assign(slots, missing);
@@ -47,12 +84,13 @@ MapValues::MapValues(const Mesh& mesh, const ColourMap& map, unsigned threads,
 }
 
 std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, const Journal& journal, std::size_t i) {
-  if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies()) {
+  if (journal.replaces_everything(i) || had_copies_ != mesh.has_copies() || attribute_ != attribute_of(mesh, *map_)) {
     *this = MapValues(mesh, *map_, 0, other_);
     return std::nullopt;
   }
   Neighbourhood around(mesh);
-  EditReach reach = edit_reach(journal, i, around);
+  EditReach reach =
+      edit_reach(journal, i, around, map_->attribute.empty() ? WrittenValues::ignored : WrittenValues::counted);
   if (map_->reads_whole_faces) add_whole_faces(around, reach);
   if (map_->reads_two_rings) add_neighbours(around, reach);
   std::vector<std::uint32_t> changed;
@@ -66,7 +104,7 @@ std::optional<std::vector<std::uint32_t>> MapValues::update(const Mesh& mesh, co
       changed.push_back(element.index);
     }
   };
-  with_sort(*map_, other_.get(), [&](auto handle, auto value) {
+  with_sort(mesh, *map_, other_.get(), [&](auto handle, auto value) {
     using Handle = decltype(handle);
     values_.resize(slots_of(mesh, Handle()), missing);
     if constexpr (std::is_same_v<Handle, Vertex>) ask(reach.vertices, value);

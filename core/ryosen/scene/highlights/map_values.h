@@ -34,6 +34,7 @@ class MapValues {
   const ColourMap* map_;
   std::shared_ptr<const OtherSurface> other_;
   bool had_copies_ = false;
+  int attribute_ = -1;  // of the mesh, whose numbers these are
   std::vector<double> values_;
 };
 

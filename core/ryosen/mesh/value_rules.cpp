@@ -147,7 +147,7 @@ void derive_value(const AttributeColumn& column, std::span<const std::uint32_t> 
   assert(std::any_of(weights.begin(), weights.end(), [](double weight) { return weight != 0; }));
   assert(derivation != Derivation::divides);
   const Sources sources{column, at, weights, derivation};
-  if (column.rule == ValueRule::own && !(derivation == Derivation::copies && sources.is_one()))
+  if (column.rule == ValueRule::own && !(derivation == Derivation::copies && at.size() == 1))
     return make_by_own_rule(sources, value);
   const bool has_mean = column.rule == ValueRule::blend && is_floating(column.type.scalar);
   if (column.rule == ValueRule::sum && derivation == Derivation::copies && at.size() > 1) {

@@ -274,6 +274,24 @@ bool divides_by_share(const AttributeColumn& column) {
   return column.rule == ValueRule::sum || column.rule == ValueRule::own;
 }
 
+// The sheets of an edge have one value; which part gets what no equal division leaves may be another on each.
+template <class Numbers>
+void share_among_sheets(const Mesh& mesh, const Numbers& numbers, AttributeColumn& column) {
+  const std::size_t words = column.words();
+  sheet_groups(mesh).for_each([&](std::span<const Edge> sheets) {
+    std::vector<Edge> first;
+    for (const Edge e : sheets) {
+      Halfedge h = halfedge(e);
+      if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);
+      const std::vector<Edge> parts = parts_of_edge(numbers, h);
+      if (first.empty()) first = parts;
+      for (std::size_t i = 0; i < std::min(first.size(), parts.size()); ++i)
+        std::copy_n(column.data.data() + std::size_t{first[i].index} * words, words,
+                    column.data.data() + std::size_t{parts[i].index} * words);
+    }
+  });
+}
+
 // All attributes: means of vertices and the values of pools by the step, the rest by the rules from the sources.
 // place_of(i) is the place of vertex i in the step, places_of(charts) a function that gives that of a corner.
 template <class Numbers, class PlaceOf, class PlacesOf>
@@ -293,6 +311,7 @@ void carry(const Mesh& mesh, const Creases& creases, const Numbers& numbers, con
     } else if (before.element == ElementKind::edge) {
       if (edges.empty()) edges = edge_sources(mesh, numbers);
       column = edges.derived(before);
+      if (mesh.has_copies()) share_among_sheets(mesh, numbers, column);
     } else if (before.element == ElementKind::corner && !is_in_pool(mesh, i)) {
       if (corners.empty()) corners = corner_sources(mesh, numbers, out);
       column = corners.derived(before);

@@ -2,6 +2,7 @@
 
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
 
 namespace ryosen::subdivide {
@@ -53,8 +54,11 @@ SourceList parts_of_faces(const Mesh& mesh, const MeshColumns& next, bool by_are
 
 SourceList vertex_sources(const Mesh& mesh, const SplitNumbers& n) {
   SourceList list = with_old_vertices(mesh, n.vertex_slots());
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
-    put_on_edge(mesh, n.on_edge(halfedge(Edge(e))), halfedge(Edge(e)), 0.5, list);
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    Halfedge h = halfedge(Edge(e));
+    if (point(mesh, mesh.from(h)) > point(mesh, mesh.to(h))) h = twin(h);  // the same end first on all sheets
+    put_on_edge(mesh, n.on_edge(h), h, 0.5, list);
+  }
   if (n.split() == Split::into_quads)
     for (const Face f : live_faces(mesh)) put_in_centre(mesh, n.centre(f), f, list);
   return list;
@@ -69,22 +73,12 @@ SourceList vertex_sources(const Mesh& mesh, const Sqrt3Numbers& n) {
   return list;
 }
 
-SourceList edge_sources(const Mesh& mesh, const SplitNumbers& n) {
-  SourceList list(n.edge_slots());
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
-    for (const Halfedge part : {first_half(halfedge(Edge(e))), second_half(halfedge(Edge(e)))})
-      list.part(edge(part).index, e, 1);
-  return list;
-}
+std::vector<Edge> parts_of_edge(const SplitNumbers&, Halfedge h) { return {edge(first_half(h)), edge(second_half(h))}; }
 
-SourceList edge_sources(const Mesh& mesh, const Sqrt3Numbers& n) {
-  SourceList list(n.edge_slots());
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
-    const Halfedge h = halfedge(Edge(e));
-    if (!n.is_kept(h)) continue;
-    for (unsigned i = 0; i < (n.is_cut(h) ? 3u : 1u); ++i) list.part(edge(n.part(h, i)).index, e, 1);
-  }
-  return list;
+std::vector<Edge> parts_of_edge(const Sqrt3Numbers& n, Halfedge h) {
+  if (!n.is_kept(h)) return {};
+  if (!n.is_cut(h)) return {edge(n.part(h, 0))};
+  return {edge(n.part(h, 0)), edge(n.part(h, 1)), edge(n.part(h, 2))};
 }
 
 SourceList face_sources(const Mesh& mesh, const SplitNumbers& n, const MeshColumns& next, bool by_area) {

@@ -19,9 +19,17 @@ struct CornerPlace {
 // Old vertices stay; others lie on edges and at centres.
 SourceList vertex_sources(const Mesh& mesh, const SplitNumbers& numbers);
 SourceList vertex_sources(const Mesh& mesh, const Sqrt3Numbers& numbers);
+// The edges that an edge is divided into, in the direction of the halfedge; none of one that sqrt(3) swaps.
+std::vector<Edge> parts_of_edge(const SplitNumbers& numbers, Halfedge h);
+std::vector<Edge> parts_of_edge(const Sqrt3Numbers& numbers, Halfedge h);
 // An edge is divided into equal parts; those within faces are new, and so is one that sqrt(3) swaps.
-SourceList edge_sources(const Mesh& mesh, const SplitNumbers& numbers);
-SourceList edge_sources(const Mesh& mesh, const Sqrt3Numbers& numbers);
+template <class Numbers>
+SourceList edge_sources(const Mesh& mesh, const Numbers& numbers) {
+  SourceList list(numbers.edge_slots());
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
+    for (const Edge part : parts_of_edge(numbers, halfedge(Edge(e)))) list.part(part.index, e, 1);
+  return list;
+}
 // A face is divided by area, in `next` with its places, where `by_area`; else equally. A triangle of sqrt(3) that lies
 // in two faces is a part of that of its number.
 SourceList face_sources(const Mesh& mesh, const SplitNumbers& numbers, const MeshColumns& next, bool by_area);

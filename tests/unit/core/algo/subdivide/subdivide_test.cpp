@@ -21,7 +21,9 @@
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/triangulate.h"
+#include "tests/support/core/element_values.h"
 #include "tests/support/core/long_run.h"
+#include "tests/support/core/random_edits.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/support/core/run_algorithm.h"
 #include "tests/support/core/shapes.h"
@@ -462,6 +464,21 @@ TEST(Subdivide, copies_stay_together_and_reading_the_points_gives_the_same) {
 }
 
 // Places as texture coordinates, on a sheet whose halves have pools of their own.
+TEST(Subdivide, copies_and_sheets_have_one_value) {
+  std::vector<Mesh> meshes;
+  for (const NamedPolygons& shape : shapes()) meshes.push_back(shaken(shape.faces, shape.points));
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) meshes.push_back(random_kernel_mesh(seed));
+  for (Mesh& mesh : meshes) {
+    add_values(mesh, nullptr);
+    for (const Scheme scheme : all_schemes)
+      for (const std::size_t steps : {1u, 2u}) {
+        Progress unheard;
+        const subdivide::Subdivided result = subdivide::subdivided(mesh, {.scheme = scheme, .steps = steps}, unheard);
+        if (!result.fault) expect_copies_agree(Mesh(result.columns));
+      }
+  }
+}
+
 TEST(Subdivide, texture_colours_and_names_are_carried_along) {
   IndexedMesh list = indexed({{0, 1, 4, 3}, {1, 2, 5, 4}});
   list.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}};

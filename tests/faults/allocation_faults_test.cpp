@@ -270,6 +270,23 @@ TEST(allocation_faults, of_edits_leave_the_document_as_it_was) {
   fail_command(session, "redo", "undo");
 }
 
+TEST(allocation_faults, of_attributes_leave_them_as_they_were) {
+  auto document = Document::open(source("assets/fin.obj"));
+  ASSERT_TRUE(document.ok());
+  Session session(std::move(document).value());
+  for (const char* const line :
+       {"attribute add vertex.load doublex3 blend 1 2 3", "attribute add edge.crease float sum",
+        "attribute set vertex.load 4 5 6 v0..v3", "attribute set edge.crease 2 e0..e4", "split 0-2",
+        "attribute remove vertex.load", "attribute add vertex.load bool"}) {
+    SCOPED_TRACE(line);
+    const MeshColumns before = session.mesh().columns();
+    fail_command(session, line, "undo");
+    EXPECT_EQ(session.mesh().attributes().size(), before.attributes.size());
+    EXPECT_TRUE(session.mesh().columns() == before);
+    ASSERT_TRUE(session.run(line).done());
+  }
+}
+
 // Wherever it runs out on a way through several entries, the document is back where it was, and the way is still there.
 TEST(allocation_faults, of_long_ways_through_the_history_lead_back) {
   auto document = Document::open(source("assets/fin.obj"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -39,6 +40,7 @@ inline const AttributeColumn* find_column(const Mesh& mesh, std::string_view nam
 // The value at an index of a column of type T.
 template <AttributeValue T>
 T attribute_value(const AttributeColumn& column, std::uint32_t index) {
+  assert(column.type == value_type<T>);
   T value;
   std::memcpy(&value, column.data.data() + std::size_t{index} * column.words(), sizeof(T));
   return value;

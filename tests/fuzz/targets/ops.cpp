@@ -1,11 +1,15 @@
 // Sequences of operators, undo, redo, previews, remedies and round trips through files on small meshes: every state
 // must be sound, every refusal and every way back exact, every logged line replayable.
+#include <algorithm>
 #include <cmath>
 
 #include "ryosen/analysis/figures.h"
+#include "ryosen/base/enum_table.h"
 #include "ryosen/geometry/is_finite.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/formats.h"
+#include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/attribute_text.h"
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/ops/preview/preview.h"
 #include "ryosen/ops/preview/remedy.h"
@@ -49,6 +53,8 @@ class Session {
         return save_and_read(bytes.below(formats().size()));
       case 3:
         return look_ahead(bytes);
+      case 4:
+        return change_attributes(bytes);
       default:
         return run(bytes);
     }
@@ -90,6 +96,43 @@ class Session {
     if (!journal_.can_redo()) return;
     journal_.redo(mesh_);
     expect_sound("redo");
+  }
+
+  // Adds, removes or writes an attribute of any type and rule.
+  void change_attributes(Bytes& bytes) {
+    constexpr ElementKind kinds[] = {ElementKind::vertex, ElementKind::edge, ElementKind::corner, ElementKind::face};
+    const std::size_t way = bytes.below(4);
+    const std::vector<const AttributeColumn*> all = free_attributes(mesh_);
+    Edit edit(mesh_, &journal_);
+    if (way == 0 || all.empty()) {
+      AttributeColumn column;
+      column.element = kinds[bytes.below(4)];
+      column.type = {static_cast<Scalar>(bytes.below(enum_count<Scalar>)),
+                     static_cast<std::uint32_t>(1 + bytes.below(3))};
+      column.rule = static_cast<ValueRule>(bytes.below(4));
+      column.name = std::string(name_of(column.element)) + ".a" + std::to_string(mesh_.attributes().size());
+      column.fill = value(column.type, bytes);
+      tell("add " + words_of(column));
+      edit.add_attribute(std::move(column));
+    } else {
+      const AttributeColumn& column = *all[bytes.below(std::min<std::size_t>(all.size(), 256))];
+      const auto attribute = static_cast<std::size_t>(mesh_.find_attribute(column.name));
+      const std::size_t rows = column.data.size() / column.words();
+      tell((way == 1 ? "remove " : "set ") + column.name);
+      if (way == 1) edit.remove_attribute(attribute);
+      if (way > 1 && rows > 0)
+        edit.set_attribute(attribute, static_cast<std::uint32_t>(bytes.below(std::min<std::size_t>(rows, 256))),
+                           value(column.type, bytes));
+    }
+    edit.commit();
+  }
+
+  static std::vector<std::uint32_t> value(ValueType type, Bytes& bytes) {
+    std::vector<std::uint32_t> words(type.words(), 0);
+    auto* const at = reinterpret_cast<unsigned char*>(words.data());
+    for (std::uint32_t i = 0; i < type.bytes(); ++i)
+      at[i] = type.scalar == Scalar::boolean ? bytes.coin() : bytes.byte();
+    return words;
   }
 
   // The line that the log would hold must do the same on another machine.
@@ -172,6 +215,10 @@ class Session {
     const auto broken = check_invariants(mesh);
     if (broken) fail("read again: " + broken->sentence);
     expect(mesh.live().faces == mesh_.live().faces, "faces are lost on the way through a file");
+    if (!holds(format.holds(Encoding::automatic), Holds::properties)) return;
+    for (const AttributeColumn& column : out.attributes)
+      expect(std::count(in.attributes.begin(), in.attributes.end(), column) == 1,
+             "an attribute changes on the way through a file: " + words_of(column));
   }
 
   Mesh mesh_;

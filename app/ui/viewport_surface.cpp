@@ -67,16 +67,16 @@ std::uint32_t packed_colour(const glm::dvec4& colour) {
 // The colours of the file that are to be seen; null where there are none.
 struct ShownFileColours {
   const AttributeColumn* of_vertices = nullptr;
-  const FaceColours* of_faces = nullptr;
+  const AttributeColumn *of_faces = nullptr, *components = nullptr;
 
   explicit ShownFileColours(const Document& document, const ViewState& view) {
     const FileColours which = view.settings.file_colours;
     const Mesh& mesh = document.mesh();
-    const int column = mesh.find_attribute(attribute_names::colour);
-    const FaceColours& colours = document.tables().face_colours;
     if (which == FileColours::off) return;
-    if (which != FileColours::faces && column >= 0) of_vertices = &mesh.attributes()[static_cast<std::size_t>(column)];
-    if (which != FileColours::vertices && !colours.values.empty()) of_faces = &colours;
+    if (which != FileColours::faces) of_vertices = find_column(mesh, attribute_names::colour);
+    if (which == FileColours::vertices) return;
+    components = find_column(mesh, attribute_names::face_colour_components);
+    of_faces = components ? find_column(mesh, attribute_names::face_colour) : nullptr;
   }
   bool are_none() const { return !of_vertices && !of_faces; }
 };
@@ -86,15 +86,14 @@ void paint_file(const Document& document, const ViewState& view, TriangleSource&
   const ShownFileColours shown(document, view);
   if (shown.are_none()) return;
   source.paint = Paint::own;
-  source.colours = [of_vertices = shown.of_vertices,
-                    of_faces = shown.of_faces](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
+  source.colours = [shown](const DrawnTriangle& triangle) -> std::array<std::uint32_t, 3> {
     const std::uint32_t f = triangle.face;
-    const bool has_colour = of_faces && f < of_faces->count.size() && of_faces->count[f] >= 3;
-    const std::uint32_t of_face = has_colour ? packed_colour(of_faces->values[f]) : 0;
-    if (of_face != 0 || !of_vertices) return {of_face, of_face, of_face};
+    const bool has_colour = shown.of_faces && attribute_value<std::uint8_t>(*shown.components, f) >= 3;
+    const std::uint32_t of_face = has_colour ? packed_colour(attribute_value<glm::dvec4>(*shown.of_faces, f)) : 0;
+    if (of_face != 0 || !shown.of_vertices) return {of_face, of_face, of_face};
     std::array<std::uint32_t, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = packed_colour(attribute_value<glm::dvec4>(*of_vertices, triangle.corners[k]));
+      corners[k] = packed_colour(attribute_value<glm::dvec4>(*shown.of_vertices, triangle.corners[k]));
     return corners;
   };
 }

@@ -231,7 +231,9 @@ class Walk {
 
   void expect_as_modelled(const std::string& story) {
     ASSERT_FALSE(check_invariants(mesh_)) << story << ": " << check_invariants(mesh_)->sentence;
-    for (auto& [name, model] : models_) {
+    for (auto& modelled : models_) {
+      const std::string& name = modelled.first;
+      Model& model = modelled.second;
       const ElementKind kind = model.head().element;
       const auto untold = untold_.find(journal_.position());
       if (mesh_.find_attribute(name) < 0 || (untold != untold_.end() && untold->second.contains(kind))) continue;

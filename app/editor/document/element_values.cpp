@@ -38,8 +38,17 @@ std::string text_of(const Mesh& mesh, const FileTables& tables, const AttributeC
     const std::uint32_t name = column.data[index];
     return name < names->size() ? (*names)[name] : "";
   }
-  if (column.name == attribute_names::colour && std::isnan(number_at(column, index))) return "";
-  return text_of(column, index);
+  const bool may_be_none = column.name == attribute_names::colour || column.name == attribute_names::weight;
+  if (may_be_none && std::isnan(number_at(column, index))) return "";
+  if (column.name != attribute_names::face_colour) return text_of(column, index);
+  const AttributeColumn* const components = find_column(mesh, attribute_names::face_colour_components);
+  const ValueType type{Scalar::float64, attribute_value<std::uint8_t>(*components, index)};
+  return value_text(type, column.data.data() + std::size_t{index} * column.words());
+}
+
+// Columns that are part of another one, or of the order of the file.
+bool is_hidden(const AttributeColumn& column) {
+  return column.name == attribute_names::edge_row || column.name == attribute_names::face_colour_components;
 }
 
 }  // namespace
@@ -50,7 +59,7 @@ std::vector<ElementValue> values_of(const Mesh& mesh, const FileTables& tables, 
   std::vector<ElementValue> values;
   if (element.kind == Element::Kind::halfedge && mesh.is_outside(element.halfedge())) return values;
   for (const AttributeColumn& column : mesh.attributes()) {
-    if (!column.is_of(kind) || column.name == attribute_names::edge_row) continue;
+    if (!column.is_of(kind) || is_hidden(column)) continue;
     std::string text = text_of(mesh, tables, column, element.index);
     if (!text.empty()) values.push_back({std::string(short_name(column)), std::move(text)});
   }

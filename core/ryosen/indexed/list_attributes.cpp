@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -37,18 +38,28 @@ void add_face_names(const FaceNames& names, std::string_view name, MeshColumns& 
   c.attributes.push_back(std::move(column));
 }
 
-void add_colours(const IndexedMesh& source, MeshColumns& c) {
-  if (source.vertex_colours.empty()) return;
-  AttributeColumn column =
-      make_column(attribute_names::colour, ElementKind::vertex, ValueRule::blend, glm::dvec4(no_colour));
-  copy_words(column, source.vertex_colours);
-  // Copies of a point take its colour.
+// One value per point; its copies take it too.
+template <class T>
+void add_point_values(const std::vector<T>& values, std::string_view name, const T& none, MeshColumns& c) {
+  if (values.empty()) return;
+  AttributeColumn column = make_column(name, ElementKind::vertex, ValueRule::blend, none);
+  copy_words(column, values);
   column.data.resize(c.vertex_halfedge.size() * column.words());
-  for (std::size_t v = source.vertex_colours.size(); v < c.vertex_halfedge.size(); ++v) {
-    const Vertex point = c.copy_point[v];
-    std::memcpy(column.data.data() + v * column.words(), &source.vertex_colours[point.index], sizeof(glm::dvec4));
-  }
+  for (std::size_t v = values.size(); v < c.vertex_halfedge.size(); ++v)
+    std::memcpy(column.data.data() + v * column.words(), &values[c.copy_point[v].index], sizeof(T));
   c.attributes.push_back(std::move(column));
+}
+
+void add_face_colours(const FaceColours& colours, MeshColumns& c) {
+  if (colours.values.empty()) return;
+  AttributeColumn values =
+      make_column(attribute_names::face_colour, ElementKind::face, ValueRule::first, glm::dvec4(0.0));
+  copy_words(values, colours.values);
+  AttributeColumn components =
+      make_column(attribute_names::face_colour_components, ElementKind::face, ValueRule::first, std::uint8_t{0});
+  components.data.assign(colours.count.begin(), colours.count.end());
+  c.attributes.push_back(std::move(values));
+  c.attributes.push_back(std::move(components));
 }
 
 // By edge of the mesh the place in the list of edges, no_index where that does not have it. O(edges log listed).
@@ -175,7 +186,9 @@ std::vector<std::uint32_t> list_edges(const Mesh& mesh, const std::vector<const 
 void add_attributes(const IndexedMesh& source, const CornerPairing& pairing, MeshColumns& c) {
   add_corner_values(source.texcoords, attribute_names::texcoord, attribute_names::texcoord_pool, pairing, c);
   add_corner_values(source.normals, attribute_names::normal, attribute_names::normal_pool, pairing, c);
-  add_colours(source, c);
+  add_point_values(source.vertex_colours, attribute_names::colour, glm::dvec4(no_colour), c);
+  add_point_values(source.vertex_weights, attribute_names::weight, std::numeric_limits<double>::quiet_NaN(), c);
+  add_face_colours(source.face_colours, c);
   add_face_names(source.materials, attribute_names::material, c);
   add_face_names(source.groups, attribute_names::group, c);
   add_face_names(source.objects, attribute_names::object, c);

@@ -220,8 +220,8 @@ void write_vertex_values(const Mesh& mesh, const FileTables& tables, CompactMesh
         renumbered(attribute_values<glm::dvec4>(*colours), out.vertex_number, count, glm::dvec4(0.0));
   out.mesh.colour_components = tables.colour_components;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!tables.vertex_weights.empty())
-    out.mesh.vertex_weights = renumbered(tables.vertex_weights, out.vertex_number, count, none);
+  if (const AttributeColumn* const weights = find_column(mesh, attribute_names::weight))
+    out.mesh.vertex_weights = renumbered(attribute_values<double>(*weights), out.vertex_number, count, none);
 }
 
 void write_face_names(const Mesh& mesh, std::string_view name, const std::vector<std::string>& names,
@@ -237,11 +237,14 @@ void write_face_values(const Mesh& mesh, const FileTables& tables, CompactMesh& 
   write_face_names(mesh, attribute_names::group, tables.groups, out, m.groups);
   write_face_names(mesh, attribute_names::object, tables.objects, out, m.objects);
   write_face_names(mesh, attribute_names::smoothing, tables.smoothing, out, m.smoothing);
-  if (tables.face_colours.values.empty()) return;
+  const AttributeColumn* const colours = find_column(mesh, attribute_names::face_colour);
+  const AttributeColumn* const components = find_column(mesh, attribute_names::face_colour_components);
+  if (!colours || !components) return;
   const std::size_t count = m.face_count();
-  m.face_colours.are_bytes = tables.face_colours.are_bytes;
-  m.face_colours.values = renumbered(tables.face_colours.values, out.face_number, count, glm::dvec4(0.0));
-  m.face_colours.count = renumbered(tables.face_colours.count, out.face_number, count, std::uint8_t{0});
+  m.face_colours.are_bytes = tables.face_colours_are_bytes;
+  m.face_colours.values = renumbered(attribute_values<glm::dvec4>(*colours), out.face_number, count, glm::dvec4(0.0));
+  const std::vector<std::uint8_t> of_slots(components->data.begin(), components->data.end());
+  m.face_colours.count = renumbered(of_slots, out.face_number, count, std::uint8_t{0});
 }
 
 std::vector<BridgedFace> bridged_faces(const IndexedMesh& source) {
@@ -285,10 +288,9 @@ LostVertices find_lost(const Mesh& mesh, const FileTables& tables, std::span<con
 
 FileTables file_tables(const IndexedMesh& source) {
   return {
-      source.quarantine,       bridged_faces(source),          source.face_lines,           source.vertex_weights,
-      source.face_colours,     source.materials.names,         source.groups.names,         source.objects.names,
-      source.smoothing.names,  quarantined_attributes(source), source.texcoords.components, source.normals.components,
-      source.colour_components};
+      source.quarantine,           bridged_faces(source),     source.face_lines,        source.materials.names,
+      source.groups.names,         source.objects.names,      source.smoothing.names,   quarantined_attributes(source),
+      source.texcoords.components, source.normals.components, source.colour_components, source.face_colours.are_bytes};
 }
 
 FileTables take_file_tables(IndexedMesh& source) {

@@ -23,13 +23,12 @@ struct FileTables {
   std::vector<QuarantinedFace> quarantine;  // ascending by face; without those that the user dropped
   std::vector<BridgedFace> bridged;         // ascending by face
   std::vector<std::uint32_t> face_lines;
-  std::vector<double> vertex_weights;
-  FaceColours face_colours;
   std::vector<std::string> materials, groups, objects, smoothing;  // name tables indexed by the face columns
   std::vector<AttributeColumn> quarantined_attributes;             // those of QuarantinedFace::values, without values
   int texcoord_components = 3;
   int normal_components = 3;
   int colour_components = 3;
+  bool face_colours_are_bytes = false;  // as FaceColours::are_bytes
 };
 // Copies; call it before from_indexed consumes the list.
 FileTables file_tables(const IndexedMesh& source);

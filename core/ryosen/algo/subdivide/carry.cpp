@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "ryosen/algo/features.h"
 #include "ryosen/algo/subdivide/masks.h"
 #include "ryosen/algo/subdivide/step_sources.h"
 #include "ryosen/indexed/from_indexed.h"

@@ -96,7 +96,7 @@ TEST(from_indexed, moebius_strip_and_duplicates_load) {
 TEST(from_indexed, quarantined_face_holds_a_dead_number) {
   IndexedMesh source = indexed({{0, 1, 2}, {}, {2, 1, 3}});
   static_assert(sizeof(QuarantinedFace) <= 48, "a broken file may hold one for every byte");
-  source.quarantine.push_back({1, 7, "face_too_few_corners", {0, 1}, {}, {}});
+  source.quarantine.push_back({1, 7, "face_too_few_corners", {0, 1}, {}, {}, {}});
   const Mesh mesh = from_indexed(std::move(source));
   expect_sound(mesh);
   EXPECT_EQ(mesh.face_slots(), 3u);

@@ -145,6 +145,7 @@ Result<std::vector<const ColourMap*>> wanted_maps(const Arguments& arguments) {
                                      "もう一つのメッシュを --against で指定してください。"});
     if (id ? map.id == *id : has_other) maps.push_back(&map);
   }
+  if (maps.empty() && find_colour_map(*id)) maps.push_back(find_colour_map(*id));  // of an attribute
   if (!maps.empty()) return maps;
   std::vector<std::string> known;
   for (const ColourMap& map : colour_maps()) known.emplace_back(map.id);

@@ -78,7 +78,8 @@ Start seamed() {
 
 Start with_quarantine() {
   IndexedMesh list = indexed({{0, 1, 2}, {}, {2, 1, 3}, {}}, 6);
-  list.quarantine = {{1, 0, "repeated_corner", {0, 1, 0}, {}, {}}, {3, 0, "index_out_of_range", {1, 2, 9}, {}, {}}};
+  list.quarantine = {{1, 0, "repeated_corner", {0, 1, 0}, {}, {}, {}},
+                     {3, 0, "index_out_of_range", {1, 2, 9}, {}, {}, {}}};
   return from_list(std::move(list));
 }
 

@@ -89,7 +89,7 @@ Outcome set(Document& document, const Selecting& selecting, Words words) {
   const std::size_t before = document.position();
   Outcome outcome = document.set_attribute(name, elements, value, line);
   if (outcome.done() && document.position() == before)
-    return done_with({"all of them have that value already", "すでにその値です"});
+    return with_line(done_with({"all of them have that value already", "すでにその値です"}), std::move(line));
   return with_line(std::move(outcome), std::move(line));
 }
 

@@ -29,6 +29,12 @@ void show_panel(Layout& layout) { layout.show(panel_opened_by(PanelOpener::colou
 
 }  // namespace
 
+Text no_numbers(const ColourMap& map) {
+  const std::string name(map.id);
+  return {"there is no attribute " + name + " with one number per element",
+          "要素ごとに数を一つ持つ属性 " + name + " はありません"};
+}
+
 std::string colours_syntax() { return colour_map_ids() + "|ATTRIBUTE|off [LOW HIGH|all]"; }
 
 std::optional<Text> fault_of_colours(Words arguments, const std::string&) {
@@ -49,11 +55,7 @@ Outcome run_colours(Findings& findings, ViewState& view, Layout& layout, Words a
     view.colouring.reset();
     return {};
   }
-  if (!has_numbers(findings.mesh(), *map)) {
-    const std::string name(map->id);
-    return failed(ExitCode::refused, {"there is no attribute " + name + " with one number per element",
-                                      "要素ごとに数を一つ持つ属性 " + name + " はありません"});
-  }
+  if (!has_numbers(findings.mesh(), *map)) return failed(ExitCode::refused, no_numbers(*map));
   if (map->against && !findings.against)
     return failed(ExitCode::refused, {"there is no other mesh to measure from; compare FILE puts one beside this one",
                                       "距離を測る相手がありません。compare FILE で並べてください"});

@@ -26,6 +26,7 @@ class ChangeFeed {
     std::vector<std::uint32_t> faces;     // with changed corners or changed tinting highlights
     std::vector<Marked> marks;
     std::vector<TouchedElements::Value> values;  // of attributes: written, or of elements that were created
+    bool all_values = false;                     // more of these than are listed may be others now
     bool searched = false;                       // for a highlight: take all marks and tints anew
     bool hiding = false;                         // something was hidden or shown: it is in the lists
     Cursor now;                                  // for the next call
@@ -40,6 +41,7 @@ class ChangeFeed {
   void note_vertex(std::uint32_t index) { cells_.add({Sort::vertex, {}, index}); }
   void note_face(std::uint32_t index) { cells_.add({Sort::face, {}, index}); }
   void note_value(const TouchedElements::Value& value) { cells_.add({Sort::value, {}, value.index, value.attribute}); }
+  void note_all_values() { cells_.add({Sort::value, {}, no_index}); }
   // A face that is marked looks otherwise, too.
   void note_mark(const Marked& marked);
   void note_search() { cells_.add({Sort::search, {}, 0}); }

@@ -20,6 +20,7 @@ const std::vector<std::string>* names_of(const AttributeColumn& column, const Fi
 
 // The pool whose values a corner column refers to, or null.
 const AttributeColumn* pool_of(const Mesh& mesh, const AttributeColumn& column) {
+  if (column.name != attribute_names::texcoord && column.name != attribute_names::normal) return nullptr;
   for (const CornerAttribute& each : corner_attributes(mesh))
     if (&mesh.attributes()[each.index_column] == &column) return &mesh.attributes()[each.pool_column];
   return nullptr;
@@ -61,7 +62,7 @@ std::vector<ElementValue> values_of(const Mesh& mesh, const FileTables& tables, 
   for (const AttributeColumn& column : mesh.attributes()) {
     if (!column.is_of(kind) || is_hidden(column)) continue;
     std::string text = text_of(mesh, tables, column, element.index);
-    if (!text.empty()) values.push_back({std::string(short_name(column)), std::move(text)});
+    if (!text.empty()) values.push_back({std::string(short_name(column)), std::move(text), !names_of(column, tables)});
   }
   return values;
 }

@@ -65,6 +65,7 @@ void Findings::follow(const Journal& journal, std::size_t transaction, Document:
   for (Vertex v : touched.moved) changes_.note_vertex(v.index);
   for (Face f : touched.faces) changes_.note_face(f.index);
   for (const TouchedElements::Value& value : touched.values) changes_.note_value(value);
+  if (touched.all_values) changes_.note_all_values();
   if (picker_) follow_picker(touched);
   follow_map_values(transaction, is_trial);
   if (highlights_) follow_highlights(journal, transaction, touched);

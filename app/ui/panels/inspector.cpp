@@ -49,7 +49,7 @@ class Inspector {
 
   void draw_values(const Element& element) {
     for (const ElementValue& each : values_of(m_, context_.document().tables(), element))
-      labelled(context_, each.name.c_str(), with_short_numbers(each.value));
+      labelled(context_, each.name.c_str(), each.is_number ? with_short_numbers(each.value) : each.value);
   }
 
   // Above what may take more lines than the panel has.

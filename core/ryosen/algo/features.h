@@ -15,13 +15,13 @@ namespace ryosen {
 // Whether a wire ends at a vertex, or several fans do. Cost: its valence.
 bool ends_a_wire_or_fan(const Mesh& mesh, Vertex v);
 
-// Whether two faces differ in a value (material, group).
+// Whether two faces differ in a name (material, group, object, smoothing group). Other attributes make no border.
 inline bool face_values_differ(const Mesh& mesh, Face a, Face b) {
-  for (const AttributeColumn& column : mesh.attributes()) {
-    if (!column.is_of(ElementKind::face)) continue;
-    const auto words = [&](Face f) { return column.data.data() + std::size_t{f.index} * column.words(); };
-    if (!std::equal(words(a), words(a) + column.words(), words(b))) return true;
-  }
+  using namespace attribute_names;
+  for (const std::string_view name : {material, group, object, smoothing})
+    if (const AttributeColumn* const column = find_column(mesh, name);
+        column && column->data[a.index] != column->data[b.index])
+      return true;
   return false;
 }
 

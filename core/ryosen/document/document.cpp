@@ -222,7 +222,9 @@ Text Document::append(MeshFile file, std::string command) {
   const std::size_t unusable = file.mesh.quarantine.size(), lines = file.elements.items.size();
   const bool has_values = !file.mesh.texcoords.index.empty() || !file.mesh.normals.index.empty() ||
                           !file.mesh.vertex_colours.empty() || !file.mesh.materials.index.empty();
-  const bool has_attributes = !file.mesh.attributes.empty();
+  const bool has_attributes = !file.mesh.attributes.empty() || !file.mesh.edges.empty() ||
+                              !file.mesh.face_colours.values.empty() || !file.mesh.vertex_weights.empty() ||
+                              !file.mesh.groups.index.empty();
   file.mesh.quarantine.clear();
   const Mesh added = from_indexed(std::move(file.mesh));
   Part part = part_of(added, all_elements(added));

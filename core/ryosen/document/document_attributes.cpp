@@ -15,7 +15,7 @@ Outcome refused(Text sentence) { return failed(ExitCode::refused, std::move(sent
 
 Outcome no_attribute(std::string_view name) {
   const std::string id(name);
-  return refused({"there is no attribute " + id + "; attribute list tells those that there are",
+  return refused({"there is no attribute " + id + "; attribute list shows all",
                   "属性 " + id + " はありません。attribute list で一覧を表示できます"});
 }
 
@@ -64,9 +64,10 @@ Text elements_of(ElementKind kind) {
 }  // namespace
 
 Outcome Document::add_attribute(AttributeColumn column, std::string command) {
+  end_trial();
   if (is_reserved_name(column.name)) return of_the_program(column.name);
   if (element_of_attribute(column.name) != column.element)
-    return failed(ExitCode::usage, {column.name + " is no name of an attribute, such as vertex.load",
+    return failed(ExitCode::usage, {column.name + " is not an attribute name; write for example vertex.load",
                                     column.name + " は属性の名前ではありません（vertex.load など）"});
   if (mesh_.find_attribute(column.name) >= 0)
     return refused(
@@ -86,6 +87,7 @@ Outcome Document::add_attribute(AttributeColumn column, std::string command) {
 }
 
 Outcome Document::remove_attribute(std::string_view name, std::string command) {
+  end_trial();
   if (is_reserved_name(name)) return of_the_program(name);
   const int attribute = mesh_.find_attribute(name);
   if (attribute < 0) return no_attribute(name);
@@ -102,6 +104,7 @@ Outcome Document::remove_attribute(std::string_view name, std::string command) {
 
 Outcome Document::set_attribute(std::string_view name, std::span<const Element> elements,
                                 std::span<const std::uint32_t> value, std::string command) {
+  end_trial();
   if (is_reserved_name(name)) return of_the_program(name);
   const int found = mesh_.find_attribute(name);
   if (found < 0) return no_attribute(name);

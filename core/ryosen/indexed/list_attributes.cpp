@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -84,11 +85,18 @@ std::vector<std::uint32_t> listed_places(const IndexedMesh& source, const MeshCo
   return places;
 }
 
+// An edge that is made of several has the first of their rows.
+void least_row(const ValueSources& sources, std::uint32_t* value) {
+  *value = no_index;
+  for (std::size_t i = 0; i < sources.values.size(); ++i) *value = std::min(*value, sources.value<std::uint32_t>(i));
+}
+
 // The rows of edges, where a file lists some.
 void add_edge_rows(const IndexedMesh& source, const std::vector<std::uint32_t>& places, MeshColumns& c) {
   if (std::none_of(source.edges.begin(), source.edges.end(), [](const ListedEdge& e) { return e.row != no_index; }))
     return;
-  AttributeColumn column = make_column(attribute_names::edge_row, ElementKind::edge, ValueRule::first, no_index);
+  AttributeColumn column = make_column(attribute_names::edge_row, ElementKind::edge, ValueRule::own, no_index);
+  column.own_rule = least_row;
   for (const std::uint32_t place : places) {
     const ListedEdge listed = place == no_index ? ListedEdge() : source.edges[place];
     column.data.push_back(listed.row == no_index ? no_index : 2 * listed.row + (listed.from > listed.to ? 1 : 0));
@@ -224,24 +232,38 @@ std::vector<AttributeColumn> quarantined_attributes(const IndexedMesh& source) {
   return heads;
 }
 
-CompactList<std::uint32_t> quarantined_values(const QuarantinedFace& face, std::span<const AttributeColumn> before,
-                                              std::span<const AttributeColumn> now) {
-  std::vector<std::uint32_t> values;
-  const std::size_t corners = face.corners.size();
-  for (const AttributeColumn& column : now) {
-    if (column.element != ElementKind::corner) continue;
-    std::size_t at = 0;
-    auto same = before.begin();
-    for (; same != before.end() && (same->name != column.name || same->type != column.type); ++same)
-      at += corners * same->words();
-    const std::size_t words = corners * column.words();
-    if (same != before.end() && at + words <= face.values.size()) {
-      values.insert(values.end(), face.values.begin() + at, face.values.begin() + at + words);
-    } else {
-      for (std::size_t i = 0; i < corners; ++i) values.insert(values.end(), column.fill.begin(), column.fill.end());
-    }
+void renew_quarantined_values(std::span<QuarantinedFace> faces, std::span<const AttributeColumn> before,
+                              std::span<const AttributeColumn> now) {
+  const auto is_of_corners = [](const AttributeColumn& column) { return column.element == ElementKind::corner; };
+  if (before.empty() && std::none_of(now.begin(), now.end(), is_of_corners)) return;
+  struct Place {
+    std::size_t words_before;
+    const AttributeColumn* column;
+  };
+  std::map<std::string_view, Place> places;
+  std::size_t words_before = 0;
+  for (const AttributeColumn& column : before) {
+    places.try_emplace(column.name, Place{words_before, &column});
+    words_before += column.words();
   }
-  return values;
+  for (QuarantinedFace& face : faces) {
+    std::vector<std::uint32_t> values;
+    const std::size_t corners = face.corners.size();
+    for (const AttributeColumn& column : now) {
+      if (column.element != ElementKind::corner) continue;
+      const auto same = places.find(column.name);
+      const std::size_t words = corners * column.words();
+      const bool is_there = same != places.end() && same->second.column->type == column.type &&
+                            corners * words_before <= face.values.size();
+      if (is_there) {
+        const std::uint32_t* const first = face.values.begin() + corners * same->second.words_before;
+        values.insert(values.end(), first, first + words);
+      } else {
+        for (std::size_t i = 0; i < corners; ++i) values.insert(values.end(), column.fill.begin(), column.fill.end());
+      }
+    }
+    face.values = values;
+  }
 }
 
 }  // namespace ryosen

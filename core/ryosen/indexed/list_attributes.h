@@ -22,9 +22,9 @@ void list_attributes(const Mesh& mesh, const std::vector<std::uint32_t>& corners
 
 // The corner attributes of a list, without values.
 std::vector<AttributeColumn> quarantined_attributes(const IndexedMesh& source);
-// QuarantinedFace::values for the corner attributes among `now`, from those of a face that has `before`. The default
-// for an attribute that is new or has another type now.
-CompactList<std::uint32_t> quarantined_values(const QuarantinedFace& face, std::span<const AttributeColumn> before,
-                                              std::span<const AttributeColumn> now);
+// Gives faces that have the values of the corner attributes `before` those of the ones among `now`: the default for an
+// attribute that is new or has another type.
+void renew_quarantined_values(std::span<QuarantinedFace> faces, std::span<const AttributeColumn> before,
+                              std::span<const AttributeColumn> now);
 
 }  // namespace ryosen

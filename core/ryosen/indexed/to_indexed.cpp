@@ -198,8 +198,8 @@ void write_quarantine(const Mesh& mesh, const FileTables& tables, CompactMesh& o
     face.face = out.face_number[face.face];
     face.line = 0;
     for (std::int64_t& corner : face.corners) corner = new_number(corner);
-    face.values = quarantined_values(face, tables.quarantined_attributes, out.mesh.attributes);
   }
+  renew_quarantined_values(out.mesh.quarantine, tables.quarantined_attributes, out.mesh.attributes);
 }
 
 // Reorders one value per slot to the numbers of the list; slots from values.size() on get `fill`.

@@ -15,16 +15,13 @@
 namespace ryosen {
 namespace {
 
-// The files of people have some dozens.
-constexpr std::size_t most_attributes_of_a_file = 4096;
-
 Scalar scalar_in_ply(Scalar scalar) { return scalar == Scalar::boolean ? Scalar::uint8 : scalar; }
 
 class AttributeTaker {
  public:
   AttributeTaker(MeshFile& file, std::vector<PlyAttribute> described)
       : file_(file), mesh_(file.mesh), described_(std::move(described)) {
-    for (const PlyAttribute& each : described_) by_name_.try_emplace(each.column.name, &each.column);
+    for (const PlyAttribute& each : described_) by_name_.insert_or_assign(each.column.name, &each);  // the last counts
   }
 
   void take() {
@@ -32,31 +29,44 @@ class AttributeTaker {
       if (!table.is_further()) take_table(table);
       if (may_be_edges(table)) take_edges(table);
     }
+    give_values_to_quarantine();
     for (PlyAttribute& each : described_)
-      if (!taken_.contains(each.column.name)) file_.head_comments.push_back(std::move(each.comment));
+      if (!used_.contains(&each)) file_.head_comments.push_back(std::move(each.comment));
   }
 
  private:
-  // The attribute that a property is, without values, or none.
-  std::optional<AttributeColumn> head_of(TableKind kind, const Property& property) const {
-    if (property.role != PropertyRole::extra || taken_.size() == most_attributes_of_a_file) return std::nullopt;
+  struct Head {
+    AttributeColumn column;                   // without values
+    const PlyAttribute* described = nullptr;  // by this comment
+  };
+
+  // The attribute that a property is, or none. A property with the whole name comes before one with the short one.
+  std::optional<Head> head_of(TableKind kind, const std::set<std::string_view>& names, const Property& property) const {
+    if (property.role != PropertyRole::extra || taken_.size() >= most_attributes_of_a_file) return std::nullopt;
     AttributeColumn head;
     head.name = attribute_of_property(kind, property.name);
     const auto element = element_of_attribute(head.name);
     if (!element || is_reserved_name(head.name) || taken_.contains(head.name)) return std::nullopt;
+    if (head.name != property.name && names.contains(head.name)) return std::nullopt;
     if (const auto found = by_name_.find(head.name); found != by_name_.end()) {
-      const ValueType type = found->second->type;
-      const bool is_list = type.count != 1 || found->second->element == ElementKind::corner;
+      const ValueType type = found->second->column.type;
+      const bool is_list = type.count != 1 || found->second->column.element == ElementKind::corner;
       if (scalar_in_ply(type.scalar) == property.type && is_list == property.is_list &&
           (type.scalar != Scalar::boolean || are_booleans(property)))
-        return *found->second;
+        return Head{found->second->column, found->second};
     }
     if (property.is_list || *element == ElementKind::corner) return std::nullopt;
     head.element = *element;
     head.type = {property.type, 1};
     head.rule = usual_rule(head.type);
     head.fill.assign(head.words(), 0);
-    return head;
+    return Head{std::move(head), nullptr};
+  }
+
+  static std::set<std::string_view> names_of(const PropertyTable& table) {
+    std::set<std::string_view> names;
+    for (const Property& property : table.properties) names.insert(property.name);
+    return names;
   }
 
   static bool are_booleans(const Property& property) {
@@ -93,48 +103,59 @@ class AttributeTaker {
   }
 
   void take_table(PropertyTable& table) {
+    const std::set<std::string_view> names = names_of(table);
     for (Property& property : table.properties) {
-      std::optional<AttributeColumn> column = head_of(table.kind, property);
-      if (!column || !fits(*column, property, table.rows)) continue;
-      if (column->element == ElementKind::corner)
-        take_corners(property, *column);
+      std::optional<Head> head = head_of(table.kind, names, property);
+      if (!head || !fits(head->column, property, table.rows)) continue;
+      if (head->column.element == ElementKind::corner)
+        take_corners(property, head->column);
       else
-        append(property, 0, table.rows, column->type, column->data);
+        append(property, 0, table.rows, head->column.type, head->column.data);
       release(property.data);
       release(property.ends);
       property.role = PropertyRole::attribute;
-      taken_.insert(column->name);
-      mesh_.attributes.push_back(std::move(*column));
+      take_column(std::move(*head));
     }
   }
 
+  void take_column(Head head) {
+    taken_.insert(head.column.name);
+    if (head.described) used_.insert(head.described);
+    mesh_.attributes.push_back(std::move(head.column));
+  }
+
   void take_corners(const Property& property, AttributeColumn& column) {
-    auto aside = mesh_.quarantine.begin();
+    quarantined_values_.resize(mesh_.quarantine.size());
+    std::size_t aside = 0;
     for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
       const std::size_t first = property.first_value(face);
-      if (aside == mesh_.quarantine.end() || aside->face != face) {
+      if (aside < mesh_.quarantine.size() && mesh_.quarantine[aside].face == face) {
+        append(property, first, mesh_.quarantine[aside].corners.size(), column.type, quarantined_values_[aside]);
+        ++aside;
+      } else {
         append(property, first, mesh_.face(face).size(), column.type, column.data);
-        continue;
       }
-      std::vector<std::uint32_t> values(aside->values.begin(), aside->values.end());
-      append(property, first, aside->corners.size(), column.type, values);
-      aside++->values = values;
     }
+  }
+
+  void give_values_to_quarantine() {
+    for (std::size_t i = 0; i < quarantined_values_.size(); ++i) mesh_.quarantine[i].values = quarantined_values_[i];
   }
 
   bool may_be_edges(const PropertyTable& table) const {
     if (table.kind != TableKind::other || table.name != "edge") return false;
+    if (taken_.size() + table.properties.size() > most_attributes_of_a_file) return false;
     std::size_t ends = 0;
-    std::set<std::string> names;
+    const std::set<std::string_view> names = names_of(table);
     for (const Property& property : table.properties) {
       if (property.role == PropertyRole::vertex_number && !property.is_list) {
         ++ends;
         continue;
       }
-      const std::optional<AttributeColumn> head = head_of(TableKind::edges, property);
-      if (!head || !fits(*head, property, table.rows) || !names.insert(head->name).second) return false;
+      const std::optional<Head> head = head_of(TableKind::edges, names, property);
+      if (!head || !fits(head->column, property, table.rows)) return false;
     }
-    return ends == 2 && table.rows < no_index / 2;
+    return ends == 2 && names.size() == table.properties.size() && table.rows < no_index / 2;
   }
 
   struct EdgeRow {
@@ -178,13 +199,13 @@ class AttributeTaker {
       else
         others.push_back(row);
     }
-    for (Property& property : table.properties) {
+    const std::set<std::string_view> names = names_of(table);
+    for (const Property& property : table.properties) {
       if (property.role == PropertyRole::vertex_number) continue;
-      AttributeColumn column = *head_of(TableKind::edges, property);
+      Head head = *head_of(TableKind::edges, names, property);
       for (const ListedEdge& e : mesh_.edges)
-        append(property, property.first_value(e.row), 1, column.type, column.data);
-      taken_.insert(column.name);
-      mesh_.attributes.push_back(std::move(column));
+        append(property, property.first_value(e.row), 1, head.column.type, head.column.data);
+      take_column(std::move(head));
     }
     keep_rows_in_table(table, others);
   }
@@ -204,7 +225,9 @@ class AttributeTaker {
   MeshFile& file_;
   IndexedMesh& mesh_;
   std::vector<PlyAttribute> described_;
-  std::map<std::string_view, const AttributeColumn*> by_name_;  // of described_
+  std::map<std::string_view, const PlyAttribute*> by_name_;  // of described_
+  std::set<const PlyAttribute*> used_;
+  std::vector<std::vector<std::uint32_t>> quarantined_values_;  // by place in the quarantine
   std::set<std::string> taken_;
 };
 

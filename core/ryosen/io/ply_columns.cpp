@@ -162,8 +162,7 @@ void PlyColumns::add_layout() {
     for (const Property& property : table.properties) {
       const AttributeColumn* const attribute = attribute_of(table.kind, property);
       if (!has_data(property.role, property.component) || property.role == PropertyRole::row) continue;
-      if (property.role == PropertyRole::attribute && !attribute && (table.kind != TableKind::edges || table.rows == 0))
-        continue;
+      if (property.role == PropertyRole::attribute && !attribute) continue;  // it has been removed
       PlyColumn& column = out.columns.emplace_back(PlyColumn{property});
       if (attribute) set_attribute(column, *attribute);
       if (table.kind == TableKind::edges) column.kept = &property;

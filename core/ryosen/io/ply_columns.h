@@ -14,6 +14,7 @@ struct PlyColumn : PropertyHead {
   bool is_of_layout = false;
   const Property* kept = nullptr;  // the source of its values, if not in the mesh
   const AttributeColumn* attribute = nullptr;
+  std::size_t words_before = 0;  // of other attributes of a corner, in QuarantinedFace::values
 };
 
 // A row of the element edge: an edge of the mesh, or a row that the table of the file has kept.
@@ -53,7 +54,7 @@ class PlyColumns {
   }
   std::size_t corner_count(std::size_t face) const;
   // The value of an attribute at a corner of a face, by its place there.
-  const std::uint32_t* corner_value(const AttributeColumn& column, std::size_t face, std::size_t corner) const;
+  const std::uint32_t* corner_value(const PlyColumn& column, std::size_t face, std::size_t corner) const;
   // Whether the columns have this attribute of the mesh.
   bool has(const AttributeColumn& column) const;
   // The texture coordinates of a face's corners: empty, or one per corner.
@@ -65,7 +66,8 @@ class PlyColumns {
   void add_missing();
   // The attribute of the mesh that a property was read as, or null.
   const AttributeColumn* attribute_of(TableKind kind, const Property& property) const;
-  static void set_attribute(PlyColumn& column, const AttributeColumn& attribute);
+  void set_attribute(PlyColumn& column, const AttributeColumn& attribute) const;
+  PlyTable* table_of(TableKind kind);
   void add_attributes();
   void add_edge_rows(PlyTable& table, const PropertyTable* kept) const;
   bool has_data(PropertyRole role, std::uint8_t component) const;

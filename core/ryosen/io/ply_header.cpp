@@ -143,7 +143,8 @@ class HeaderReader {
     std::vector<std::string_view> words;
     if (take_word(rest) == "attribute")
       for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) words.push_back(word);
-    if (words.empty() || !element_of_attribute(words[0])) return header_.comments.push_back(std::move(text));
+    if (words.empty() || !element_of_attribute(words[0]) || header_.attributes.size() == most_attributes_of_a_file)
+      return header_.comments.push_back(std::move(text));
     ReadAttribute read = read_attribute(words);
     if (read.fault) {
       header_.reporter.warn("unknown_type", FilePlace::at_line(lines_.count()), [&] {

@@ -22,6 +22,9 @@ struct PlyAttribute {
   std::string comment;
 };
 
+// Further properties and descriptions stay what they are.
+inline constexpr std::size_t most_attributes_of_a_file = 4096;
+
 // The name of the attribute that a property of an element would be: that of the property if it begins with the element
 // (in faces also with corner), else with the element before it.
 std::string attribute_of_property(TableKind kind, std::string_view property);

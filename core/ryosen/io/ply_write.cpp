@@ -221,7 +221,7 @@ class PlyWriter {
       return whole_value(sink, column, attribute.data.data() + row * attribute.words());
     const std::size_t corners = columns_.corner_count(row);
     sink.whole(column.count_type, static_cast<std::int64_t>(corners * attribute.type.count));
-    for (std::size_t i = 0; i < corners; ++i) numbers(sink, column, columns_.corner_value(attribute, row, i));
+    for (std::size_t i = 0; i < corners; ++i) numbers(sink, column, columns_.corner_value(column, row, i));
   }
 
   template <class Sink>
@@ -233,11 +233,10 @@ class PlyWriter {
     if (e && attribute)
       return whole_value(sink, column, attribute->data.data() + std::size_t{row.index} * attribute->words());
     const bool has_kept = column.kept && row.is_kept &&
-                          (!attribute || (column.kept->is_list == column.is_list &&
+                          (!attribute || (column.kept->type == column.type && column.kept->is_list == column.is_list &&
                                           column.kept->value_count(row.index) == attribute->type.count));
-    if (!has_kept && attribute) return whole_value(sink, column, attribute->fill.data());
     if (has_kept) return kept_values(sink, column, row.index);
-    sink.whole(column.is_list ? column.count_type : column.type, 0);  // of an attribute that has been removed
+    whole_value(sink, column, attribute->fill.data());
   }
 
   template <class Sink>

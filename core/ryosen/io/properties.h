@@ -44,12 +44,14 @@ struct PropertyHead {
   PropertyRole role = PropertyRole::extra;
   std::uint8_t component = 0;
 
-  bool is_kept() const { return role >= PropertyRole::vertex_number; }
+  bool is_kept() const {
+    return role == PropertyRole::vertex_number || role == PropertyRole::row || role == PropertyRole::extra;
+  }
 };
 
 struct Property : PropertyHead {
-  // For the last roles: the values in native byte order, row by row. The values of row i of a list end before index
-  // ends[i].
+  // Where it is kept, and of attributes of TableKind::edges: the values in native byte order, row by row. The values of
+  // row i of a list end before index ends[i].
   std::vector<std::byte> data;
   std::vector<std::uint32_t> ends;
 

@@ -15,7 +15,8 @@
 
 namespace ryosen {
 
-// Names of the columns that readers fill. A corner value is an index into its pool, no_index where the corner has none.
+// Names of the columns that readers fill; is_reserved_name() lists them. A corner value is an index into its pool,
+// no_index where the corner has none.
 namespace attribute_names {
 inline constexpr std::string_view texcoord = "corner.texcoord";     // -> texcoord_pool
 inline constexpr std::string_view texcoord_pool = "pool.texcoord";  // dvec3

@@ -82,13 +82,13 @@ bool read_number(std::string_view word, T& number) {
 
 Text no_number_of(Scalar scalar) {
   const std::string name(name_of(scalar));
-  if (scalar == Scalar::boolean) return {" is not true or false", " は true でも false でもありません"};
-  return {" is no number of the type " + name, " は型 " + name + " の数ではありません"};
+  if (scalar == Scalar::boolean) return {" is neither true nor false", " は true でも false でもありません"};
+  return {" is not a number of the type " + name, " は型 " + name + " の数ではありません"};
 }
 
 Text wrong_count(ValueType type, std::size_t given) {
   const std::string count = std::to_string(type.count), found = std::to_string(given), name = name_of(type);
-  return {" ends " + found + (given == 1 ? " number" : " numbers") + ", and the type " + name + " has " + count,
+  return {" is the last of " + found + (given == 1 ? " number" : " numbers") + "; the type " + name + " needs " + count,
           " までの数は " + found + " 個ですが、型 " + name + " の値は " + count + " 個です"};
 }
 
@@ -134,18 +134,18 @@ ReadAttribute read_attribute(std::span<const std::string_view> words) {
   const std::string_view name = words.empty() ? "" : words[0];
   const auto element = element_of_attribute(name);
   if (!element)
-    return fault(name, {" is no name of an attribute, such as vertex.load, edge.load, corner.load or face.load",
-                        " は属性の名前ではありません(vertex.load、edge.load、corner.load、face.load など)"});
+    return fault(name, {" is not an attribute name; write vertex.NAME, edge.NAME, corner.NAME or face.NAME",
+                        " は属性の名前ではありません(vertex.NAME、edge.NAME、corner.NAME、face.NAME と書きます)"});
   const std::string_view type_word = words.size() < 2 ? "" : words[1];
   const auto type = find_type(type_word);
   if (!type)
-    return fault(type_word, {" is no type of values, such as float, int, bool or doublex3",
+    return fault(type_word, {" is not a type; write float, int, bool or doublex3, for example",
                              " は値の型ではありません(float、int、bool、doublex3 など)"});
   const std::string_view rule_word = words.size() < 3 ? name_of(usual_rule(*type)) : words[2];
   const auto rule = find_rule(rule_word);
   if (!rule)
-    return fault(rule_word,
-                 {" is no rule: blend, first, greatest or sum", " は規則(blend、first、greatest、sum)ではありません"});
+    return fault(rule_word, {" is not a rule; write blend, first, greatest or sum",
+                             " は規則(blend、first、greatest、sum)ではありません"});
   read.column.name = name;
   read.column.element = *element;
   read.column.type = *type;

@@ -311,8 +311,10 @@ std::size_t Journal::bytes() const {
 
 namespace {
 
+constexpr std::size_t most_listed_values = 10000;
+
 void add_new_values(const Mesh& mesh, const ColumnLengths& before, const ColumnLengths& after,
-                    std::vector<TouchedElements::Value>& values) {
+                    TouchedElements& touched) {
   const std::span<const AttributeColumn> attributes = mesh.attributes();
   for (std::uint32_t a = 0; a < attributes.size(); ++a) {
     const AttributeColumn& column = attributes[a];
@@ -321,8 +323,11 @@ void add_new_values(const Mesh& mesh, const ColumnLengths& before, const ColumnL
       return length_of(column.element, of.vertices, of.halfedges, of.faces);
     };
     const auto [least, most] = std::minmax({length(before), length(after)});
-    for (std::uint32_t index = least; index < most; ++index) values.push_back({a, index});
+    touched.all_values = touched.all_values || touched.values.size() + (most - least) > most_listed_values;
+    for (std::uint32_t index = least; index < most && !touched.all_values; ++index)
+      touched.values.push_back({a, index});
   }
+  if (touched.all_values) touched.values.clear();
 }
 
 }  // namespace
@@ -367,7 +372,7 @@ TouchedElements touched_elements(const Mesh& mesh, const Journal& journal, std::
   add_range(touched.moved, before.vertices, after.vertices);
   add_range(touched.halfedges, before.halfedges, after.halfedges);
   add_range(touched.faces, before.faces, after.faces);
-  add_new_values(mesh, before, after, touched.values);
+  add_new_values(mesh, before, after, touched);
   sort_unique(touched.values);
   sort_unique(touched.halfedges);
   for (Halfedge h : touched.halfedges) {

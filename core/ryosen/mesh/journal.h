@@ -206,6 +206,7 @@ struct TouchedElements {
   std::vector<Halfedge> halfedges;  // a link was written
   std::vector<Face> faces;          // its link or that of a side was written, or a corner moved
   std::vector<Value> values;        // written; a pool only grows, and is not among them
+  bool all_values = false;          // more than are listed may be others now
 };
 
 // The elements that differ between the states before and after transaction i. Call it in either state, right after the

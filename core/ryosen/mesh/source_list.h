@@ -4,7 +4,7 @@
 //   SourceList edges(8);             of eight new edges
 //   edges.keep(0, 3);                0 is the old edge 3
 //   edges.part(1, 4, 1); edges.part(2, 4, 1);   4 is divided into two equal parts
-//   edges.between(5, {{1, 2}}, {{0.5, 0.5}});   5 lies between 1 and 2; the others are new
+//   edges.between(5, sources, weights);         5 lies between several; the others are new
 #pragma once
 
 #include <cstdint>

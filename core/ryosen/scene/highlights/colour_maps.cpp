@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
+#include <functional>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <map>
 #include <mutex>
 
 #include "ryosen/analysis/curvature.h"
@@ -174,11 +175,11 @@ struct AttributeMap {
 
 const ColourMap* map_of_attribute(std::string_view name) {
   static std::mutex mutex;
-  static std::deque<AttributeMap> maps;
+  static std::map<std::string, AttributeMap, std::less<>> maps;
   const std::lock_guard lock(mutex);
-  for (const AttributeMap& each : maps)
-    if (each.name == name) return &each.map;
-  return &maps.emplace_back(name).map;
+  auto found = maps.find(name);
+  if (found == maps.end()) found = maps.try_emplace(std::string(name), name).first;
+  return &found->second.map;
 }
 
 double gamma(double linear) {
@@ -212,7 +213,7 @@ const ColourMap* find_colour_map(std::string_view id) {
 bool has_numbers(const Mesh& mesh, const ColourMap& map) {
   if (map.attribute.empty()) return true;
   const AttributeColumn* const column = find_column(mesh, map.attribute);
-  return column && column->type.count == 1;
+  return column && column->type.count == 1 && !is_reserved_name(map.attribute);
 }
 
 std::vector<const ColourMap*> colour_maps_of(const Mesh& mesh) {

@@ -201,16 +201,17 @@ TEST(ply_attributes, a_comment_that_describes_no_attribute_is_told_and_kept) {
   struct Case {
     const char *comment, *warning;
   };
-  for (const Case& c : {Case{"attribute vertex.load flout", "\"flout\" is no type of values, such as float"},
-                        Case{"attribute vertex.load float mean", "\"mean\" is no rule: blend, first, greatest or sum"},
-                        Case{"attribute vertex.load float blend", "\"blend\" ends"},
-                        Case{"attribute vertex.load uchar first 256", "\"256\" is no number of the type uchar"},
-                        Case{"attribute vertex.load bool first 2", "\"2\" is not true or false"},
-                        Case{"attribute vertex.load floatx3 blend 1 2", "\"2\" ends 2 numbers, and the type floatx3"},
-                        Case{"attribute vertex.load floatx0", "\"floatx0\" is no type"},
-                        Case{"attribute vertex.load floatx99999999999", "is no type"},
-                        Case{"attribute vertex.load", "\"\" is no type"}, Case{"attribute vertex.missing bool", ""},
-                        Case{"attribute vertices are numbered", ""}, Case{"attribute", ""}}) {
+  for (const Case& c :
+       {Case{"attribute vertex.load flout", "\"flout\" is not a type; write float"},
+        Case{"attribute vertex.load float mean", "\"mean\" is not a rule; write blend, first, greatest or sum"},
+        Case{"attribute vertex.load float blend", "\"blend\" ends"},
+        Case{"attribute vertex.load uchar first 256", "\"256\" is not a number of the type uchar"},
+        Case{"attribute vertex.load bool first 2", "\"2\" is neither true nor false"},
+        Case{"attribute vertex.load floatx3 blend 1 2", "\"2\" is the last of 2 numbers; the type floatx3 needs 3"},
+        Case{"attribute vertex.load floatx0", "\"floatx0\" is not a type"},
+        Case{"attribute vertex.load floatx99999999999", "is not a type"},
+        Case{"attribute vertex.load", "\"\" is not a type"}, Case{"attribute vertex.missing bool", ""},
+        Case{"attribute vertices are numbered", ""}, Case{"attribute", ""}}) {
     std::string text(faces_ply);
     text.insert(text.find("element"), "comment " + std::string(c.comment) + "\n");
     const MeshFile file = read_sound("ply", text);

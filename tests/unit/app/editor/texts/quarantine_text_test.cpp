@@ -12,7 +12,7 @@ constexpr const char* one_set_aside = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2
 
 TEST(quarantine_text, only_names_that_speak_of_such_a_face) {
   const std::vector<QuarantinedFace> quarantine{{1, 6, "repeated_corner", {0, 1, 1}, {}, {}},
-                                                {12, 0, "face_too_few_corners", {0, 1}, {}, {}}};
+                                                {12, 0, "face_too_few_corners", {0, 1}, {}, {}, {}}};
   for (const char* name : {"f1", "0-1@f1", "~0-1@f1", "v2@f1", "f12"})
     EXPECT_TRUE(quarantine_text(quarantine, name)) << name;
   for (const char* name : {"f2", "f", "f1x", "v1", "0-1", "0-1@f2", "0-1@", "", "e1", "face1"})

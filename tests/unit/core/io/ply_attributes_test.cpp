@@ -1,9 +1,14 @@
 #include "ryosen/io/ply_attributes.h"
 
+#include <array>
+#include <set>
+#include <sstream>
+
 #include "ryosen/document/document.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/io/edited_file.h"
 #include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/names.h"
 #include "tests/support/core/random_meshes.h"
 #include "tests/unit/core/io/io_helpers.h"
 
@@ -277,6 +282,114 @@ TEST(ply_attributes, an_element_edge_that_is_something_else_stays) {
   file.mesh.attributes.push_back(make_column("edge.load", ElementKind::edge, ValueRule::sum, 1.0));
   EXPECT_EQ(bytes_of(file, *find_format("ply")), text);
   EXPECT_EQ(io_test::loss_codes(file, "ply"), "loses_properties");
+}
+
+// The text with further properties behind those of a table, whose rows all get these words.
+std::string with_properties(std::string_view table_end, const std::string& properties, const std::string& words) {
+  std::string text(faces_ply);
+  text.insert(text.find(table_end), properties);
+  std::string out = text.substr(0, text.find("end_header\n") + 11);
+  std::istringstream rows(text.substr(out.size()));
+  int row = 0;
+  for (std::string line; std::getline(rows, line); ++row) {
+    const bool is_vertex = row < 7;
+    out += line + (is_vertex == (table_end == "element face") ? words : "") + "\n";
+  }
+  return out;
+}
+
+TEST(ply_attributes, names_of_the_program_stay_properties_of_any_type) {
+  for (const char* name : {"weight", "colour", "vertex.weight"}) {
+    const std::string text = with_properties("element face", std::string("property float ") + name + "\n", " 0.5");
+    const MeshFile file = read_sound("ply", text);
+    EXPECT_TRUE(file.mesh.attributes.empty()) << name;
+    EXPECT_EQ(bytes_of(Document(file).contents(), *find_format("ply")), text);
+  }
+}
+
+TEST(ply_attributes, names_that_repeat_an_element_come_back) {
+  Mesh mesh = from_indexed(read_sound("ply", faces_ply).mesh);
+  {
+    Edit edit(mesh, nullptr);
+    for (const char* name : {"vertex.vertex.load", "vertex.load", "vertex.edge.x"})
+      edit.add_attribute(name, ElementKind::vertex, ValueRule::sum, std::int16_t{3});
+    for (const char* name : {"face.corner.x", "face.face.y", "face.y"})
+      edit.add_attribute(name, ElementKind::face, ValueRule::sum, std::int16_t{3});
+    for (const char* name : {"edge.edge.x", "edge.x"})
+      edit.add_attribute(name, ElementKind::edge, ValueRule::sum, std::int16_t{3});
+    edit.add_attribute("corner.x", ElementKind::corner, ValueRule::sum, std::int16_t{3});
+    edit.commit();
+  }
+  const MeshFile file = edited_file({}, mesh, {});
+  const MeshFile again = read_sound("ply", bytes_of(file, *find_format("ply")));
+  EXPECT_EQ(again.mesh.attributes.size(), 9u);
+  for (const AttributeColumn& column : file.mesh.attributes)
+    EXPECT_EQ(std::count(again.mesh.attributes.begin(), again.mesh.attributes.end(), column), 1) << column.name;
+}
+
+TEST(ply_attributes, of_comments_on_one_name_the_last_that_fits_counts) {
+  const std::string text = with_properties("element face", "property uchar flag\n", " 1")
+                               .insert(std::string_view("ply\nformat ascii 1.0\n").size(),
+                                       "comment attribute vertex.flag int\ncomment attribute vertex.flag bool\n");
+  const MeshFile file = read_sound("ply", text);
+  ASSERT_EQ(file.mesh.attributes.size(), 1u);
+  EXPECT_EQ(file.mesh.attributes[0].type.scalar, Scalar::boolean);
+  EXPECT_EQ(file.head_comments, std::vector<std::string>{"attribute vertex.flag int"});
+  EXPECT_EQ(read_sound("ply", bytes_of(file, *find_format("ply"))).mesh.attributes, file.mesh.attributes);
+}
+
+TEST(ply_attributes, a_list_beside_a_whole_name_is_another_one) {
+  std::string text = with_properties(
+      "element face", "property list uchar float load\nproperty list uchar float vertex.load\n", " 3 7 8 9 3 1 2 3");
+  text.insert(text.find("element"), "comment attribute vertex.load floatx3 blend 0 0 0\n");
+  const MeshFile file = read_sound("ply", text);
+  ASSERT_EQ(file.mesh.attributes.size(), 1u);
+  EXPECT_EQ((attribute_value<std::array<float, 3>>(file.mesh.attributes[0], 0)), (std::array<float, 3>{1, 2, 3}));
+  EXPECT_EQ(bytes_of(file, *find_format("ply")), text);
+}
+
+TEST(ply_attributes, more_properties_of_edges_than_attributes_stay_a_table) {
+  for (const int count : {4093, 4094, 4095, 4096, 5000}) {
+    std::string text(faces_ply);
+    std::string properties = "element edge 0\nproperty int vertex1\nproperty int vertex2\n";
+    for (int i = 0; i < count; ++i) properties += "property float p" + std::to_string(i) + "\n";
+    text.insert(text.find("end_header"), properties);
+    const MeshFile file = read_sound("ply", text);
+    EXPECT_EQ(file.mesh.attributes.size(), count <= 4094 ? static_cast<std::size_t>(count) : 0u);
+    EXPECT_TRUE(bytes_of(file, *find_format("ply")) == text);
+  }
+}
+
+TEST(ply_attributes, an_attribute_of_edges_that_is_removed_stays_away) {
+  Document document(read_sound("ply", edges_ply));
+  ASSERT_TRUE(document.remove_attribute("edge.crease").done());
+  const std::string text = bytes_of(document.contents(), *find_format("ply"));
+  EXPECT_EQ(text.find("crease"), std::string::npos) << text;
+  EXPECT_EQ(rows_of_edges(text, 7), "2 1\n5 6\n0 1\n1 2\n0 2\n3 2\n0 77\n");
+  EXPECT_TRUE(read_sound("ply", text).mesh.attributes.empty());
+}
+
+TEST(ply_attributes, a_row_that_was_no_edge_gives_way_to_an_edge) {
+  Document document(read_sound("ply", edges_ply));
+  const ParsedOp cut = parse_line(document.mesh(), "split_face 0 2");
+  const ParsedOp loop = parse_line(document.mesh(), "separate_loop 0 2");
+  const std::optional<AnyOp>& op = cut.op ? cut.op : loop.op;
+  ASSERT_TRUE(op && document.apply(*op).done());
+  const Halfedge h = find_edge(document.mesh(), "0-2").element;
+  const auto value = attribute_words(9.0f);
+  ASSERT_TRUE(
+      document.set_attribute("edge.crease", Elements{edge(h)}, value, "attribute set edge.crease 9 0-2").done());
+  const MeshFile again = read_sound("ply", bytes_of(document.contents(), *find_format("ply")));
+  const Mesh mesh = from_indexed(again.mesh);
+  EXPECT_EQ(attribute_value<float>(*find_column(mesh, "edge.crease"), edge(find_edge(mesh, "0-2").element).index), 9);
+}
+
+TEST(ply_attributes, edges_without_properties_are_saved_with_a_part) {
+  std::string text(edges_ply);
+  const Document document(read_sound("ply", text));
+  const MeshFile part = document.part(Elements{Face(0)});
+  const std::string saved = bytes_of(part, *find_format("ply"));
+  EXPECT_NE(saved.find("element edge 3\n"), std::string::npos) << saved;
 }
 
 TEST(ply_attributes, corners_of_faces_with_holes_keep_theirs) {

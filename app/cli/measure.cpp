@@ -217,6 +217,9 @@ ExitCode measure_command(const Arguments& arguments, const Console& console) {
   if (!file) return console.fail(file.failure(), path);
   for (const Message& message : file->messages) console.show(message, path);
   const Mesh mesh = from_indexed(std::move(file->mesh));
+  for (const ColourMap* const map : *maps)
+    if (!has_numbers(mesh, *map))
+      return console.fail(make_failure(ExitCode::refused, "refused", closed(no_numbers(*map))), path);
   if (names_elements) return measure_elements(mesh, arguments.operands(), console);
   std::vector<Measured> all;
   std::string lines;

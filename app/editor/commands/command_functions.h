@@ -81,8 +81,6 @@ RunOn<Findings, ViewState, Layout> run_colours;
 RunOn<Document, Selecting, Layout> run_measure;
 FaultOfCommand fault_of_colours, fault_of_measure;
 std::string colours_syntax();
-// That the mesh has no such attribute (see has_numbers).
-Text no_numbers(const ColourMap& map);
 // Levels of detail and what holds edges: commands_simplifying.cpp
 RunCommand run_levels, run_account;
 FaultOfCommand fault_of_levels, fault_of_account;

@@ -29,12 +29,6 @@ void show_panel(Layout& layout) { layout.show(panel_opened_by(PanelOpener::colou
 
 }  // namespace
 
-Text no_numbers(const ColourMap& map) {
-  const std::string name(map.id);
-  return {"there is no attribute " + name + " with one number per element",
-          "要素ごとに数を一つ持つ属性 " + name + " はありません"};
-}
-
 std::string colours_syntax() { return colour_map_ids() + "|ATTRIBUTE|off [LOW HIGH|all]"; }
 
 std::optional<Text> fault_of_colours(Words arguments, const std::string&) {

@@ -211,11 +211,9 @@ Outcome run_select(Session& session, Words arguments, std::string_view) {
   if (const auto fault = fault_of(asked)) return usage_error(*fault);
   if (asked.selector) {
     const Selector& row = *asked.selector;
-    if (const Text missing = missing_for(row, session.selecting.selection); !missing.en.empty())
-      return failed(ExitCode::refused, missing);
     const ValueRange values = *parse_values(row, asked.names);
-    if (values.map && !has_numbers(session.mesh(), *values.map))
-      return failed(ExitCode::refused, no_numbers(*values.map));
+    if (const Text missing = missing_for(row, values, session.mesh(), session.selecting.selection); !missing.en.empty())
+      return failed(ExitCode::refused, missing);
     Elements found = row.find(session.mesh(), session.selecting.selection, kind_of(session.selecting.mode), values);
     if (row.turns_into) session.run("mode " + std::string(mode_of(*row.turns_into).id));
     return select(session.findings(), session.selecting, std::move(found));

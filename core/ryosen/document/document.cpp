@@ -221,10 +221,13 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
 Text Document::append(MeshFile file, std::string command) {
   const std::size_t unusable = file.mesh.quarantine.size(), lines = file.elements.items.size();
   const bool has_values = !file.mesh.texcoords.index.empty() || !file.mesh.normals.index.empty() ||
-                          !file.mesh.vertex_colours.empty() || !file.mesh.materials.index.empty();
-  const bool has_attributes = !file.mesh.attributes.empty() || !file.mesh.edges.empty() ||
-                              !file.mesh.face_colours.values.empty() || !file.mesh.vertex_weights.empty() ||
-                              !file.mesh.groups.index.empty();
+                          (!file.mesh.vertex_colours.empty() && !find_column(mesh_, attribute_names::colour)) ||
+                          !file.mesh.materials.index.empty();
+  const bool has_attributes =
+      std::any_of(file.mesh.attributes.begin(), file.mesh.attributes.end(), [&](const AttributeColumn& column) {
+        const AttributeColumn* const same = find_column(mesh_, column.name);
+        return !same || same->type != column.type;
+      });
   file.mesh.quarantine.clear();
   const Mesh added = from_indexed(std::move(file.mesh));
   Part part = part_of(added, all_elements(added));
@@ -242,7 +245,7 @@ Text Document::append(MeshFile file, std::string command) {
     left_out.ja += (left_out.ja.empty() ? "追加しなかったもの：" : "、") + std::string(ja);
   };
   say(has_values, "texture coordinates, normals, colours and materials", "テクスチャ座標・法線・色・材質");
-  say(has_attributes, "attributes", "属性");
+  say(has_attributes, "attributes that this mesh does not have", "このメッシュにない属性");
   say(lines > 0, "lines and points", "線と点");
   say(unusable > 0, "faces that cannot be used", "使えない面");
   return left_out.en.empty() ? left_out : left_out + Text{".", "。"};

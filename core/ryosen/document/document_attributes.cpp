@@ -112,7 +112,12 @@ Outcome Document::set_attribute(std::string_view name, std::span<const Element> 
   const ElementKind kind = mesh_.attributes()[attribute].element;
   assert(value.size() == mesh_.attributes()[attribute].words());
   std::vector<std::uint32_t> slots;
-  for (const Element& element : elements) add_slots(mesh_, kind, element, slots);
+  std::size_t passed = 0;
+  for (const Element& element : elements) {
+    const std::size_t before = slots.size();
+    add_slots(mesh_, kind, element, slots);
+    passed += slots.size() == before ? 1 : 0;
+  }
   const Text kinds = elements_of(kind);
   if (slots.empty())
     return refused({"none of these elements has a value of " + std::string(name) + "; it belongs to " + kinds.en,
@@ -126,7 +131,12 @@ Outcome Document::set_attribute(std::string_view name, std::span<const Element> 
     edit.commit();
   }
   committed({std::move(command)});
-  return {};
+  Outcome outcome;
+  if (passed > 0)
+    outcome.sentence = count_text(passed, "One element has no value of " + std::string(name) + ".",
+                                  "# elements have no value of " + std::string(name) + ".",
+                                  std::string(name) + " の値を持たない要素が # 個ありました。");
+  return outcome;
 }
 
 }  // namespace ryosen

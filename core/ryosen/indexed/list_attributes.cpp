@@ -225,6 +225,20 @@ void list_attributes(const Mesh& mesh, const std::vector<std::uint32_t>& corners
   }
 }
 
+void restore_repeated(std::span<const RepeatedCorner> corners, CompactMesh& out) {
+  for (const RepeatedCorner& corner : corners)
+    for (const AttributeColumn& before : corner.face->values) {
+      const auto column = std::find_if(
+          out.mesh.attributes.begin(), out.mesh.attributes.end(),
+          [&](const AttributeColumn& each) { return each.name == before.name && each.type == before.type; });
+      if (column == out.mesh.attributes.end()) continue;
+      const std::size_t words = before.words();
+      std::uint32_t* const value = column->data.data() + corner.place * words;
+      if (std::equal(value, value + words, before.data.data() + corner.first * words))
+        std::copy_n(before.data.data() + corner.visit * words, words, value);
+    }
+}
+
 std::vector<AttributeColumn> quarantined_attributes(const IndexedMesh& source) {
   std::vector<AttributeColumn> heads;
   for (const AttributeColumn& column : source.attributes)

@@ -20,6 +20,15 @@ bool has_free_attributes(const Mesh& mesh, ElementKind element);
 // listed edges.
 void list_attributes(const Mesh& mesh, const std::vector<std::uint32_t>& corners, CompactMesh& out);
 
+// A corner of a list that a face with bridges visits again, `visit` of its corners in the file; `first` was the other.
+struct RepeatedCorner {
+  std::size_t place;  // in the list
+  const BridgedFace* face;
+  std::size_t visit, first;
+};
+// Gives such a corner the value that the file has there, where that of its first visit is unchanged.
+void restore_repeated(std::span<const RepeatedCorner> corners, CompactMesh& out);
+
 // The corner attributes of a list, without values.
 std::vector<AttributeColumn> quarantined_attributes(const IndexedMesh& source);
 // Gives faces that have the values of the corner attributes `before` those of the ones among `now`: the default for an

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -139,6 +140,7 @@ class FaceWriter {
 
   // The corners of the mesh by place in the list, where the mesh has further attributes of corners.
   const std::vector<std::uint32_t>& corners() const { return corners_; }
+  const std::vector<RepeatedCorner>& repeated() const { return repeated_; }
 
  private:
   void write_corners(Face f) {
@@ -169,6 +171,7 @@ class FaceWriter {
         for (std::size_t i = 0; i < corners->size(); ++i) {
           const auto& [corner, place] = (*corners)[i];
           add_corner(corner);
+          if (i != place) repeated_.push_back({out_.mesh.corners.size() - 1, &*in_file, i, place});
           texcoords_.add(corner, in_file->texcoords, i, place);
           normals_.add(corner, in_file->normals, i, place);
         }
@@ -183,6 +186,7 @@ class FaceWriter {
   CompactMesh& out_;
   CornerColumn texcoords_, normals_;
   std::vector<std::uint32_t> corners_;
+  std::vector<RepeatedCorner> repeated_;
   const bool wants_corners_;
 };
 
@@ -255,7 +259,13 @@ std::vector<BridgedFace> bridged_faces(const IndexedMesh& source) {
       if (values.empty()) return std::vector<std::uint32_t>();
       return std::vector<std::uint32_t>(values.begin() + begin, values.begin() + end);
     };
-    faces.push_back({f, part(source.corners), part(source.texcoords.index), part(source.normals.index)});
+    std::vector<std::uint32_t> places(end - begin);
+    std::iota(places.begin(), places.end(), begin);
+    std::vector<AttributeColumn> values;
+    for (const AttributeColumn& column : source.attributes)
+      if (column.element == ElementKind::corner) values.push_back(with_rows(column, places));
+    faces.push_back(
+        {f, part(source.corners), part(source.texcoords.index), part(source.normals.index), std::move(values)});
   }
   return faces;
 }
@@ -309,6 +319,7 @@ CompactMesh to_indexed(const Mesh& mesh, const FileTables& tables, std::span<con
   write_vertex_values(mesh, tables, out);
   write_face_values(mesh, tables, out);
   list_attributes(mesh, faces.corners(), out);
+  restore_repeated(faces.repeated(), out);
   // Only now: replaced vertices must not contribute attribute values.
   for (const auto& [gone, there] : lost.replacements) out.vertex_number[gone.index] = out.vertex_number[there.index];
   write_quarantine(mesh, tables, out);

@@ -16,6 +16,7 @@ struct BridgedFace {
   std::uint32_t face = 0;
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> texcoords, normals;  // as in CornerValues::index; empty when the file has none
+  std::vector<AttributeColumn> values;            // the attributes of these corners
 };
 
 // File contents that the mesh does not store. Numbers are those of the file, which do not change while it is open.

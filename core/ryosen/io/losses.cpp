@@ -173,6 +173,13 @@ std::uint64_t extra_properties(const MeshFile& file, Holds held) {
   return count;
 }
 
+std::vector<std::string> names_of_properties(const MeshFile& file, Holds held) {
+  std::vector<std::string> names;
+  for (const AttributeColumn& column : file.mesh.attributes)
+    if (column.element != ElementKind::edge && !is_held_elsewhere(column, held)) names.push_back(column.name);
+  return names;
+}
+
 std::uint64_t extra_rows(const MeshFile& file, Holds held) {
   if (holds(held, Holds::properties)) return 0;
   std::uint64_t count = file.properties.obj_info.size() + file.mesh.edges.size();
@@ -301,7 +308,7 @@ const std::vector<LossKind>& loss_kinds() {
       {"loses_libraries", "material libraries", "マテリアルファイル",
        [](File f, Holds h) { return unless<Holds::names>(h, [&] { return f.material_libraries.size(); }); }},
       {"loses_properties", "further properties of vertices or faces", "頂点または面のその他のプロパティ",
-       extra_properties},
+       extra_properties, LossSentence::cannot_hold, nullptr, names_of_properties},
       {"loses_rules", "own rules of attributes, which get the usual rule of their type",
        "属性の独自の規則(型の標準の規則になります)", own_rules},
       {"loses_extra_elements", "rows of further elements, lines obj_info and unknown lines of a header",
@@ -328,19 +335,28 @@ Message Loss::message(const Text& format) const {
   if (kind->sentence == LossSentence::own)
     return make_message(Severity::warning, kind->code,
                         {std::string(kind->en) + ": " + number + ".", std::string(kind->ja) + ": " + number + "。"});
+  constexpr std::size_t most_names = 5;
+  std::string named;
+  for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) named += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most_names) named += ", ...";
   const std::string vertex = first ? "v" + std::to_string(*first) : "";
   return make_message(Severity::warning, kind->code,
                       {format.en + " cannot hold " + std::string(kind->en) + ": " + number +
-                           (first ? " (the first is " + vertex + ")." : "."),
+                           (first           ? " (the first is " + vertex + ")."
+                            : named.empty() ? "."
+                                            : " (" + named + ")."),
                        format.ja + " は次のものを保持できません: " + std::string(kind->ja) + " " + number + " 個" +
-                           (first ? "(最初は " + vertex + ")。" : "。")});
+                           (first           ? "(最初は " + vertex + ")。"
+                            : named.empty() ? "。"
+                                            : "(" + named + ")。")});
 }
 
 std::vector<Loss> find_losses(const MeshFile& file, Holds held) {
   std::vector<Loss> losses;
   for (const LossKind& kind : loss_kinds())
     if (const std::uint64_t count = kind.count(file, held))
-      losses.push_back({&kind, count, kind.first ? kind.first(file, held) : std::nullopt});
+      losses.push_back({&kind, count, kind.first ? kind.first(file, held) : std::nullopt,
+                        kind.names ? kind.names(file, held) : std::vector<std::string>()});
   return losses;
 }
 

@@ -65,6 +65,8 @@ struct LossKind {
   LossSentence sentence = LossSentence::cannot_hold;
   // The first vertex that would lose it; null where vertices are not what is counted.
   std::optional<std::uint64_t> (*first)(const MeshFile& file, Holds held) = nullptr;
+  // The names of what is lost, where it has names.
+  std::vector<std::string> (*names)(const MeshFile& file, Holds held) = nullptr;
 };
 const std::vector<LossKind>& loss_kinds();
 
@@ -72,6 +74,7 @@ struct Loss {
   const LossKind* kind;
   std::uint64_t count;
   std::optional<std::uint64_t> first = std::nullopt;  // vertex, where the kind tells it
+  std::vector<std::string> names = {};                // where it tells these
 
   // The warning, with the name of the format.
   Message message(const Text& format) const;

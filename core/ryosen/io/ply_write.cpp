@@ -148,6 +148,7 @@ class PlyWriter {
     const bool came_from_ply = file_.properties.has_layout();
     for (const std::string& comment : file_.head_comments) {
       std::string_view text = comment;
+      if (describes_an_attribute(text)) continue;  // as another one: that of now stands below
       if (!came_from_ply && text.starts_with('#')) text.remove_prefix(text.starts_with("# ") ? 2 : 1);
       out_ << "comment " << on_one_line(text) << '\n';
     }
@@ -171,6 +172,14 @@ class PlyWriter {
       unknown_lines(tables, no_index);
     }
     out_ << "end_header\n";
+  }
+
+  // Whether a comment of the file is about an attribute of this name.
+  bool describes_an_attribute(std::string_view text) const {
+    if (take_word(text) != "attribute") return false;
+    const std::string_view name = take_word(text);
+    const std::vector<AttributeColumn>& all = file_.mesh.attributes;
+    return std::any_of(all.begin(), all.end(), [&](const AttributeColumn& column) { return column.name == name; });
   }
 
   // Those that stood before this place, as far as they have not been written.

@@ -8,12 +8,20 @@ namespace ryosen {
 
 namespace {
 
+bool is_value_of_its_own(const AttributeColumn& column) {
+  using namespace attribute_names;
+  return !is_reserved_name(column.name) || column.name == colour || column.name == weight ||
+         column.name == face_colour || column.name == face_colour_components;
+}
+
 // Of one kind of elements, from this slot of the mesh on.
-void copy_attributes(Edit& edit, const Mesh& part, ElementKind kind, std::uint32_t first, std::uint32_t count) {
+void copy_attributes(Edit& edit, const Mesh& part, AppendedAttributes attributes, ElementKind kind, std::uint32_t first,
+                     std::uint32_t count) {
   for (std::size_t i = 0; i < edit.mesh().attributes().size(); ++i) {
     const AttributeColumn& column = edit.mesh().attributes()[i];
     const AttributeColumn* const same = column.is_of(kind) ? find_column(part, column.name) : nullptr;
     if (!same || same->type != column.type) continue;
+    if (attributes == AppendedAttributes::values && !is_value_of_its_own(column)) continue;
     const std::span words = same->data;
     for (std::uint32_t k = 0; k < count; ++k)
       edit.set_attribute(i, first + k, words.subspan(std::size_t{k} * column.words(), column.words()));
@@ -55,10 +63,10 @@ void append_mesh(Edit& edit, const Mesh& part, AppendedAttributes attributes) {
     if (const Vertex v(i); part.next_copy(v) != v)
       edit.set_copy_links(moved(v, vertices), moved(part.next_copy(v), vertices), moved(part.copy_point(v), vertices));
   if (attributes == AppendedAttributes::none) return;
-  copy_attributes(edit, part, ElementKind::vertex, vertices, part.vertex_slots());
-  copy_attributes(edit, part, ElementKind::edge, halfedges / 2, part.edge_slots());
-  copy_attributes(edit, part, ElementKind::corner, halfedges, part.halfedge_slots());
-  copy_attributes(edit, part, ElementKind::face, faces, part.face_slots());
+  copy_attributes(edit, part, attributes, ElementKind::vertex, vertices, part.vertex_slots());
+  copy_attributes(edit, part, attributes, ElementKind::edge, halfedges / 2, part.edge_slots());
+  copy_attributes(edit, part, attributes, ElementKind::corner, halfedges, part.halfedge_slots());
+  copy_attributes(edit, part, attributes, ElementKind::face, faces, part.face_slots());
 }
 
 }  // namespace ryosen

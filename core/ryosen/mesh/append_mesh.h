@@ -7,6 +7,7 @@ namespace ryosen {
 
 enum class AppendedAttributes {
   none,        // the new elements have the fill of those of the mesh
+  values,      // columns of the same name and type come along, but for those that refer to pools or tables of names
   same_pools,  // columns of the same name and size come along: the pools of both meshes are the same
 };
 

@@ -198,7 +198,7 @@ AddedPart add_part(Edit& edit, Part part, bool keeps_attributes) {
   const Mesh& mesh = edit.mesh();
   AddedPart added{Vertex(mesh.vertex_slots()), {}, 0};
   const Mesh surface = from_indexed(std::move(part.list));
-  append_mesh(edit, surface, keeps_attributes ? AppendedAttributes::same_pools : AppendedAttributes::none);
+  append_mesh(edit, surface, keeps_attributes ? AppendedAttributes::same_pools : AppendedAttributes::values);
   added.counts = surface.live();
   for (std::size_t i = 0; i < part.wires.size(); ++i) {
     const auto [a, b] = part.wires[i];

@@ -31,7 +31,8 @@ struct AddedPart {
   ElementCounts counts;
   std::size_t left_wires = 0;  // that their ends have no gap for
 };
-// Adds a part as components of their own. With `keeps_attributes` its attributes come along: those of this mesh.
+// Adds a part as components of their own. Attributes of the same name and type come along; with `keeps_attributes` the
+// part is of this mesh, and so do indices into pools and tables of names.
 AddedPart add_part(Edit& edit, Part part, bool keeps_attributes);
 
 }  // namespace ryosen

@@ -13,6 +13,7 @@
 #include "ryosen/analysis/curvature.h"
 #include "ryosen/analysis/measure/measured_surface.h"
 #include "ryosen/analysis/measures.h"
+#include "ryosen/base/message.h"
 #include "ryosen/base/open_table.h"
 #include "ryosen/base/rows.h"
 #include "ryosen/mesh/attribute.h"
@@ -157,19 +158,22 @@ constinit OpenTable<ColourMap, 32> map_table(built_in_maps);
 
 // The map of an attribute; rows stay where they are.
 struct AttributeMap {
-  std::string name, legend_en, legend_ja;
+  std::string name;
+  Text title, legend;
   ColourMap map;
 
   explicit AttributeMap(std::string_view attribute)
       : name(attribute),
-        legend_en("The values of the attribute " + name + "."),
-        legend_ja("属性 " + name + " の値。"),
+        title(is_of_corners() ? Text{name + " (mean per face)", name + "（面ごとの平均）"} : Text{name, name}),
+        legend{"The values of the attribute " + name + (is_of_corners() ? ", their mean in each face." : "."),
+               "属性 " + name + " の値" + (is_of_corners() ? "の面ごとの平均。" : "。")},
         map{.id = name,
-            .name_en = name,
-            .name_ja = name,
-            .legend_en = legend_en,
-            .legend_ja = legend_ja,
+            .name_en = title.en,
+            .name_ja = title.ja,
+            .legend_en = legend.en,
+            .legend_ja = legend.ja,
             .attribute = name} {}
+  bool is_of_corners() const { return name.starts_with("corner."); }
   AttributeMap(const AttributeMap&) = delete;
 };
 
@@ -214,6 +218,12 @@ bool has_numbers(const Mesh& mesh, const ColourMap& map) {
   if (map.attribute.empty()) return true;
   const AttributeColumn* const column = find_column(mesh, map.attribute);
   return column && column->type.count == 1 && !is_reserved_name(map.attribute);
+}
+
+Text no_numbers(const ColourMap& map) {
+  const std::string name(map.id);
+  return {"there is no attribute " + name + " with one number per element",
+          "要素ごとに数を一つ持つ属性 " + name + " はありません"};
 }
 
 std::vector<const ColourMap*> colour_maps_of(const Mesh& mesh) {

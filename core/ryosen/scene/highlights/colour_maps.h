@@ -13,6 +13,7 @@
 #include "ryosen/analysis/measures.h"
 #include "ryosen/analysis/neighbourhood.h"
 #include "ryosen/base/element.h"
+#include "ryosen/base/message.h"
 
 namespace ryosen {
 
@@ -55,6 +56,8 @@ std::span<const ColourMap> colour_maps();
 const ColourMap* find_colour_map(std::string_view id);
 // Whether a mesh has numbers for it: an attribute with one number per element.
 bool has_numbers(const Mesh& mesh, const ColourMap& map);
+// That it has none: a clause.
+Text no_numbers(const ColourMap& map);
 // The table, and behind it the maps of the attributes of a mesh that have one number.
 std::vector<const ColourMap*> colour_maps_of(const Mesh& mesh);
 // "edge_length|valence|..."

@@ -313,6 +313,10 @@ std::optional<ValueRange> parse_values(const Selector& row, std::span<const std:
   return parse_value(row, words.empty() ? row.usual : words[0]);
 }
 
+Text missing_for(const Selector& row, const ValueRange& values, const Mesh& mesh, std::span<const Element> selection) {
+  return values.map && !has_numbers(mesh, *values.map) ? no_numbers(*values.map) : missing_for(row, selection);
+}
+
 Text missing_for(const Selector& row, std::span<const Element> selection) {
   if (row.needs_any && selection.empty())
     return {"select something first; it goes on from there", "先に何か選択してください。そこから広げます"};

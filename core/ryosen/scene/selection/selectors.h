@@ -63,5 +63,7 @@ std::optional<ValueRange> parse_value(const Selector& row, std::string_view text
 std::optional<ValueRange> parse_values(const Selector& row, std::span<const std::string_view> words);
 // What has to be selected before it can do anything; empty where that is so.
 Text missing_for(const Selector& row, std::span<const Element> selection);
+// The same, and what the mesh lacks for these values.
+Text missing_for(const Selector& row, const ValueRange& values, const Mesh& mesh, std::span<const Element> selection);
 
 }  // namespace ryosen

@@ -338,6 +338,25 @@ TEST(ply_attributes, of_comments_on_one_name_the_last_that_fits_counts) {
   EXPECT_EQ(read_sound("ply", bytes_of(file, *find_format("ply"))).mesh.attributes, file.mesh.attributes);
 }
 
+TEST(ply_attributes, a_comment_without_its_property_describes_no_later_attribute) {
+  std::string text(faces_ply);
+  text.insert(text.find("element"), "comment attribute vertex.ghost float first 5\n");
+  Document document(read_sound("ply", text));
+  ASSERT_TRUE(document.add_attribute(make_column("vertex.ghost", ElementKind::vertex, ValueRule::blend, 0.0f)).done());
+  const MeshFile again = read_sound("ply", bytes_of(document.contents(), *find_format("ply")));
+  ASSERT_EQ(again.mesh.attributes.size(), 1u);
+  EXPECT_EQ(again.mesh.attributes[0].rule, ValueRule::blend);
+  EXPECT_EQ(again.mesh.attributes[0].fill, std::vector<std::uint32_t>{0});
+}
+
+TEST(ply_attributes, losses_name_what_is_lost) {
+  const MeshFile file = read_sound("ply", with_properties("element face", "property float load\n", " 1"));
+  const std::vector<Message> messages = loss_messages(file, *find_format("obj"));
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_TRUE(messages[0].text.en.ends_with("further properties of vertices or faces: 1 (vertex.load)."))
+      << messages[0].text.en;
+}
+
 TEST(ply_attributes, a_list_beside_a_whole_name_is_another_one) {
   std::string text = with_properties(
       "element face", "property list uchar float load\nproperty list uchar float vertex.load\n", " 3 7 8 9 3 1 2 3");
@@ -398,7 +417,7 @@ TEST(ply_attributes, corners_of_faces_with_holes_keep_theirs) {
       "ply\nformat ascii 1.0\ncomment attribute corner.mark int first 0\nelement vertex 8\nproperty float x\n"
       "property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
       "property list uchar int corner.mark\nend_header\n0 0 0\n9 0 0\n9 9 0\n0 9 0\n3 3 0\n6 3 0\n6 6 0\n3 6 0\n"
-      "10 0 1 2 3 0 4 7 6 5 4 10 10 11 12 13 10 14 17 16 15 14\n");
+      "10 0 1 2 3 0 4 7 6 5 4 10 10 11 12 13 99 14 17 16 15 88\n");
   ASSERT_EQ(file.mesh.bridged.size(), 1u);
   const Document document(file);
   EXPECT_EQ(document.mesh().live().rings, 1u);

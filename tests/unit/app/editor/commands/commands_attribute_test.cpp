@@ -116,6 +116,39 @@ TEST(commands_attribute, all_copies_of_a_point_and_all_sheets_of_an_edge_have_on
   }
 }
 
+TEST(commands_attribute, values_are_told_and_a_corner_has_a_name) {
+  const auto session = session_of();
+  do_all(*session, {"attribute add corner.u float", "attribute set corner.u 3 v1@f0"});
+  const AttributeColumn& u = *find_column(session->mesh(), "corner.u");
+  std::vector<float> values = attribute_values<float>(u);
+  EXPECT_EQ(std::count(values.begin(), values.end(), 3.0f), 1);
+  EXPECT_TRUE(session->run("attribute get corner.u v1@f0").sentence.en.ends_with(" 3"));
+  do_all(*session, {"attribute add vertex.load int", "attribute set vertex.load 7 v2"});
+  EXPECT_EQ(session->run("attribute get vertex.load v1 v2").sentence.en, "v1 0, v2 7");
+  do_all(*session, {"select v2 v3"});
+  EXPECT_EQ(session->run("attribute get vertex.load").sentence.en, "v2 7, v3 0");
+  EXPECT_EQ(session->run("attribute get vertex.load f0").exit_code, ExitCode::refused);
+  EXPECT_EQ(session->run("attribute get vertex.none v0").exit_code, ExitCode::refused);
+  EXPECT_EQ(session->run("attribute set vertex.load 1 v0 f1 f2").sentence.en,
+            "2 elements have no value of vertex.load.");
+  EXPECT_EQ(session->document().history().size(), 5u);
+}
+
+TEST(commands_attribute, what_is_appended_brings_values_of_the_same_name) {
+  const test::TemporaryFolder folder;
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float load\nproperty int other\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1 4\n1 0 0 2 5\n0 1 0 3 6\n3 0 1 2\n";
+  const std::string path = folder.write("a.ply", text);
+  const auto session = session_of();
+  do_all(*session, {"attribute add vertex.load float"});
+  EXPECT_EQ(session->run("append " + path).sentence.en,
+            "Left out of that file: attributes that this mesh does not have.");
+  EXPECT_EQ(number_of(*session, "vertex.load", 9), 2);
+  EXPECT_EQ(number_of(*session, "vertex.load", 0), 0);
+}
+
 TEST(commands_attribute, colours_follow_the_values) {
   const auto session = session_of();
   do_all(*session, {"attribute add face.heat double", "attribute set face.heat 8 f2"});

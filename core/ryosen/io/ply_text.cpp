@@ -82,7 +82,9 @@ class PlyTextReader {
 
   bool read_table(std::size_t number) {
     PropertyTable& table = builder_.tables()[number];
-    const std::size_t least_bytes = 2 * table.properties.size(), left = bytes_.size() - lines_.next_byte() + 1;
+    const std::size_t amid_line = are_words_ ? rest_.size() + 1 : 0;  // what the last table has left of its line
+    const std::size_t least_bytes = 2 * table.properties.size(),
+                      left = bytes_.size() - lines_.next_byte() + 1 + amid_line;
     if (is_absurd(table.rows, least_bytes, left)) {
       return faults_.stop(ply_count_too_large(header_, number));
     }

@@ -132,6 +132,9 @@ class Session {
     auto* const at = reinterpret_cast<unsigned char*>(words.data());
     for (std::uint32_t i = 0; i < type.bytes(); ++i)
       at[i] = type.scalar == Scalar::boolean ? bytes.coin() : bytes.byte();
+    // No word says which NaN a default is.
+    if (is_floating(type.scalar) && value_text(type, words.data()).find("nan") != std::string::npos)
+      std::fill(words.begin(), words.end(), 0u);
     return words;
   }
 

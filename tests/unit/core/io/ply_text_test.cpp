@@ -145,5 +145,34 @@ TEST(ply_text, many_spread_rows_take_time_that_grows_with_their_number) {
   EXPECT_NE(find_message(file, "read_by_words"), nullptr);
 }
 
+// A table that begins amid a line has as much room as the whole rest of the file.
+TEST(ply_text, tables_may_begin_amid_a_line) {
+  const std::string camera = "element camera 1\nproperty float view\n",
+                    vertices =
+                        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                        "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                    faces =
+                        "element face 2\nproperty list uchar int vertex_indices\nproperty uchar red\n"
+                        "property uchar green\nproperty uchar blue\n";
+  const std::string of_camera = "7 ", of_vertices = "0 0 0 1 2 3 1 0 0 4 5 6 0 1 0 7 8 9 0 0 1 1 1 1 ",
+                    of_faces = "3 0 1 2 9 9 9 3 0 2 3 8 8 8 ";
+  struct Case {
+    std::string head, data;
+  };
+  for (const Case& c :
+       {Case{camera + vertices + faces, of_camera + of_vertices + of_faces},
+        Case{vertices + camera + faces, of_vertices + of_camera + of_faces},
+        Case{vertices + faces + camera, of_vertices + of_faces + of_camera},
+        Case{camera + vertices, of_camera + of_vertices}, Case{vertices + faces, of_vertices + of_faces}}) {
+    const MeshFile file =
+        io_test::read_sound("ply", "ply\nformat ascii 1.0\n" + c.head + "end_header\n" + c.data + "\n");
+    ASSERT_EQ(file.mesh.positions.size(), 4u);
+    EXPECT_EQ(file.mesh.positions[3], glm::dvec3(0, 0, 1));
+    EXPECT_EQ(file.mesh.vertex_colours[2].z, 9 / 255.0);
+    if (file.mesh.face_count() == 0) continue;
+    EXPECT_EQ(file.mesh.face_colours.values[1].x, 8 / 255.0);
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

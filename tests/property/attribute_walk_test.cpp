@@ -276,7 +276,7 @@ class Walk {
     return text;
   }
 
-  // What the notes do not tell before an edit they do not tell behind it.
+  // Kinds that the notes do not tell before an edit are not told behind it.
   void committed() {
     untold_.erase(untold_.lower_bound(position()), untold_.end());
     if (const auto before = untold_.find(position() - 1); before != untold_.end())
@@ -347,7 +347,7 @@ class Walk {
     return value;
   }
 
-  // Of one element in so many.
+  // Sets the values of one element in so many.
   bool set_values(int one_in) {
     struct Set {
       std::string name;

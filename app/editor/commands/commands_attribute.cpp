@@ -84,7 +84,8 @@ std::optional<Halfedge> corner_named(const Mesh& mesh, std::string_view name) {
   return std::nullopt;
 }
 
-// Those that are named, or else what is selected. For an attribute of corners v3@f7 is the corner.
+// Finds the named elements, or takes the selection where there is no name. For an attribute of corners v3@f7 is the
+// corner.
 Outcome find_elements(Document& document, const Selecting& selecting, const AttributeColumn* column, Words names,
                       Elements& found) {
   if (names.empty() || (names.size() == 1 && names[0] == selection_word)) {
@@ -114,11 +115,7 @@ std::optional<std::uint32_t> slot_of(const Mesh& mesh, const AttributeColumn& co
 Outcome get(Document& document, const Selecting& selecting, Words words) {
   const Mesh& mesh = document.mesh();
   const AttributeColumn* const column = find_column(mesh, words[0]);
-  if (!column) {
-    const std::string name(words[0]);
-    return failed(ExitCode::refused, {"there is no attribute " + name + "; attribute list shows all",
-                                      "属性 " + name + " はありません。attribute list で一覧を表示できます"});
-  }
+  if (!column) return no_attribute(words[0]);
   Elements elements;
   if (Outcome outcome = find_elements(document, selecting, column, words.subspan(1), elements); !outcome.done())
     return outcome;

@@ -13,12 +13,6 @@ namespace {
 
 Outcome refused(Text sentence) { return failed(ExitCode::refused, std::move(sentence)); }
 
-Outcome no_attribute(std::string_view name) {
-  const std::string id(name);
-  return refused({"there is no attribute " + id + "; attribute list shows all",
-                  "属性 " + id + " はありません。attribute list で一覧を表示できます"});
-}
-
 Outcome of_the_program(std::string_view name) {
   const std::string id(name);
   return refused({id + " is kept by the program itself; choose another name",

@@ -60,6 +60,12 @@ std::vector<std::string> names_of(const Mesh& mesh, const std::vector<Element>& 
   return names;
 }
 
+Outcome no_attribute(std::string_view name) {
+  const std::string id(name);
+  return failed(ExitCode::refused, {"there is no attribute " + id + "; attribute list shows all",
+                                    "属性 " + id + " はありません。attribute list で一覧を表示できます"});
+}
+
 Text describe(const Mesh& mesh, const Reason& reason) {
   const RuleText& rule = text_of(reason.rule);
   Text text{std::string(rule.en), std::string(rule.ja)};

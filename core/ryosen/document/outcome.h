@@ -44,6 +44,9 @@ Code code_of(const Outcome& outcome);
 // Nothing was done, for the reason in the sentence.
 Outcome failed(ExitCode exit_code, Text sentence);
 
+// Refused: the mesh has no attribute of this name.
+Outcome no_attribute(std::string_view name);
+
 // The sentence of a reason, with its witnesses: "... (v7, 5-9)".
 Text describe(const Mesh& mesh, const Reason& reason);
 // The sentences of the first reasons; the last one says how many more there are.

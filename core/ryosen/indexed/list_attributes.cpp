@@ -63,7 +63,7 @@ void add_face_colours(const FaceColours& colours, MeshColumns& c) {
   c.attributes.push_back(std::move(components));
 }
 
-// By edge of the mesh the place in the list of edges, no_index where that does not have it. O(edges log listed).
+// The place of each edge of the mesh in the list of edges, no_index where that lacks it. O(edges log listed).
 std::vector<std::uint32_t> listed_places(const IndexedMesh& source, const MeshColumns& c) {
   struct Place {
     std::pair<std::uint32_t, std::uint32_t> ends;
@@ -104,7 +104,7 @@ void add_edge_rows(const IndexedMesh& source, const std::vector<std::uint32_t>& 
   c.attributes.push_back(std::move(column));
 }
 
-// By element of the mesh the place of its value in the list.
+// The place in the list of the value of each element of the mesh.
 std::vector<std::uint32_t> places_of_values(ElementKind element, const CornerPairing& pairing,
                                             const std::vector<std::uint32_t>& edges, const MeshColumns& c) {
   std::vector<std::uint32_t> places;
@@ -138,7 +138,7 @@ void add_further_attributes(const IndexedMesh& source, const CornerPairing& pair
     c.attributes.push_back(with_rows(column, places_of_values(column.element, pairing, edges, c)));
 }
 
-// By number in the list the slot; of the copies of a point the smallest.
+// The slot of each number in the list; of the copies of a point the smallest.
 std::vector<std::uint32_t> slots_of(const std::vector<std::uint32_t>& numbers, std::size_t count) {
   std::vector<std::uint32_t> slots(count, no_index);
   for (std::size_t slot = numbers.size(); slot-- > 0;)

@@ -164,7 +164,7 @@ class AttributeTaker {
     friend auto operator<=>(const EdgeRow&, const EdgeRow&) = default;
   };
 
-  // By row whether it becomes an edge of the list.
+  // Tells of each row whether it becomes an edge of the list.
   std::vector<bool> find_edges(const Property& from, const Property& to, std::size_t rows) const {
     std::vector<EdgeRow> sought;
     const auto end = static_cast<std::int64_t>(mesh_.positions.size());

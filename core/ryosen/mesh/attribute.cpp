@@ -39,14 +39,6 @@ CornerColumns make_corner_columns(std::string_view index_name, std::string_view 
           make_column(pool_name, ElementKind::pool, ValueRule::blend, glm::dvec3(0))};
 }
 
-double real_number(const AttributeColumn& column, std::uint32_t index, std::uint32_t number) {
-  const std::uint32_t* const value = column.data.data() + std::size_t{index} * column.words();
-  if (column.type.scalar == Scalar::float32) return std::bit_cast<float>(value[number]);
-  double found = 0;
-  std::memcpy(&found, value + 2 * std::size_t{number}, sizeof found);
-  return found;
-}
-
 double number_at(const AttributeColumn& column, std::uint32_t index, std::uint32_t number) {
   const auto* const value =
       reinterpret_cast<const std::byte*>(column.data.data() + std::size_t{index} * column.words());

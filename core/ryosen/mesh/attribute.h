@@ -56,8 +56,7 @@ requires(sizeof(T) % sizeof(std::uint32_t) == 0) std::vector<T> attribute_values
   if (!values.empty()) std::memcpy(values.data(), column.data.data(), values.size() * sizeof(T));
   return values;
 }
-// One number of a value, whose type must be of floats or doubles.
-double real_number(const AttributeColumn& column, std::uint32_t index, std::uint32_t number);
+// Writes one number of a value, whose type must be of floats or doubles.
 void put_real_number(AttributeColumn& column, std::uint32_t index, std::uint32_t number, double value);
 // One number of a value of any type as a double; 1 for true.
 double number_at(const AttributeColumn& column, std::uint32_t index, std::uint32_t number = 0);

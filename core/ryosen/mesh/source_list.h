@@ -54,7 +54,7 @@ class SourceList {
 
  private:
   static constexpr std::uint32_t part_count = no_index;
-  // Of one source itself, of several where they stand in sources_. Without sources the element is new.
+  // The only source, or the place of several in sources_. An element without sources is new.
   struct Entry {
     std::uint32_t first = no_index;
     std::uint32_t count = 0;

@@ -58,7 +58,7 @@ Mesh mesh_of_values(const Mesh& mesh, const AttributeColumn& column, std::uint32
   columns.attributes.clear();
   for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
     for (std::uint32_t k = 0; k < 3; ++k)
-      columns.positions[i][static_cast<int>(k)] = first + k < column.type.count ? real_number(column, i, first + k) : 0;
+      columns.positions[i][static_cast<int>(k)] = first + k < column.type.count ? number_at(column, i, first + k) : 0;
   return Mesh(std::move(columns));
 }
 
@@ -190,7 +190,7 @@ bool has_masks(const AttributeColumn& column) {
   return column.element == ElementKind::vertex && is_floating(column.type.scalar) && column.rule == ValueRule::blend;
 }
 
-// What the step makes of the values of vertices; places(i) is the place of the i-th vertex in it.
+// Puts what the step makes of the values of vertices; place_of(i) is the place of the i-th vertex in the step.
 template <class PlaceOf>
 void carry_vertices(const Mesh& mesh, const Creases& creases, const Step& step, std::size_t count,
                     const PlaceOf& place_of, const AttributeColumn& before, AttributeColumn& column) {

@@ -104,8 +104,8 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
   });
 }
 
-// What is known of elements on the next level. `edges` and `faces` tell where those come from; they are read where
-// there is something to pass on.
+// Passes on what is known of elements to the next level. `edges` and `faces` tell where those come from; they are read
+// where there is something to pass on.
 template <class EdgeSources, class FaceSources>
 void pass_on(const Mesh& mesh, MeshColumns& next, const EdgeSources& edges, const FaceSources& faces, Creases& creases,
              Descent* descent) {

@@ -23,7 +23,7 @@ int attribute_of(const Mesh& mesh, const ColourMap& map) {
   return map.attribute.empty() || !has_numbers(mesh, map) ? -1 : mesh.find_attribute(map.attribute);
 }
 
-// Of the vertices of a point and the sheets of an edge one answers.
+// One vertex answers for a point, and one sheet for an edge.
 template <class Ask>
 auto with_attribute(const Mesh& mesh, const ColourMap& map, const Ask& ask) {
   const int attribute = attribute_of(mesh, map);

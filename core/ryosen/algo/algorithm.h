@@ -13,7 +13,6 @@
 #include "ryosen/base/element.h"
 #include "ryosen/base/message.h"
 #include "ryosen/base/progress.h"
-#include "ryosen/mesh/descent.h"
 #include "ryosen/mesh/edit.h"
 
 namespace ryosen {
@@ -21,7 +20,7 @@ namespace ryosen {
 // What an algorithm is asked for beside its work, where it can tell it.
 struct AlgorithmWants {
   bool edge_rules = false;  // the rule under which each edge stands, see GoalReport
-  bool descent = false;     // of what its elements come, see Lineage
+  bool descent = false;     // where its elements come from, of one whose lineage is told
 };
 
 // The input of an algorithm; of an open file Document::run() fills it.
@@ -77,13 +76,12 @@ struct AlgorithmResult {
   // Why the mesh is none that it can be done on, as one without faces: a clause. Nothing was written then.
   std::optional<Text> refused = {};
   std::optional<GoalReport> goal_report = {};  // of one that has a goal
-  std::optional<Descent> descent = {};         // of one that tells the lineage, where it was asked for
 };
 
 // How what is selected or kept under a name goes on behind an algorithm.
 enum class Lineage {
   numbers,  // elements that stay keep their numbers
-  told,     // new elements come of old ones, as the result tells (descent)
+  told,     // new elements come from old ones, as the edit tells (descent.h)
   lost,     // numbers mean nothing any more, and nobody knows of what the elements come
 };
 

@@ -161,16 +161,17 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   AlgorithmResult result;
   OtherQuarantine other;
   HistoryEntry entry{std::move(command)};
+  Descent descent = wants.descent && row.lineage == Lineage::told ? Descent(mesh_) : Descent();
   {
     Progress progress(std::move(report));
-    Edit edit(writable(), &journal_);
+    Edit edit(writable(), &journal_, &descent);
     result = run_in(edit, row, values, wants, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;
     if (result.drops_quarantined) other[journal_.position()];
     entry.has_normals = result.has_normals;
     entry.lineage = row.lineage;
-    if (result.descent) entry.descent = std::make_shared<const Descent>(*std::exchange(result.descent, std::nullopt));
+    if (descent.is_recording()) entry.descent = std::make_shared<const Descent>(std::move(descent));
     make_room_in_history();
     edit.commit();
   }
@@ -208,7 +209,7 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
   OtherQuarantine other;
   {
     Edit edit(writable(), &journal_);
-    edit.replace(result->mesh.columns());
+    edit.replace(result->mesh.columns(), result->descent);
     if (result->drops_quarantined) other[journal_.position()];
     make_room_in_history();
     edit.commit();

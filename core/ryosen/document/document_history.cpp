@@ -93,7 +93,7 @@ std::optional<AlgorithmResult> Document::try_out(const AlgorithmRow& row, const 
 void Document::show_on_trial(MeshColumns columns) {
   {
     Edit edit(writable(), &trial_);
-    edit.replace(std::move(columns));
+    edit.replace_by_other(std::move(columns));
     edit.commit();
   }
   notify(trial_, 0, Change::tried);

@@ -21,8 +21,8 @@ AttributeColumn with_rows(const AttributeColumn& column, std::span<const std::ui
 bool is_reserved_name(std::string_view name) {
   using namespace attribute_names;
   constexpr std::string_view reserved[] = {
-      texcoord, texcoord_pool, normal, normal_pool, colour,   weight,       face_colour, face_colour_components,
-      material, group,         object, smoothing,   edge_row, "face.origin"};
+      texcoord, texcoord_pool, normal, normal_pool, colour,  weight, face_colour, face_colour_components,
+      material, group,         object, smoothing,   edge_row};
   return std::find(std::begin(reserved), std::end(reserved), name) != std::end(reserved);
 }
 

@@ -273,6 +273,7 @@ void Edit::reset(ElementKind element, std::uint32_t to) {
 void Edit::move_corners(std::span<const std::pair<Halfedge, Halfedge>> to_from) {
   for (const auto& [to, from] : to_from)
     for (const Halfedge h : {to, from}) provenance_.tells(ElementKind::corner, h.index);
+  if (descent_) descent_->tell_moved(to_from);
   for (std::size_t k = 0; k < mesh_.columns_.attributes.size(); ++k) {
     const AttributeColumn& column = mesh_.columns_.attributes[k];
     if (!column.is_of(ElementKind::corner)) continue;
@@ -338,7 +339,17 @@ void Edit::remove_attribute(std::size_t attribute) {
   knows_pooled_ = false;
 }
 
-void Edit::replace(MeshColumns columns) {
+Descent Edit::new_descent() const { return descent_ ? Descent(mesh_) : Descent::for_checks(mesh_); }
+
+void Edit::replace(MeshColumns columns, const Descent& descent) {
+#ifdef RYOSEN_PROVENANCE
+  provenance_.replaces(descent.untold(mesh_.columns_, columns));
+#endif
+  if (descent_) descent_->follow(descent);
+  replace_by_other(std::move(columns));
+}
+
+void Edit::replace_by_other(MeshColumns columns) {
   std::swap(mesh_.columns_, columns);
   if (journal_) journal_->record_replaced(std::move(columns));
 }

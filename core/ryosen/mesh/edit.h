@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ryosen/mesh/attribute.h"
+#include "ryosen/mesh/descent.h"
 #include "ryosen/mesh/journal.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/provenance.h"
@@ -19,9 +20,11 @@ namespace ryosen {
 // Journal nothing is recorded and the writes are final: for batch work. At most one Edit may be open on a mesh.
 class Edit {
  public:
-  Edit(Mesh& mesh, Journal* journal)
+  // A descent that records is told where elements come from, also by an edit that is rolled back.
+  Edit(Mesh& mesh, Journal* journal, Descent* descent = nullptr)
       : mesh_(mesh),
         journal_(journal),
+        descent_(descent && descent->is_recording() ? descent : nullptr),
         before_(journal ? mesh.lengths() : ColumnLengths()),
         attributes_before_(mesh.attributes().size()) {
     if (journal_) journal_->begin(mesh_);
@@ -87,7 +90,7 @@ class Edit {
   // Removes an element and its values.
   template <class Handle>
   void drop(Handle gone) {
-    provenance_.ends(kind_of(gone), gone.index);
+    tell_end(kind_of(gone), gone.index);
     remove(gone);
   }
 
@@ -130,7 +133,7 @@ class Edit {
   // rule divides.
   template <class Handle, class Shares>
   void divide(Handle source, std::span<const Handle> parts, const Shares& shares) {
-    for (const Handle part : parts) provenance_.tells(kind_of(part), part.index);
+    for (const Handle part : parts) tell(kind_of(part), part.index, {&source.index, 1});
     if (mesh_.columns_.attributes.empty()) return;
     const ElementKind element = kind_of(source);
     divide_all(element, source.index, indices_of(parts),
@@ -149,7 +152,7 @@ class Edit {
   // Gives a new element, or a corner that lies outside now, the default of each attribute.
   template <class Handle>
   void fresh(Handle to) {
-    provenance_.tells(kind_of(to), to.index);
+    tell(kind_of(to), to.index, {});
     if (!mesh_.columns_.attributes.empty()) reset(kind_of(to), to.index);
   }
   // The first corner of each pair gets what the second had. Corners that are only second get the defaults.
@@ -178,8 +181,13 @@ class Edit {
   bool set_attribute(std::size_t attribute, std::uint32_t index, std::span<const std::uint32_t> words);
   std::uint32_t append_value(std::size_t pool_attribute, std::span<const std::uint32_t> words);
 
+  // A descent for what replaces this mesh: it records where that is asked for, and in test builds.
+  Descent new_descent() const;
   // Replaces all columns at once: for batch algorithms that build new columns. Must be the only write of the edit.
-  void replace(MeshColumns columns);
+  // `descent`: from new_descent(), told where the elements of these columns come from.
+  void replace(MeshColumns columns, const Descent& descent);
+  // The same by a mesh of which no element comes from this one.
+  void replace_by_other(MeshColumns columns);
 
  private:
   template <Column column, class Value>
@@ -204,8 +212,17 @@ class Edit {
   template <class Handle>
   void tell(Handle to, std::span<const Handle> sources, Derivation derivation) {
     provenance_.tells(kind_of(to), to.index);
+    if (descent_) descent_->tell(kind_of(to), to.index, indices_of(sources));
     if (derivation == Derivation::unites)
-      for (const Handle source : sources) provenance_.ends(kind_of(source), source.index);
+      for (const Handle source : sources) tell_end(kind_of(source), source.index);
+  }
+  void tell(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources) {
+    provenance_.tells(kind, to);
+    if (descent_) descent_->tell(kind, to, sources);
+  }
+  void tell_end(ElementKind kind, std::uint32_t index) {
+    provenance_.ends(kind, index);
+    if (descent_) descent_->end(kind, index);
   }
   bool derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation);
@@ -223,6 +240,7 @@ class Edit {
 
   Mesh& mesh_;
   Journal* journal_;
+  Descent* descent_;
   ColumnLengths before_;
   std::size_t attributes_before_;
   Provenance provenance_;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #endif
 
 #include "ryosen/mesh/columns.h"
@@ -26,6 +27,8 @@ class Provenance {
   void tells(ElementKind kind, std::uint32_t index) { add(told_, kind, index); }
   // That its values go to an element that it is united with, or with it.
   void ends(ElementKind kind, std::uint32_t index) { add(ended_, kind, index); }
+  // All elements were replaced: the sentence that Descent::untold() has of that.
+  void replaces(std::optional<std::string> untold) { replacement_ = std::move(untold); }
   // A sentence on an element of which nothing was said.
   std::optional<std::string> untold(const Mesh& mesh) const;
 
@@ -36,6 +39,7 @@ class Provenance {
   }
 
   Indices created_, removed_, told_, ended_;
+  std::optional<std::string> replacement_;
 };
 #else
 class Provenance {

@@ -20,7 +20,7 @@ AttributeColumn SourceList::derived(const AttributeColumn& before) const {
   for (std::uint32_t i = 0; i < size(); ++i) {
     const Entry& entry = entries_[i];
     const std::span value(column.data.data() + i * words, words);
-    if (entry.count == 0) {
+    if (!is_told(i) || entry.count == fresh_count) {
       std::copy(before.fill.begin(), before.fill.end(), value.begin());
     } else if (origin(i) != no_index) {
       std::copy_n(before.data.data() + std::size_t{entry.first} * words, words, value.begin());

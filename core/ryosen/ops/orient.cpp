@@ -269,9 +269,10 @@ Verdict Orient::check(const Mesh& mesh) const {
 }
 
 OpEffect Orient::apply(Edit& edit) const {
-  TurnedMesh turned = turn_faces(edit.mesh(), turned_by_orient(edit.mesh()));
+  Descent descent = edit.new_descent();
+  TurnedMesh turned = turn_faces(edit.mesh(), turned_by_orient(edit.mesh()), &descent);
   assert(!turned.effect.changed.empty());
-  edit.replace(std::move(turned.columns));
+  edit.replace(std::move(turned.columns), descent);
   return turned.effect;
 }
 

@@ -46,8 +46,9 @@ OpEffect Reverse::apply(Edit& edit) const {
   std::vector<bool> turned(m.face_slots(), false);
   for (std::uint32_t i = 0; i < m.face_slots(); ++i)
     turned[i] = m.is_alive(Face(i)) && turning.contains(components.of_face[i]);
-  TurnedMesh result = turn_faces(m, turned);
-  edit.replace(std::move(result.columns));
+  Descent descent = edit.new_descent();
+  TurnedMesh result = turn_faces(m, turned, &descent);
+  edit.replace(std::move(result.columns), descent);
   return result.effect;
 }
 

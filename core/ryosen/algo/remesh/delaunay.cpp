@@ -34,8 +34,12 @@ bool becomes_less(const Kite& k) {
 
 class DelaunaySwapper {
  public:
-  DelaunaySwapper(Edit& edit, double scale, double most_turn_rad)
-      : edit_(edit), mesh_(edit.mesh()), scale_(scale), features_(find_features(mesh_, most_turn_rad)) {}
+  DelaunaySwapper(Edit& edit, double scale, double most_turn_rad, Descent* descent)
+      : edit_(edit),
+        mesh_(edit.mesh()),
+        scale_(scale),
+        features_(find_features(mesh_, most_turn_rad)),
+        descent_(descent) {}
 
   // False: cancelled.
   bool run(Progress& progress, Swapped& result) {
@@ -58,7 +62,7 @@ class DelaunaySwapper {
       if (!swap.is_legal(mesh_)) continue;
       swap.apply(edit_);
       ++result.swaps;
-      if (e.index < result.descent.edges.size()) result.descent.edges[e.index] = Edge();
+      if (descent_) descent_->lose(e);
       for (const Halfedge side : {h, twin(h)})
         for (const Halfedge around : {mesh_.next(side), mesh_.prev(side)}) add(edge(around));
     }
@@ -86,27 +90,22 @@ class DelaunaySwapper {
   const Mesh& mesh_;
   double scale_;
   Features features_;
+  Descent* descent_;
 };
 
 }  // namespace
 
-Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress) {
+Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress, Descent* descent) {
   Swapped result;
   result.is_cancelled = !progress.go_on(0, 1);
   if (result.is_cancelled) return result;
-  Mesh work = with_origins(mesh);
-  {
-    Edit edit(work, nullptr);
-    const std::vector<Face> polygons = polygons_of_mesh(work);
-    result.cut_faces = polygons.size();
-    if ((result.fault = cut_faces(edit, polygons))) return result;
-    edit.commit();
-  }
-  MeshColumns columns = work.columns();
-  result.descent = {take_origins(columns), own_edges(mesh.edge_slots())};
-  work = Mesh(std::move(columns));
-  Edit edit(work, nullptr);
-  result.is_cancelled = !DelaunaySwapper(edit, unit_scale(mesh.positions()), most_turn_rad).run(progress, result);
+  Mesh work = mesh;
+  Edit edit(work, nullptr, descent);
+  const std::vector<Face> polygons = polygons_of_mesh(work);
+  result.cut_faces = polygons.size();
+  if ((result.fault = cut_faces(edit, polygons))) return result;
+  DelaunaySwapper swapper(edit, unit_scale(mesh.positions()), most_turn_rad, descent);
+  result.is_cancelled = !swapper.run(progress, result);
   edit.commit();
   if (!result.is_cancelled) result.columns = work.columns();
   return result;

@@ -189,11 +189,12 @@ class Attempts {
       : start_(triangles), options_(options), known_(known), watched_(options.length) {}
 
   // Until no faces meet that did not.
-  void run(Remeshed& result, Progress& progress) {
+  void run(Remeshed& result, Progress& progress, Descent* descent) {
     constexpr int most = 4;
     for (int attempt = 0; attempt < most; ++attempt) {
       Mesh work = start_;
-      Edit edit(work, nullptr);
+      Descent descent_now = descent ? *descent : Descent();
+      Edit edit(work, nullptr, &descent_now);
       SurfaceKeeper keeper(work, *known_.points, watched_, met_);
       Remesher remesher(edit, known_.features, *known_.target, keeper);
       result.is_cancelled = !run_rounds(remesher, options_, progress);
@@ -203,6 +204,7 @@ class Attempts {
       if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
         result.is_cancelled |= progress.is_cancelled();
         result.columns = work.columns();
+        if (descent) *descent = std::move(descent_now);
         return;
       }
     }
@@ -242,7 +244,7 @@ class Attempts {
 
 }  // namespace
 
-Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) {
+Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress, Descent* descent) {
   Remeshed result;
   result.is_cancelled = !progress.go_on(0, options.rounds);
   if (result.is_cancelled) return result;
@@ -253,7 +255,7 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   MeshColumns columns = mesh.columns();
   for (glm::dvec3& p : columns.positions) p *= scale;
   Mesh triangles(std::move(columns));
-  Edit edit(triangles, nullptr);
+  Edit edit(triangles, nullptr, descent);
   const std::vector<Face> polygons = polygons_of_mesh(triangles);
   result.cut_faces = polygons.size();
   if ((result.fault = cut_faces(edit, polygons))) return result;
@@ -262,7 +264,7 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress) 
   const Sizing sizing(triangles, {own.length, own.adaptive, own.tolerance});
   if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;
   const Start start(triangles, sizing, own);
-  Attempts(triangles, own, start).run(result, progress);
+  Attempts(triangles, own, start).run(result, progress, descent);
   if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
   return result;
 }

@@ -32,21 +32,21 @@ struct Remeshed {
 // Rounds of remesher.h. Elements that stay keep their numbers, new ones come behind them. Of a surface without
 // self-intersections comes one without: where faces meet in the end, it begins again and watches these places, and at
 // last all of them. Of one in which faces meet comes one in which none meet elsewhere, unless more than 100,000 pairs
-// do, or two million then: those are let be. A length for which there is no room is a fault. O(rounds times n log n).
-Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress);
+// do, or two million then: those are let be. A length for which there is no room is a fault. `descent`: told where
+// elements come from, as an edit tells it. O(rounds times n log n).
+Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress, Descent* descent = nullptr);
 
 struct Swapped {
   MeshColumns columns;
   std::size_t cut_faces = 0, swaps = 0;
   std::size_t refused = 0;  // edges that are not Delaunay and may not be swapped
-  Descent descent = {};     // an edge that was swapped comes of none
   bool is_cancelled = false;
   std::optional<Text> fault = {};
 };
 
 // Swaps edges whose opposite angles are together above 180 degrees and whose faces bend by at most `most_turn_rad`, as
 // long as the cotangents of the angles of both triangles together become less, which comes to an end [Bobenko07].
-// Features (features.h, with that angle) stay.
-Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress);
+// Features (features.h, with that angle) stay. `descent`: told where elements come from; a swapped edge is new there.
+Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress, Descent* descent = nullptr);
 
 }  // namespace ryosen::remesh

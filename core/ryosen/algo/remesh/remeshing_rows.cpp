@@ -32,7 +32,8 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
                           .on_lines = input.on_lines};
   if (!values.has("tolerance")) options.tolerance = options.length / 20;
   const std::size_t before = mesh.live().faces;
-  remesh::Remeshed made = remesh::remeshed(mesh, options, progress);
+  Descent descent = edit.new_descent();
+  remesh::Remeshed made = remesh::remeshed(mesh, options, progress, &descent);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
   result.goal_report.emplace();
@@ -44,14 +45,14 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   if (values.has("tolerance") && !options.adaptive)
     result.text += Text{" The tolerance counts only where lengths are adaptive.",
                         "許容誤差は、曲率に適応させるときだけ効きます。"};
-  edit.replace(std::move(made.columns));
+  edit.replace(std::move(made.columns), descent);
   return result;
 }
 
 AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   AlgorithmResult result;
-  remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), input.values.angle_rad("most_turn"), progress);
-  if (input.wants.descent) result.descent = std::move(made.descent);
+  Descent descent = edit.new_descent();
+  remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), input.values.angle_rad("most_turn"), progress, &descent);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
   result.changed = made.swaps + made.cut_faces;
@@ -62,7 +63,7 @@ AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progre
     result.text += count_text(made.refused, "; one is not Delaunay and stays", "; # are not Delaunay and stay",
                               "（交換できない稜線 # 本が残る）");
   result.text += Text{".", "。"};
-  if (result.changed > 0) edit.replace(std::move(made.columns));
+  if (result.changed > 0) edit.replace(std::move(made.columns), descent);
   return result;
 }
 

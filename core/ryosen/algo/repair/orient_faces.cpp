@@ -229,18 +229,20 @@ AlgorithmResult orient_faces(Edit& edit, const AlgorithmInput&, Progress& progre
   const std::vector<bool> turned = faces_to_turn(m, progress);
   if (progress.is_cancelled()) return {};
   if (std::find(turned.begin(), turned.end(), true) != turned.end()) {
-    TurnedMesh now = turn_faces(m, turned);
+    Descent descent = edit.new_descent();
+    TurnedMesh now = turn_faces(m, turned, &descent);
     if (is_torn(m, Mesh(now.columns))) {
       Mesh apart = m;
-      Edit on_apart(apart, nullptr);
+      descent = edit.new_descent();
+      Edit on_apart(apart, nullptr, &descent);
       detach_nonmanifold(on_apart, {}, progress);
       on_apart.commit();
       const std::vector<bool> turned_apart = faces_to_turn(apart, progress);
       if (progress.is_cancelled()) return {};
-      now = turn_faces(apart, turned_apart);
+      now = turn_faces(apart, turned_apart, &descent);
     }
     result.changed = now.effect.changed.size();
-    edit.replace(std::move(now.columns));
+    edit.replace(std::move(now.columns), descent);
   }
   std::vector<Element> left = misoriented_edges(edit.mesh());
   result.left = left.size();

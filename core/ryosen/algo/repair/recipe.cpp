@@ -28,6 +28,7 @@ AlgorithmResult refusal(const AlgorithmRow& row, const AlgorithmResult& wanted, 
 
 struct State {
   Mesh mesh;
+  Descent descent;
   bool has_quarantine;
   FindingCounts counts;
 };
@@ -48,7 +49,7 @@ class RecipeRun {
 
   // None: cancelled.
   std::optional<RecipeResult> run(const Mesh& mesh) {
-    State state{mesh, !input_.quarantine.empty(), count_findings(mesh, input_.on_lines)};
+    State state{mesh, Descent::for_checks(mesh), !input_.quarantine.empty(), count_findings(mesh, input_.on_lines)};
     RecipeResult result;
     result.steps.resize(steps_.size());
     result.boundary_edges_before = boundary_edges(state);
@@ -73,6 +74,7 @@ class RecipeRun {
     count_kinds(state.mesh, input_, state.has_quarantine, &KindCount::after, result.findings);
     if (result.is_changed) tell_loose(mesh, state.mesh, result.steps);
     result.mesh = std::move(state.mesh);
+    result.descent = std::move(state.descent);
     return result;
   }
 
@@ -98,7 +100,8 @@ class RecipeRun {
       if (!values[i].values) continue;  // of a share that has become none
       Progress progress([&](double share) { return !events_.progress || events_.progress(step, round, share); });
       Journal journal;
-      Edit edit(state.mesh, &journal);
+      Descent descent = state.descent;
+      Edit edit(state.mesh, &journal, &descent);
       const bool has_quarantine = state.has_quarantine;
       const AlgorithmInput input{*values[i].values,
                                  has_quarantine ? input_.used_elsewhere : input_.used_but_by_quarantine,
@@ -108,7 +111,10 @@ class RecipeRun {
                                  input_.holds_floats};
       results_[i] = run_guarded(edit, *step.row, input, progress, state.counts);
       if (!progress.go_on() || progress.is_cancelled()) return false;
-      if (results_[i].changed > 0) edit.commit();
+      if (results_[i].changed > 0) {
+        edit.commit();
+        state.descent = std::move(descent);
+      }
       state.has_quarantine = has_quarantine && !results_[i].drops_quarantined;
       if (events_.step_done) events_.step_done(step, round, results_[i]);
     }

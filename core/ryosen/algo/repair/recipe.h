@@ -64,6 +64,7 @@ void count_kinds(const Mesh& mesh, const RecipeInput& input, bool has_quarantine
 
 struct RecipeResult {
   Mesh mesh;                           // the repaired one
+  Descent descent;                     // from the mesh before, in test builds
   bool is_changed = false;             // whether anything differs
   bool drops_quarantined = false;      // the quarantined faces are to be forgotten
   std::size_t rounds = 0;              // that changed something and were kept

@@ -260,9 +260,10 @@ std::vector<TJunction> find_t_junctions(const Mesh& mesh, const NearPoints& near
 // The junctions of a mesh put in on a copy.
 class Stitching {
  public:
-  Stitching(const Mesh& before, const NearPoints& near, const Reach& reach, const std::vector<TJunction>& junctions)
-      : mesh(before), reach_(reach), is_concerned_(before.vertex_slots(), false) {
-    Edit edit(mesh, nullptr);
+  Stitching(const Mesh& before, Descent descent_before, const NearPoints& near, const Reach& reach,
+            const std::vector<TJunction>& junctions)
+      : mesh(before), descent(std::move(descent_before)), reach_(reach), is_concerned_(before.vertex_slots(), false) {
+    Edit edit(mesh, nullptr, &descent);
     take_bow_ties_apart(edit, junctions);
     mark_places(near, junctions);
     for (const TJunction& junction : junctions) put_in(edit, junction);
@@ -271,7 +272,7 @@ class Stitching {
 
   // Returns for each junction whether one of its parts was joined.
   std::vector<bool> weld(Progress& progress) {
-    Edit edit(mesh, nullptr);
+    Edit edit(mesh, nullptr, &descent);
     std::vector<Edge> joined = weld_near_points(edit, {reach_.distance, reach_.used, &is_concerned_}, progress);
     edit.commit();
     sort_unique(joined);
@@ -284,6 +285,7 @@ class Stitching {
   }
 
   Mesh mesh;
+  Descent descent;
 
  private:
   // Gives each fan at a junction a point of its own, since only points of one fan are welded.
@@ -338,23 +340,24 @@ class Stitching {
 
 struct Stitched {
   Mesh mesh;
+  Descent descent;
   std::size_t points = 0;
 };
 
 // Puts in what can be joined; nothing where there is nothing.
-std::optional<Stitched> stitch_once(const Mesh& mesh, const Reach& reach, Progress& progress) {
+std::optional<Stitched> stitch_once(const Mesh& mesh, const Descent& descent, const Reach& reach, Progress& progress) {
   constexpr int patient = 3, most_tries = 8;
   const NearPoints near = find_near_points(mesh, reach);
   std::vector<TJunction> junctions = find_t_junctions(mesh, near, reach.distance);
   for (int tries = 0; tries < most_tries && !junctions.empty() && progress.go_on(); ++tries) {
-    Stitching stitching(mesh, near, reach, junctions);
+    Stitching stitching(mesh, descent, near, reach, junctions);
     const std::vector<bool> is_joined = stitching.weld(progress);
     if (progress.is_cancelled()) return std::nullopt;
     std::vector<Halfedge> in_vain;
     std::vector<TJunction> rest;
     for (std::size_t i = 0; i < junctions.size(); ++i)
       is_joined[i] ? rest.push_back(junctions[i]) : in_vain.push_back(junctions[i].side);
-    if (in_vain.empty()) return Stitched{std::move(stitching.mesh), junctions.size()};
+    if (in_vain.empty()) return Stitched{std::move(stitching.mesh), std::move(stitching.descent), junctions.size()};
     if (tries >= patient)  // then all at their sides, so that this ends soon
       std::erase_if(rest,
                     [&](const TJunction& j) { return std::binary_search(in_vain.begin(), in_vain.end(), j.side); });
@@ -369,9 +372,11 @@ AlgorithmResult stitch(Edit& edit, const AlgorithmInput& input, Progress& progre
   const Reach reach{input.values.length("distance"), input.used_elsewhere};
   AlgorithmResult result;
   std::optional<Mesh> stitched;
-  while (auto more = stitch_once(stitched ? *stitched : edit.mesh(), reach, progress)) {
+  Descent descent = edit.new_descent();
+  while (auto more = stitch_once(stitched ? *stitched : edit.mesh(), descent, reach, progress)) {
     result.changed += more->points;
     stitched = std::move(more->mesh);
+    descent = std::move(more->descent);
   }
   if (progress.is_cancelled()) return {};
   result.text = count_text(result.changed, "One vertex was put into the edge it lies on.",
@@ -379,7 +384,7 @@ AlgorithmResult stitch(Edit& edit, const AlgorithmInput& input, Progress& progre
                            "稜線の上にある頂点を # 個、その稜線に入れて縫合しました。");
   if (!stitched) return result;
   if (reach.distance > 0 && progress.go_on()) add_new_crossings(edit.mesh(), *stitched, result);
-  edit.replace(stitched->columns());
+  edit.replace(stitched->columns(), descent);
   return result;
 }
 

@@ -251,8 +251,8 @@ Welded weld_all(Edit& edit, const NearPoints& near, const Reach& reach, Weld wel
 }
 
 template <class Weld>
-Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld) {
-  Edit edit(copy, nullptr);
+Welded weld_copy(Mesh& copy, const Reach& reach, Weld weld, Descent& descent) {
+  Edit edit(copy, nullptr, &descent);
   Welded welded = weld_all(edit, find_near_points(copy, reach), reach, weld);
   edit.commit();
   return welded;
@@ -266,19 +266,22 @@ Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Wel
   if (Welding(m, near, reach).faces_to_turn().empty() && !pair_faces(m).has_nonmanifold_edges)
     return weld_all(edit, near, reach, weld);
   Mesh copy = m;
-  Welded welded = weld_copy(copy, reach, weld);
+  Descent descent = edit.new_descent();
+  Welded welded = weld_copy(copy, reach, weld, descent);
   if (is_torn(m, copy)) return Welding(m, near, reach).leave();
   const std::vector<bool> turned = Welding(copy, find_near_points(copy, reach), reach).faces_to_turn();
   if (!turned.empty()) {
-    Mesh now(turn_faces(copy, turned).columns);
-    const Welded more = weld_copy(now, reach, weld);
+    Descent descent_now = descent;
+    Mesh now(turn_faces(copy, turned, &descent_now).columns);
+    const Welded more = weld_copy(now, reach, weld, descent_now);
     if (!is_torn(m, now)) {
       copy = std::move(now);
+      descent = std::move(descent_now);
       add(more, welded);
       welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
     }
   }
-  edit.replace(copy.columns());
+  edit.replace(copy.columns(), descent);
   return welded;
 }
 

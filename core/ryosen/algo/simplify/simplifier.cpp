@@ -38,7 +38,7 @@ bool has_only_triangles(const Mesh& mesh) {
 }  // namespace
 
 Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps,
-                       const Mesh* input)
+                       const Mesh* input, Descent* descent)
     : writable_(mesh),
       mesh_(mesh),
       steps_(steps),
@@ -52,7 +52,7 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       has_vertex_values_(has_attributes(mesh_, ElementKind::vertex)),
       has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
-  if (!steps) edit_.emplace(mesh, nullptr);
+  if (!steps) edit_.emplace(mesh, nullptr, descent);
   if (input_ && !steps && !guard_ && has_triangles_alone_ && !has_corner_values_ && goal.effort > 0)
     merged_into_.resize(mesh_.vertex_slots());
 }

@@ -105,9 +105,10 @@ class Simplifier {
   // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is
   // final, so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look
   // against it are mended when the goal is reached, where there are but triangles without values at their corners,
-  // neither a journal nor anything to keep apart, and the effort is more than 0. All must outlive it.
+  // neither a journal nor anything to keep apart, and the effort is more than 0. `descent`: told where elements come
+  // from. All must outlive it.
   Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
-             const Mesh* input = nullptr);
+             const Mesh* input = nullptr, Descent* descent = nullptr);
 
   // Until the goal is reached or no edge can collapse; false where it was cancelled.
   bool run(Progress& progress);

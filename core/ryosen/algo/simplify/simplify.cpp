@@ -110,28 +110,13 @@ struct Prepared {
   Mesh work;  // a copy, so that what is cancelled leaves no trace
   bool is_triangulated = false;
   std::optional<Text> refused = {};
-  Descent descent = {};
 };
 
-Mesh triangulated(Mesh mesh) {
-  Edit batch(mesh, nullptr);
-  Triangulate{}.apply(batch);
-  batch.commit();
-  return mesh;
-}
-
-Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress) {
+Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress, Descent* descent = nullptr) {
   if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
-  prepared.descent.edges = own_edges(mesh.edge_slots());
-  if (prepared.is_triangulated) {
-    MeshColumns columns = triangulated(with_origins(mesh)).columns();
-    prepared.descent.faces = take_origins(columns);
-    prepared.work = Mesh(std::move(columns));
-  } else {
-    for (Face f(0); f.index < mesh.face_slots(); ++f.index) prepared.descent.faces.push_back(f);
-  }
-  Edit batch(prepared.work, nullptr);
+  Edit batch(prepared.work, nullptr, descent);
+  if (prepared.is_triangulated) Triangulate{}.apply(batch);
   share_equal_values(batch);
   batch.commit();
   if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
@@ -148,7 +133,8 @@ SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const ParameterValues& values = input.values;
   AlgorithmResult result;
-  Prepared prepared = prepare(edit.mesh(), values, progress);
+  Descent descent = edit.new_descent();
+  Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
   Mesh& work = prepared.work;
   const bool is_flat = values.choice("seams") != "keep" && take_flat_normals(work);
@@ -156,7 +142,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
   const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
-  Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh());
+  Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh(), &descent);
   GoalReport& report = result.goal_report.emplace();
   if (!simplifier.run(progress)) {
     report = {Stop::cancelled, false};
@@ -179,8 +165,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   result.text = text_of(before, after, report);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
   if (result.changed > 0 && is_flat) put_flat_normals(work);
-  if (result.changed > 0) edit.replace(work.columns());
-  if (input.wants.descent) result.descent = std::move(prepared.descent);
+  if (result.changed > 0) edit.replace(work.columns(), descent);
   return result;
 }
 

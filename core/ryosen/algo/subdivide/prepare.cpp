@@ -38,8 +38,8 @@ std::vector<Face> folded_triangles(const Mesh& mesh) {
   return found;
 }
 
-std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces, Scheme scheme, std::size_t& count) {
-  Edit edit(mesh, nullptr);
+std::optional<Text> cut(Mesh& mesh, std::span<const Face> faces, Scheme scheme, std::size_t& count, Descent* descent) {
+  Edit edit(mesh, nullptr, descent);
   std::optional<Text> fault = cut_faces(edit, faces);
   count = faces.size();
   if (!fault && takes_triangles(scheme))
@@ -101,8 +101,20 @@ std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
   return found;
 }
 
+// Edges get other numbers, or none where they are dead; everything else keeps its own.
+void tell_numbers(std::span<const std::uint32_t> number, std::uint32_t count, Descent& descent) {
+  SourceList edges(count), corners(2 * std::size_t{count});
+  for (std::uint32_t e = 0; e < number.size(); ++e) {
+    if (number[e] == no_index) continue;
+    edges.keep(number[e], e);
+    for (const std::uint32_t side : {0u, 1u}) corners.keep(2 * number[e] + side, 2 * e + side);
+  }
+  descent.follow(ElementKind::edge, edges);
+  descent.follow(ElementKind::corner, corners);
+}
+
 // The columns of a mesh with its dead edges left out, and the values per edge with them.
-void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness, std::vector<Edge>& origins) {
+void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness, Descent* descent) {
   std::vector<std::uint32_t> number(c.halfedges.size() / 2, no_index);
   std::uint32_t kept = 0;
   for (std::size_t e = 0; e < number.size(); ++e)
@@ -117,7 +129,6 @@ void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness, std::vector<
       c.halfedges[2 * std::size_t{number[e]} + side] = {l.from, renamed(l.next), renamed(l.prev), l.face};
     }
     if (!sharpness.empty()) sharpness[number[e]] = sharpness[e];
-    if (!origins.empty()) origins[number[e]] = origins[e];
     for (AttributeColumn& a : c.attributes) {
       if (number[e] == e || (a.element != ElementKind::corner && a.element != ElementKind::edge)) continue;
       const std::size_t words = a.element == ElementKind::edge ? a.words() : 2 * std::size_t{a.words()};
@@ -127,7 +138,7 @@ void drop_dead_edges(MeshColumns& c, std::vector<float>& sharpness, std::vector<
   }
   c.halfedges.resize(2 * std::size_t{kept});
   if (!sharpness.empty()) sharpness.resize(kept);
-  if (!origins.empty()) origins.resize(kept);
+  if (descent) tell_numbers(number, kept, *descent);
   for (AttributeColumn& a : c.attributes)
     if (a.element == ElementKind::corner || a.element == ElementKind::edge)
       a.data.resize(std::size_t{kept} * (a.element == ElementKind::edge ? 1 : 2) * a.words());
@@ -174,14 +185,32 @@ std::vector<Edge> edges_to_open(const Mesh& mesh) {
 
 }  // namespace
 
+namespace {
+
+// Each opened edge has got one more behind the others, to which the corner of its second face went.
+void tell_opened(std::size_t before, std::span<const Edge> opened, Descent& descent) {
+  SourceList edges = SourceList::kept(before, opened.size()), corners = SourceList::kept(2 * before, 2 * opened.size());
+  Edge own(before);
+  for (const Edge e : opened) {
+    edges.part(e.index, e.index, 1);
+    edges.part(own.index, e.index, 1);
+    corners.keep(halfedge(own).index, twin(halfedge(e)).index);
+    corners.fresh(twin(halfedge(e)).index);
+    ++own.index;
+  }
+  descent.follow(ElementKind::edge, edges);
+  descent.follow(ElementKind::corner, corners);
+}
+
+}  // namespace
+
 std::optional<Mesh> with_open_sheets(const Mesh& mesh, Creases& creases, Descent* descent) {
   const std::vector<Edge> shut = edges_to_open(mesh);
   if (shut.empty()) return std::nullopt;
   MeshColumns columns = mesh.columns();
   for (const Edge e : shut) open_edge(columns, e);
   if (!creases.sharpness.empty()) creases.sharpness.resize(columns.halfedges.size() / 2, 0);
-  for (const Edge e : shut)
-    if (descent) descent->edges.push_back(Edge(descent->edges[e.index]));
+  if (descent) tell_opened(mesh.edge_slots(), shut, *descent);
   return Mesh(std::move(columns));
 }
 
@@ -192,37 +221,23 @@ void mark_shut_sheets(const Mesh& mesh, Creases& creases) {
   }
 }
 
-Prepared prepare(const Mesh& mesh, const Options& options) {
+Prepared prepare(const Mesh& mesh, const Options& options, Descent* descent) {
   Prepared prepared;
   const std::vector<Face> to_cut = faces_to_cut(mesh, options.scheme);
   prepared.creases = creases_of(mesh, options);
   Creases& creases = prepared.creases;
   const bool is_folded = takes_triangles(options.scheme) && to_cut.empty() && !folded_triangles(mesh).empty();
   if (!to_cut.empty() || is_folded || mesh.live().edges != mesh.edge_slots()) {
-    prepared.changed = options.wants_descent ? with_origins(mesh) : mesh;
-    prepared.fault = cut(*prepared.changed, to_cut, options.scheme, prepared.cut_faces);
+    prepared.changed = mesh;
+    prepared.fault = cut(*prepared.changed, to_cut, options.scheme, prepared.cut_faces, descent);
     if (prepared.fault) return prepared;
     if (!creases.sharpness.empty()) creases.sharpness.resize(prepared.changed->edge_slots(), 0);
     if (!creases.corners.empty()) creases.corners.resize(prepared.changed->vertex_slots(), 0);
     MeshColumns columns = prepared.changed->columns();
-    std::vector<Edge> edges;
-    if (options.wants_descent) {
-      edges = own_edges(mesh.edge_slots());
-      edges.resize(prepared.changed->edge_slots());
-    }
     columns.first_ring.clear();
     columns.rings.clear();
-    drop_dead_edges(columns, creases.sharpness, edges);
-    if (options.wants_descent) {
-      std::vector<Face> faces = take_origins(columns);
-      prepared.descent = Descent{std::move(faces), std::move(edges)};
-    }
+    drop_dead_edges(columns, creases.sharpness, descent);
     prepared.changed = Mesh(std::move(columns));
-  }
-  if (options.wants_descent && !prepared.descent) {
-    std::vector<Face> faces;
-    for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) faces.emplace_back(f);
-    prepared.descent = Descent{std::move(faces), own_edges(mesh.edge_slots())};
   }
   if (options.scheme == Scheme::sqrt3)
     prepared.seams = mark_seams(prepared.changed ? *prepared.changed : mesh, creases);

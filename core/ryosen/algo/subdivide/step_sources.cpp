@@ -10,9 +10,7 @@ namespace ryosen::subdivide {
 namespace {
 
 SourceList with_old_vertices(const Mesh& mesh, std::size_t vertices) {
-  SourceList list(vertices);
-  for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) list.keep(v, v);
-  return list;
+  return SourceList::kept(mesh.vertex_slots(), vertices - mesh.vertex_slots());
 }
 
 void put_on_edge(const Mesh& mesh, Vertex to, Halfedge h, double t, SourceList& list) {

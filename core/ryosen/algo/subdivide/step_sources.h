@@ -22,14 +22,6 @@ SourceList vertex_sources(const Mesh& mesh, const Sqrt3Numbers& numbers);
 // The edges that an edge is divided into, in the direction of the halfedge; none of one that sqrt(3) swaps.
 std::vector<Edge> parts_of_edge(const SplitNumbers& numbers, Halfedge h);
 std::vector<Edge> parts_of_edge(const Sqrt3Numbers& numbers, Halfedge h);
-// An edge is divided into equal parts; those within faces are new, and so is one that sqrt(3) swaps.
-template <class Numbers>
-SourceList edge_sources(const Mesh& mesh, const Numbers& numbers) {
-  SourceList list(numbers.edge_slots());
-  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e)
-    for (const Edge part : parts_of_edge(numbers, halfedge(Edge(e)))) list.part(part.index, e, 1);
-  return list;
-}
 // A face is divided by area, in `next` with its places, where `by_area`; else equally. A triangle of sqrt(3) that lies
 // in two faces is a part of that of its number.
 SourceList face_sources(const Mesh& mesh, const SplitNumbers& numbers, const MeshColumns& next, bool by_area);
@@ -75,6 +67,21 @@ void place_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Put& put) {
       put(n.after(twin(h)), CornerPlace{at, h});
     }
   }
+}
+
+// An edge is divided into equal parts. Those within faces are new, and so is one that sqrt(3) swaps.
+template <class Numbers>
+SourceList edge_sources(const Mesh& mesh, const Numbers& numbers) {
+  SourceList list(numbers.edge_slots());
+  for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+    const std::vector<Edge> parts = parts_of_edge(numbers, halfedge(Edge(e)));
+    for (const Edge part : parts) list.part(part.index, e, 1);
+    if (parts.empty()) list.drop(e);
+  }
+  place_corners(mesh, numbers, [&](Halfedge corner, CornerPlace) {
+    if (const std::uint32_t e = edge(corner).index; !list.is_told(e)) list.fresh(e);
+  });
+  return list;
 }
 
 // A corner has the corners of the face between which it lies.

@@ -104,27 +104,21 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
   });
 }
 
-// Passes on what is known of elements to the next level. `edges` and `faces` tell where those come from; they are read
-// where there is something to pass on.
-template <class EdgeSources, class FaceSources>
-void pass_on(const Mesh& mesh, MeshColumns& next, const EdgeSources& edges, const FaceSources& faces, Creases& creases,
-             Descent* descent) {
-  if (!creases.sharpness.empty() || descent) {
-    const SourceList sources = edges();
-    std::vector<float> sharpness(creases.sharpness.empty() ? 0 : sources.size(), 0);
-    std::vector<Edge> origins(descent ? sources.size() : 0);
-    sources.for_each_origin([&](std::uint32_t e, std::uint32_t before) {
-      if (!sharpness.empty()) sharpness[e] = std::max(0.0f, creases.sharpness[before] - 1);
-      if (descent) origins[e] = descent->edges[before];
-    });
+// Passes on what is known of elements to the next level, and tells the descent where those come from.
+template <class Numbers>
+void pass_on(const Mesh& mesh, const Numbers& numbers, MeshColumns& next, Creases& creases, Descent* descent) {
+  if (!creases.sharpness.empty()) {
+    const SourceList sources = edge_sources(mesh, numbers);
+    std::vector<float> sharpness(sources.size(), 0);
+    sources.for_each_origin(
+        [&](std::uint32_t e, std::uint32_t before) { sharpness[e] = std::max(0.0f, creases.sharpness[before] - 1); });
     creases.sharpness = std::move(sharpness);
-    if (descent) descent->edges = std::move(origins);
   }
   if (descent) {
-    const SourceList sources = faces();
-    std::vector<Face> origins(sources.size());
-    sources.for_each_origin([&](std::uint32_t f, std::uint32_t before) { origins[f] = descent->faces[before]; });
-    descent->faces = std::move(origins);
+    descent->follow(ElementKind::vertex, vertex_sources(mesh, numbers));
+    descent->follow(ElementKind::edge, edge_sources(mesh, numbers));
+    descent->follow(ElementKind::corner, corner_sources(mesh, numbers, next));
+    descent->follow(ElementKind::face, face_sources(mesh, numbers, next, false));
   }
   if (creases.corners.empty()) return;
   creases.corners.resize(next.vertex_halfedge.size(), 0);
@@ -140,9 +134,7 @@ MeshColumns split_step(const Mesh& mesh, Creases& creases, Scheme scheme, Split 
   carry_split(mesh, creases, scheme, numbers, next);
   link_copies(
       mesh, 1, [&](Halfedge h, unsigned) { return numbers.on_edge(h); }, next);
-  pass_on(
-      mesh, next, [&] { return edge_sources(mesh, numbers); }, [&] { return face_sources(mesh, numbers, next, false); },
-      creases, descent);
+  pass_on(mesh, numbers, next, creases, descent);
   return next;
 }
 
@@ -168,9 +160,7 @@ MeshColumns sqrt3_step(const Mesh& mesh, Creases& creases, bool cuts_creases, De
   carry_sqrt3(mesh, creases, cuts_creases, numbers, next);
   link_copies(
       mesh, cuts_creases ? 2 : 0, [&](Halfedge h, unsigned i) { return numbers.third(h, i); }, next);
-  pass_on(
-      mesh, next, [&] { return edge_sources(mesh, numbers); }, [&] { return face_sources(mesh, numbers, next, false); },
-      creases, descent);
+  pass_on(mesh, numbers, next, creases, descent);
   return next;
 }
 
@@ -188,18 +178,18 @@ bool all_finite(std::span<const glm::dvec3> places) {
 
 }  // namespace
 
-Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress) {
+Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress, Descent* descent) {
+  if (descent && !descent->is_recording()) descent = nullptr;
   Subdivided result;
   const auto is_cancelled = [&](std::size_t done) {
     return result.is_cancelled = !progress.go_on(done, options.steps + 1);
   };
   if ((result.fault = fault_of_size(mesh, options)) || is_cancelled(0)) return result;
-  Prepared prepared = prepare(mesh, options);
+  Prepared prepared = prepare(mesh, options, descent);
   result.cut_faces = prepared.cut_faces;
   result.seams = prepared.seams;
   if ((result.fault = std::move(prepared.fault))) return result;
   Creases& creases = prepared.creases;
-  Descent* const descent = prepared.descent ? &*prepared.descent : nullptr;
   const Mesh* at = prepared.changed ? &*prepared.changed : &mesh;
   if ((result.fault = fault_of_limit(*at, creases, options))) return result;
   const bool into_quads =
@@ -232,7 +222,6 @@ Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progre
       put_normals(result.columns, limit_normals(level, creases, options.scheme));
     }
   }
-  result.descent = std::move(prepared.descent);
   if (is_huge(mesh.positions()) && all_finite(mesh.positions()) && !all_finite(result.columns.positions))
     result.fault = Text{"coordinates would become infinite; scale the mesh down",
                         "座標が無限大になります。メッシュを縮小してください"};

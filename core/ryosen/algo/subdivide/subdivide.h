@@ -27,22 +27,20 @@ struct Options {
   std::optional<double> sharp_steps = {};       // for so many steps; for ever without it
   bool to_limit = false;                        // vertices are put where they would come to in the end, and corners get
                                                 // the normals there (limit_normals.h)
-  bool wants_descent = false;
 };
 
 struct Subdivided {
   MeshColumns columns;
-  std::size_t cut_faces = 0;            // were cut into triangles first
-  std::size_t seams = 0;                // edges kept as creases by sqrt3 because the texture is torn there
-  std::optional<Descent> descent = {};  // where it was asked for; an edge that sqrt(3) swaps comes of none
+  std::size_t cut_faces = 0;  // were cut into triangles first
+  std::size_t seams = 0;      // edges kept as creases by sqrt3 because the texture is torn there
   bool is_cancelled = false;
   std::optional<Text> fault = {};  // why there is no result: a clause
 };
 
 // Subdivides the mesh. Old elements keep their numbers, new ones come behind them. The result is the same for any
 // number of threads, and after an affine map of the mesh that map of the result, but for rounding and where faces with
-// rings are cut. Where it would take more memory than there is it throws std::bad_alloc before it begins. O(size of the
-// result).
-Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress);
+// rings are cut. Where it would take more memory than there is it throws std::bad_alloc before it begins. `descent`:
+// told where elements come from, as an edit tells it; an edge that sqrt(3) swaps is new. O(size of the result).
+Subdivided subdivided(const Mesh& mesh, const Options& options, Progress& progress, Descent* descent = nullptr);
 
 }  // namespace ryosen::subdivide

@@ -54,13 +54,12 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     return {.refused = Text{"there is no face and no edge to divide", "分割する面も稜線もありません"}};
   AlgorithmResult result;
   subdivide::Options options = options_of(input.values);
-  options.wants_descent = input.wants.descent;
   if ((result.fault = fault_of_sharp(edit.mesh(), options))) return result;
-  subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress);
+  Descent descent = edit.new_descent();
+  subdivide::Subdivided made = subdivide::subdivided(edit.mesh(), options, progress, &descent);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
   result.goal_report.emplace();
-  result.descent = std::move(made.descent);
   result.changed = std::max<std::size_t>(made.columns.live.faces, 1);
   const std::string count = std::to_string(made.columns.live.faces);
   result.text = count_text(before, "One face became " + count, "# faces became " + count,
@@ -75,7 +74,7 @@ AlgorithmResult subdivide_mesh(Edit& edit, const AlgorithmInput& input, Progress
     result.text +=
         Text{" No edges are named that would be sharp for some steps.", "回数だけ鋭くする稜線は指定されていません。"};
   result.has_normals = options.to_limit && options.scheme != subdivide::Scheme::midpoint;
-  edit.replace(std::move(made.columns));
+  edit.replace(std::move(made.columns), descent);
   return result;
 }
 

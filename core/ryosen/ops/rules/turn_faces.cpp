@@ -13,8 +13,8 @@ namespace {
 
 class Turner {
  public:
-  Turner(Mesh& mesh, const std::vector<bool>& turned)
-      : m_(mesh), turned_(turned), edit_(mesh, nullptr), sheets_(edit_) {}
+  Turner(Mesh& mesh, const std::vector<bool>& turned, Descent* descent)
+      : m_(mesh), turned_(turned), edit_(mesh, nullptr, descent), sheets_(edit_) {}
 
   OpEffect turn() {
     cut_apart();
@@ -96,9 +96,9 @@ class Turner {
 
 }  // namespace
 
-TurnedMesh turn_faces(const Mesh& mesh, const std::vector<bool>& turned) {
+TurnedMesh turn_faces(const Mesh& mesh, const std::vector<bool>& turned, Descent* descent) {
   Mesh copy = mesh;
-  OpEffect effect = Turner(copy, turned).turn();
+  OpEffect effect = Turner(copy, turned, descent).turn();
   return {copy.columns(), std::move(effect)};
 }
 

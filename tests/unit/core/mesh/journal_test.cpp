@@ -115,7 +115,7 @@ TEST(journal, drops_what_was_undone) {
     MeshColumns other = mesh.columns();
     other.positions[1] = glm::dvec3(99);
     Edit edit(mesh, &journal);
-    edit.replace(std::move(other));
+    edit.replace_by_other(std::move(other));
     edit.commit();
     states.push_back(mesh.columns());
   };

@@ -17,10 +17,10 @@
 
 namespace ryosen {
 
-// What an algorithm is asked for beside its work, where it can tell it.
+// What is asked for beside the work of an algorithm, where it can be told.
 struct AlgorithmWants {
   bool edge_rules = false;  // the rule under which each edge stands, see GoalReport
-  bool descent = false;     // where its elements come from, of one whose lineage is told
+  bool descent = false;     // the edit records where elements come from, where the lineage is told
 };
 
 // The input of an algorithm; of an open file Document::run() fills it.
@@ -82,7 +82,7 @@ struct AlgorithmResult {
 enum class Lineage {
   numbers,  // elements that stay keep their numbers
   told,     // new elements come from old ones, as the edit tells (descent.h)
-  lost,     // numbers mean nothing any more, and nobody knows of what the elements come
+  lost,     // numbers mean nothing any more, and what elements come from says little of where they lie
 };
 
 struct AlgorithmRow {

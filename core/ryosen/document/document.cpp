@@ -161,10 +161,11 @@ std::optional<AlgorithmResult> Document::run(const AlgorithmRow& row, const Para
   AlgorithmResult result;
   OtherQuarantine other;
   HistoryEntry entry{std::move(command)};
-  Descent descent = wants.descent && row.lineage == Lineage::told ? Descent(mesh_) : Descent();
+  Mesh& mesh = writable();
+  Descent descent = wants.descent && row.lineage == Lineage::told ? Descent(mesh) : Descent();
   {
     Progress progress(std::move(report));
-    Edit edit(writable(), &journal_, &descent);
+    Edit edit(mesh, &journal_, &descent);
     result = run_in(edit, row, values, wants, progress);
     if (progress.is_cancelled()) return std::nullopt;
     if (result.changed == 0) return result;

@@ -56,6 +56,7 @@ std::string name_of(ElementKind kind, std::uint32_t index) {
 
 Descent::Descent(const Mesh& mesh) : is_recording_(true) {
   for (const ElementKind kind : kinds) {
+    if (!records(kind)) continue;
     const std::uint32_t count = count_of(mesh.columns(), kind);
     of(kind).origins.resize(count);
     of(kind).ended.resize(count);
@@ -64,13 +65,7 @@ Descent::Descent(const Mesh& mesh) : is_recording_(true) {
   }
 }
 
-Descent Descent::for_checks([[maybe_unused]] const Mesh& mesh) {
-#ifdef RYOSEN_PROVENANCE
-  return Descent(mesh);
-#else
-  return {};
-#endif
-}
+Descent Descent::for_checks(const Mesh& mesh) { return is_checked ? Descent(mesh) : Descent(); }
 
 void Descent::set_origin(ElementKind kind, std::uint32_t index, std::uint32_t origin) {
   std::vector<std::uint32_t>& origins = of(kind).origins;
@@ -78,10 +73,14 @@ void Descent::set_origin(ElementKind kind, std::uint32_t index, std::uint32_t or
   origins[index] = origin;
 }
 
-void Descent::lose(Edge e) { set_origin(ElementKind::edge, e.index, no_index); }
+void Descent::lose(Edge e) {
+  if (!is_recording_) return;
+  end(ElementKind::edge, e.index);
+  set_origin(ElementKind::edge, e.index, no_index);
+}
 
 void Descent::tell(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources) {
-  if (kind != ElementKind::corner && origin(kind, to) != no_index) return;
+  if (!records(kind) || (kind != ElementKind::corner && is_told(kind, to))) return;
   std::uint32_t common = sources.empty() ? no_index : origin(kind, sources[0]);
   for (const std::uint32_t source : sources)
     if (origin(kind, source) != common) common = no_index;
@@ -89,6 +88,7 @@ void Descent::tell(ElementKind kind, std::uint32_t to, std::span<const std::uint
 }
 
 void Descent::tell_moved(std::span<const std::pair<Halfedge, Halfedge>> to_from) {
+  if (!records(ElementKind::corner)) return;
   std::vector<std::uint32_t> origins;
   for (const auto& [to, from] : to_from) origins.push_back(origin(ElementKind::corner, from.index));
   for (const auto& [to, from] : to_from) set_origin(ElementKind::corner, from.index, no_index);
@@ -115,7 +115,7 @@ void Descent::follow(ElementKind kind, const SourceList& next) {
   std::vector<std::uint32_t> origins(next.size(), untold_origin);
   for (std::uint32_t i = 0; i < next.size(); ++i)
     if (next.is_told(i)) origins[i] = next.origin(i) == no_index ? no_index : origin(kind, next.origin(i));
-  next.for_each_ended([&](std::uint32_t source) { end(kind, source); });
+  next.for_each_dropped([&](std::uint32_t source) { end(kind, source); });
   of(kind).origins = std::move(origins);
 }
 

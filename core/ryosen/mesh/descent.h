@@ -21,31 +21,42 @@ namespace ryosen {
 
 // Whether the columns have this element, alive; a corner, where its halfedge has a face.
 bool is_there(const MeshColumns& columns, ElementKind kind, std::uint32_t index);
-// As messages name it: "f3", "corner h5".
+// The name of an element in messages: "f3", "corner h5".
 std::string name_of(ElementKind kind, std::uint32_t index);
 
 // An element keeps its origin as long as it lives. A new one has the origin of its only source, or that of all its
-// sources where they have the same; else it has none. A corner is the halfedge that leaves its vertex along its face.
+// sources where they have the same; else it has none, and gets none later. Vertices and corners are recorded in test
+// builds alone, which check them; the origin of a corner, the halfedge that leaves its vertex along its face, changes
+// with its values.
 class Descent {
  public:
   // Records nothing.
   Descent() = default;
-  // Of this mesh, whose elements are their own origins.
+  // The elements of this mesh are their own origins.
   explicit Descent(const Mesh& mesh);
-  // The same where test builds check what is told; elsewhere it records nothing.
+  // The same in test builds, which check what is told; elsewhere it records nothing.
   static Descent for_checks(const Mesh& mesh);
+
+#ifdef RYOSEN_PROVENANCE
+  static constexpr bool is_checked = true;
+#else
+  static constexpr bool is_checked = false;
+#endif
+  static constexpr bool records(ElementKind kind) {
+    return is_checked || kind == ElementKind::edge || kind == ElementKind::face;
+  }
 
   bool is_recording() const { return is_recording_; }
   // The element before that this one is or is a part of; none where it has no origin.
-  Vertex origin(Vertex v) const { return Vertex(origin(ElementKind::vertex, v.index)); }
   Edge origin(Edge e) const { return Edge(origin(ElementKind::edge, e.index)); }
   Face origin(Face f) const { return Face(origin(ElementKind::face, f.index)); }
-  // An edge counts as new from here on.
+  // An edge counts as new from here on, and the one that it was as dropped.
   void lose(Edge e);
 
   // An edit tells the sources of an element; one without sources is new. O(sources).
   void tell(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources);
-  // The same of corners that move, all at once; those that are only second are new.
+  // The same of corners that move, all at once: the first of each pair comes from the second. Corners that are only
+  // second are new.
   void tell_moved(std::span<const std::pair<Halfedge, Halfedge>> to_from);
   // An element is united with another or dropped.
   void end(ElementKind kind, std::uint32_t index);
@@ -66,8 +77,11 @@ class Descent {
 
   Kind& of(ElementKind kind) { return kinds_[static_cast<std::size_t>(kind)]; }
   std::uint32_t origin(ElementKind kind, std::uint32_t index) const {
+    return is_told(kind, index) ? kinds_[static_cast<std::size_t>(kind)].origins[index] : no_index;
+  }
+  bool is_told(ElementKind kind, std::uint32_t index) const {
     const std::vector<std::uint32_t>& origins = kinds_[static_cast<std::size_t>(kind)].origins;
-    return index < origins.size() && origins[index] != untold_origin ? origins[index] : no_index;
+    return index < origins.size() && origins[index] != untold_origin;
   }
   void set_origin(ElementKind kind, std::uint32_t index, std::uint32_t origin);
 

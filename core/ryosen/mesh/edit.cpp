@@ -346,10 +346,16 @@ void Edit::replace(MeshColumns columns, const Descent& descent) {
   provenance_.replaces(descent.untold(mesh_.columns_, columns));
 #endif
   if (descent_) descent_->follow(descent);
-  replace_by_other(std::move(columns));
+  swap_columns(std::move(columns));
 }
 
 void Edit::replace_by_other(MeshColumns columns) {
+  if (descent_) *descent_ = Descent();
+  descent_ = nullptr;
+  swap_columns(std::move(columns));
+}
+
+void Edit::swap_columns(MeshColumns columns) {
   std::swap(mesh_.columns_, columns);
   if (journal_) journal_->record_replaced(std::move(columns));
 }

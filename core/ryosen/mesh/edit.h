@@ -186,7 +186,7 @@ class Edit {
   // Replaces all columns at once: for batch algorithms that build new columns. Must be the only write of the edit.
   // `descent`: from new_descent(), told where the elements of these columns come from.
   void replace(MeshColumns columns, const Descent& descent);
-  // The same by a mesh of which no element comes from this one.
+  // The same by any mesh; where its elements come from is not told, and not recorded any more.
   void replace_by_other(MeshColumns columns);
 
  private:
@@ -209,12 +209,14 @@ class Edit {
     for (const Handle handle : handles) indices.push_back(handle.index);
     return indices;
   }
+  void swap_columns(MeshColumns columns);
   template <class Handle>
   void tell(Handle to, std::span<const Handle> sources, Derivation derivation) {
     provenance_.tells(kind_of(to), to.index);
     if (descent_) descent_->tell(kind_of(to), to.index, indices_of(sources));
     if (derivation == Derivation::unites)
-      for (const Handle source : sources) tell_end(kind_of(source), source.index);
+      for (const Handle source : sources)
+        if (source != to) tell_end(kind_of(source), source.index);
   }
   void tell(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources) {
     provenance_.tells(kind, to);

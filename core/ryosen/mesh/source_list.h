@@ -1,5 +1,5 @@
 // The elements that the elements of one kind come from, where an algorithm builds all columns anew; what Edit::derive,
-// divide and fresh tell of single elements.
+// divide, fresh and drop tell of single elements.
 //
 //   SourceList edges(8);             of eight new edges
 //   edges.keep(0, 3);                0 is the old edge 3
@@ -62,11 +62,10 @@ class SourceList {
       if (const std::uint32_t own = origin(i); own != no_index) visit(i, own);
   }
 
-  // Calls visit(source) for those that were dropped, or that others lie between.
+  // Calls visit(source) for those that were dropped.
   template <class Visit>
-  void for_each_ended(const Visit& visit) const {
+  void for_each_dropped(const Visit& visit) const {
     for (const std::uint32_t source : dropped_) visit(source);
-    for (const std::uint32_t source : sources_) visit(source);
   }
 
   // The attribute of these elements, whose rule makes the values from those before (value_rules.h). O(values), and a

@@ -106,7 +106,7 @@ class Simplifier {
   // final, so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look
   // against it are mended when the goal is reached, where there are but triangles without values at their corners,
   // neither a journal nor anything to keep apart, and the effort is more than 0. `descent`: told where elements come
-  // from. All must outlive it.
+  // from, without a journal. All must outlive it.
   Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
              const Mesh* input = nullptr, Descent* descent = nullptr);
 

@@ -101,7 +101,7 @@ std::size_t mark_seams(const Mesh& mesh, Creases& creases) {
   return found;
 }
 
-// Edges get other numbers, or none where they are dead; everything else keeps its own.
+// Edges and their corners get other numbers, dead ones none.
 void tell_numbers(std::span<const std::uint32_t> number, std::uint32_t count, Descent& descent) {
   SourceList edges(count), corners(2 * std::size_t{count});
   for (std::uint32_t e = 0; e < number.size(); ++e) {
@@ -110,7 +110,7 @@ void tell_numbers(std::span<const std::uint32_t> number, std::uint32_t count, De
     for (const std::uint32_t side : {0u, 1u}) corners.keep(2 * number[e] + side, 2 * e + side);
   }
   descent.follow(ElementKind::edge, edges);
-  descent.follow(ElementKind::corner, corners);
+  if (Descent::records(ElementKind::corner)) descent.follow(ElementKind::corner, corners);
 }
 
 // The columns of a mesh with its dead edges left out, and the values per edge with them.
@@ -183,11 +183,7 @@ std::vector<Edge> edges_to_open(const Mesh& mesh) {
   return found;
 }
 
-}  // namespace
-
-namespace {
-
-// Each opened edge has got one more behind the others, to which the corner of its second face went.
+// Each opened edge became two, of which the second is the last edge so far and has the corner of the second face.
 void tell_opened(std::size_t before, std::span<const Edge> opened, Descent& descent) {
   SourceList edges = SourceList::kept(before, opened.size()), corners = SourceList::kept(2 * before, 2 * opened.size());
   Edge own(before);
@@ -199,7 +195,7 @@ void tell_opened(std::size_t before, std::span<const Edge> opened, Descent& desc
     ++own.index;
   }
   descent.follow(ElementKind::edge, edges);
-  descent.follow(ElementKind::corner, corners);
+  if (Descent::records(ElementKind::corner)) descent.follow(ElementKind::corner, corners);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "ryosen/algo/subdivide/creases.h"
 #include "ryosen/algo/subdivide/level_links.h"
+#include "ryosen/mesh/descent.h"
 #include "ryosen/mesh/mesh.h"
 #include "ryosen/mesh/source_list.h"
 
@@ -69,7 +70,8 @@ void place_corners(const Mesh& mesh, const Sqrt3Numbers& n, const Put& put) {
   }
 }
 
-// An edge is divided into equal parts. Those within faces are new, and so is one that sqrt(3) swaps.
+// An edge is divided into equal parts. Edges within faces are new, and so is one that sqrt(3) swaps; test builds are
+// told so.
 template <class Numbers>
 SourceList edge_sources(const Mesh& mesh, const Numbers& numbers) {
   SourceList list(numbers.edge_slots());
@@ -78,9 +80,10 @@ SourceList edge_sources(const Mesh& mesh, const Numbers& numbers) {
     for (const Edge part : parts) list.part(part.index, e, 1);
     if (parts.empty()) list.drop(e);
   }
-  place_corners(mesh, numbers, [&](Halfedge corner, CornerPlace) {
-    if (const std::uint32_t e = edge(corner).index; !list.is_told(e)) list.fresh(e);
-  });
+  if (Descent::is_checked)
+    place_corners(mesh, numbers, [&](Halfedge corner, CornerPlace) {
+      if (const std::uint32_t e = edge(corner).index; !list.is_told(e)) list.fresh(e);
+    });
   return list;
 }
 

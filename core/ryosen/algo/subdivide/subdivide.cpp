@@ -107,19 +107,20 @@ void link_copies(const Mesh& mesh, unsigned count, const OnSheet& on_sheet, Mesh
 // Passes on what is known of elements to the next level, and tells the descent where those come from.
 template <class Numbers>
 void pass_on(const Mesh& mesh, const Numbers& numbers, MeshColumns& next, Creases& creases, Descent* descent) {
-  if (!creases.sharpness.empty()) {
-    const SourceList sources = edge_sources(mesh, numbers);
-    std::vector<float> sharpness(sources.size(), 0);
-    sources.for_each_origin(
-        [&](std::uint32_t e, std::uint32_t before) { sharpness[e] = std::max(0.0f, creases.sharpness[before] - 1); });
+  if (!creases.sharpness.empty() || descent) {
+    const SourceList edges = edge_sources(mesh, numbers);
+    std::vector<float> sharpness(creases.sharpness.empty() ? 0 : edges.size(), 0);
+    if (!sharpness.empty())
+      edges.for_each_origin(
+          [&](std::uint32_t e, std::uint32_t before) { sharpness[e] = std::max(0.0f, creases.sharpness[before] - 1); });
     creases.sharpness = std::move(sharpness);
+    if (descent) descent->follow(ElementKind::edge, edges);
   }
-  if (descent) {
+  if (descent) descent->follow(ElementKind::face, face_sources(mesh, numbers, next, false));
+  if (descent && Descent::records(ElementKind::vertex))
     descent->follow(ElementKind::vertex, vertex_sources(mesh, numbers));
-    descent->follow(ElementKind::edge, edge_sources(mesh, numbers));
+  if (descent && Descent::records(ElementKind::corner))
     descent->follow(ElementKind::corner, corner_sources(mesh, numbers, next));
-    descent->follow(ElementKind::face, face_sources(mesh, numbers, next, false));
-  }
   if (creases.corners.empty()) return;
   creases.corners.resize(next.vertex_halfedge.size(), 0);
   for (std::size_t i = mesh.vertex_slots(); i < next.next_copy.size(); ++i)

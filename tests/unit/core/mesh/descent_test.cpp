@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "ryosen/mesh/edit.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/split_edge.h"
 #include "ryosen/ops/triangulate.h"
@@ -42,10 +43,19 @@ TEST(descent, goes_through_several_edits) {
   EXPECT_EQ(descent.origin(half), Edge(0));
   SplitEdge{halfedge(half), 0.5}.apply(edit);
   EXPECT_EQ(descent.origin(Edge(mesh.edge_slots() - 1)), Edge(0)) << "a part of a part";
-  EXPECT_EQ(descent.origin(Vertex(6)), Vertex()) << "it lies between two";
-  descent.lose(Edge(0));
-  EXPECT_EQ(descent.origin(Edge(0)), Edge());
-  EXPECT_EQ(descent.origin(half), Edge(0));
+  descent.lose(half);
+  EXPECT_EQ(descent.origin(half), Edge());
+  EXPECT_EQ(descent.origin(Edge(0)), Edge(0));
+}
+
+TEST(descent, an_edge_that_is_lost_is_new_and_stays_so) {
+  Mesh mesh = make_mesh(two_quads());
+  Descent descent(mesh);
+  descent.lose(Edge(2));
+  EXPECT_EQ(descent.untold(mesh.columns(), mesh.columns()), std::nullopt);
+  Edit edit(mesh, nullptr, &descent);
+  edit.derive(Edge(2), Edge(0), Derivation::copies);
+  EXPECT_EQ(descent.origin(Edge(2)), Edge());
 }
 
 TEST(descent, what_stays_keeps_its_origin_where_others_are_united_with_it) {
@@ -61,8 +71,14 @@ TEST(descent, what_stays_keeps_its_origin_where_others_are_united_with_it) {
     }
   }
   ASSERT_EQ(mesh.live().vertices, 5u);
-  for (const Vertex v : {Vertex(0), Vertex(1), Vertex(2), Vertex(3), Vertex(4), Vertex(5)})
-    EXPECT_TRUE(!mesh.is_alive(v) || descent.origin(v) == v) << v.index;
+  for (const Face f : live_faces(mesh))
+    if (f.index < before.face_slots()) {
+      EXPECT_EQ(descent.origin(f), f);
+    }
+  for (const Edge e : live_edges(mesh))
+    if (e.index < before.edge_slots()) {
+      EXPECT_EQ(descent.origin(e), e);
+    }
   EXPECT_EQ(descent.untold(before.columns(), mesh.columns()), std::nullopt) << "one vertex was united with another";
 }
 
@@ -121,9 +137,11 @@ TEST(descent, of_removed_elements_of_a_replacement_is_asked) {
                   const std::uint32_t both[] = {0, 1};
                   const double weights[] = {0.5, 0.5};
                   lists.faces.between(0, both, weights);
+                  lists.faces.drop(0);
                 },
                 kill),
-            std::nullopt);
+            "f1 was removed without saying what it is united with")
+      << "what lies between two ends neither";
   EXPECT_EQ(said([](SourceLists& lists) { lists.faces.keep(0, 1), lists.faces.drop(0); }, kill), std::nullopt);
   EXPECT_EQ(said([](SourceLists& lists) { lists.edges.keep(0, 1); }),
             "e0 was removed without saying what it is united with")
@@ -136,6 +154,7 @@ TEST(descent, one_that_records_nothing_is_told_nothing) {
   Edit edit(mesh, nullptr, &descent);
   Triangulate{}.apply(edit);
   EXPECT_FALSE(descent.is_recording());
+  descent.lose(Edge(0));
   EXPECT_EQ(descent.origin(Face(0)), Face());
 }
 
@@ -159,6 +178,15 @@ TEST(descent, another_mesh_owes_no_sources) {
   EXPECT_EQ(edit.untold(), std::nullopt);
 }
 #endif
+
+TEST(descent, another_mesh_is_not_followed) {
+  Mesh mesh = make_mesh(two_quads());
+  Descent descent(mesh);
+  Edit edit(mesh, nullptr, &descent);
+  edit.replace_by_other(mesh.columns());
+  edit.commit();
+  EXPECT_FALSE(descent.is_recording());
+}
 
 }  // namespace
 }  // namespace ryosen::test

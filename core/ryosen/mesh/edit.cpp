@@ -341,6 +341,13 @@ void Edit::remove_attribute(std::size_t attribute) {
 
 Descent Edit::new_descent() const { return descent_ ? Descent(mesh_) : Descent::for_checks(mesh_); }
 
+void Edit::record(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources, Derivation derivation) {
+  descent_->tell(kind, to, sources);
+  if (derivation != Derivation::unites) return;
+  for (const std::uint32_t source : sources)
+    if (source != to) descent_->end(kind, source);
+}
+
 void Edit::replace(MeshColumns columns, const Descent& descent) {
 #ifdef RYOSEN_PROVENANCE
   provenance_.replaces(descent.untold(mesh_.columns_, columns));

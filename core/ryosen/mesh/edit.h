@@ -213,19 +213,24 @@ class Edit {
   template <class Handle>
   void tell(Handle to, std::span<const Handle> sources, Derivation derivation) {
     provenance_.tells(kind_of(to), to.index);
-    if (descent_) descent_->tell(kind_of(to), to.index, indices_of(sources));
-    if (derivation == Derivation::unites)
+    if (Descent::is_checked && derivation == Derivation::unites)
       for (const Handle source : sources)
-        if (source != to) tell_end(kind_of(source), source.index);
+        if (source != to) provenance_.ends(kind_of(source), source.index);
+    if (descent_) [[unlikely]]
+      record(kind_of(to), to.index, indices_of(sources), derivation);
   }
   void tell(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources) {
     provenance_.tells(kind, to);
-    if (descent_) descent_->tell(kind, to, sources);
+    if (descent_) [[unlikely]]
+      record(kind, to, sources, Derivation::copies);
   }
   void tell_end(ElementKind kind, std::uint32_t index) {
     provenance_.ends(kind, index);
-    if (descent_) descent_->end(kind, index);
+    if (descent_) [[unlikely]]
+      descent_->end(kind, index);
   }
+  // Tells the descent; not inlined, since few edits have one.
+  void record(ElementKind kind, std::uint32_t to, std::span<const std::uint32_t> sources, Derivation derivation);
   bool derive_all(ElementKind element, std::uint32_t to, std::span<const std::uint32_t> sources,
                   std::span<const double> weights, Derivation derivation);
   bool derive_column(std::size_t attribute, std::uint32_t to, std::span<const std::uint32_t> sources,

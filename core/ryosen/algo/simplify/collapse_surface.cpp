@@ -51,6 +51,7 @@ CollapseSurface::CollapseSurface(const Mesh& mesh, const CollapseLimits& limits)
     : mesh_(mesh),
       scale_(mesh.positions()),
       boundary_(limits.boundary),
+      seams_(limits.seams),
       error_(scale_.scaled_length(limits.error)),
       turn_cosine_(std::max(std::cos(limits.turn_rad), least_cosine)),
       angle_cosine_(limits.smallest_angle_rad > 0 ? std::cos(limits.smallest_angle_rad) : 2),
@@ -146,12 +147,27 @@ void CollapseSurface::sum_planes() {
   });
 }
 
+// A triangle at the edge whose other two sides are seams is a chart, or the end of one, and goes with one of them.
+double CollapseSurface::squares_of_joined(Halfedge h) const {
+  if (edge_flags_.empty()) return 0;
+  double squares = 0;
+  for (const Halfedge side : {h, twin(h)}) {
+    const Halfedge next = mesh_.next(side), prev = mesh_.prev(side);
+    if (mesh_.is_outside(side) || mesh_.next(next) != prev || !is_feature(edge(next)) || !is_feature(edge(prev)))
+      continue;
+    const glm::dvec3 &a = place(mesh_.from(side)), &b = place(mesh_.to(side)), &apex = place(mesh_.from(prev));
+    const double shorter = std::min(glm::dot(a - apex, a - apex), glm::dot(b - apex, b - apex));
+    squares += crease_weight * shorter * glm::dot(a - b, a - b);
+  }
+  return squares;
+}
+
 // The rule that keeps a vertex in its place, if any does.
 std::optional<EdgeRule> CollapseSurface::hold(Vertex v, bool along_feature) const {
   const std::uint8_t flags = states_[v.index].flags;
   if (flags == 0) return std::nullopt;
   if (flags & pinned) return EdgeRule::structure;
-  if ((flags & seam_end) || ((flags & on_feature) && !along_feature)) return EdgeRule::seam;
+  if (holds_seams() && ((flags & seam_end) || ((flags & on_feature) && !along_feature))) return EdgeRule::seam;
   if (flags & on_locked_boundary) return EdgeRule::boundary;
   return flags & fixed ? std::optional(EdgeRule::selection) : std::nullopt;
 }
@@ -172,7 +188,7 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   // A place that rounding brings to an end is that of the end to the bit.
   if (!at) at = place == pa ? a : place == pb ? b : Vertex();
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
-  const double squares = qa.at(place) + qb.at(place);
+  const double squares = qa.at(place) + qb.at(place) + squares_of_joined(freedom.halfedge);
   return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
 }
 
@@ -183,9 +199,10 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const glm::dvec3 middle = 0.5 * (pa + pb), along = pa - pb;
   const Quadric sum = states_[a.index].quadric + states_[b.index].quadric;
   const glm::dvec3 place = sum.lowest(middle);
-  const double squares = sum.at(place);
+  double squares = sum.at(place);
   if (squares <= flat_share * sum.weight && place != middle) return lowest_on_flat(freedom, sum, place);
   if (place == pa || place == pb) return at_place(freedom, place);
+  squares += squares_of_joined(freedom.halfedge);
   return {place, squares, cost_of(squares, sum.weight, along)};
 }
 

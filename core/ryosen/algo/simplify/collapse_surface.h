@@ -59,9 +59,12 @@ class ScaledPlaces {
 };
 
 enum class BoundaryMode { free, weighted, locked };
+// Seams of values at corners: a collapse that moves one or takes one away costs more, or is held.
+enum class SeamMode { weighed, kept };
 
 struct CollapseLimits {
   BoundaryMode boundary = BoundaryMode::weighted;
+  SeamMode seams = SeamMode::weighed;
   double error = std::numeric_limits<double>::infinity();  // in units of the mesh
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
   double smallest_angle_rad = 0;          // no face gets a smaller one, or one smaller than it had where that was less
@@ -94,6 +97,7 @@ class CollapseSurface {
   const Mesh& mesh() const { return mesh_; }
   const glm::dvec3& place(Vertex v) const { return states_[v.index].place; }
   const ScaledPlaces& scale() const { return scale_; }
+  bool holds_seams() const { return seams_ == SeamMode::kept; }
   bool is_feature(Edge e) const { return !edge_flags_.empty() && edge_flags_[e.index] & feature; }
 
   Freedom freedom(Halfedge h) const;
@@ -204,6 +208,8 @@ class CollapseSurface {
   void find_features();
   void sum_planes();
   void sum_planes_at(Vertex v);
+  // The squares of the seams that go where an edge collapses: each as if it moved by the edge.
+  double squares_of_joined(Halfedge h) const;
   void add_edge_plane(Quadric& sum, Halfedge h, double weight) const;
   // Twice the area of a face along its normal, with the ends of an edge at a place.
   glm::dvec3 area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
@@ -231,6 +237,7 @@ class CollapseSurface {
   const Mesh& mesh_;
   ScaledPlaces scale_;
   BoundaryMode boundary_;
+  SeamMode seams_;
   double error_, turn_cosine_, angle_cosine_;
   ColumnVector<State> states_;            // by vertex
   std::vector<std::uint8_t> edge_flags_;  // none where there is no seam

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "ryosen/analysis/disjoint_sets.h"
 #include "ryosen/geometry/polygon_normal.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
@@ -22,9 +23,9 @@ std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
   return length > 0 ? std::optional(normal / length) : std::nullopt;
 }
 
-// Whether all corners of a face have one normal, which files write with few digits.
-bool is_flat(const Mesh& mesh, Face f, const AttributeColumn& index, const AttributeColumn& pool) {
-  constexpr double least_cosine = 0.9;
+// Whether all corners of a face have one normal, which is its own but for the few digits that files write.
+bool has_own_normal(const Mesh& mesh, Face f, const AttributeColumn& index, const AttributeColumn& pool) {
+  constexpr double least_cosine = 0.99984;  // of 1 degree
   const std::uint32_t first = index.data[mesh.halfedge(f).index];
   if (first == no_index) return false;
   for (const Halfedge h : halfedges_around(mesh, f))
@@ -34,37 +35,72 @@ bool is_flat(const Mesh& mesh, Face f, const AttributeColumn& index, const Attri
   return !own || glm::dot(*own, given) >= least_cosine * glm::length(given);
 }
 
-}  // namespace
-
-bool take_flat_normals(Mesh& mesh) {
-  const AttributeColumn* const index = find_column(mesh, attribute_names::normal);
-  const AttributeColumn* const pool = find_column(mesh, attribute_names::normal_pool);
-  if (!index || !pool) return false;
+// A face with the normal of one that is not flat is part of a smooth surface.
+std::vector<std::uint8_t> find_flat(const Mesh& mesh, const AttributeColumn& index, const AttributeColumn& pool) {
+  std::vector<std::uint8_t> is_flat(mesh.face_slots());
+  for (const Face f : live_faces(mesh)) is_flat[f.index] = has_own_normal(mesh, f, index, pool);
+  DisjointSets alike(mesh.face_slots());
+  for (const Edge e : live_edges(mesh)) {
+    const Halfedge h = halfedge(e), o = twin(h);
+    if (mesh.is_outside(h) || mesh.is_outside(o)) continue;
+    if (index.data[h.index] == index.data[mesh.next(o).index] || index.data[mesh.next(h).index] == index.data[o.index])
+      alike.join(mesh.face(h).index, mesh.face(o).index);
+  }
+  std::vector<std::uint8_t> is_smooth(mesh.face_slots());
   for (const Face f : live_faces(mesh))
-    if (!is_flat(mesh, f, *index, *pool)) return false;
-  MeshColumns columns = mesh.columns();
-  std::erase_if(columns.attributes, [](const AttributeColumn& column) {
-    return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
-  });
-  mesh = Mesh(std::move(columns));
-  return true;
+    if (!is_flat[f.index]) is_smooth[alike.root(f.index)] = 1;
+  for (const Face f : live_faces(mesh))
+    if (is_smooth[alike.root(f.index)]) is_flat[f.index] = 0;
+  return is_flat;
 }
 
-void put_flat_normals(Mesh& mesh) {
+}  // namespace
+
+std::vector<std::uint8_t> take_flat_normals(Mesh& mesh) {
+  const AttributeColumn* const index = find_column(mesh, attribute_names::normal);
+  const AttributeColumn* const pool = find_column(mesh, attribute_names::normal_pool);
+  if (!index || !pool) return {};
+  std::vector<std::uint8_t> is_flat = find_flat(mesh, *index, *pool);
+  const auto count = static_cast<std::size_t>(std::count(is_flat.begin(), is_flat.end(), std::uint8_t{1}));
+  if (count == 0) return {};
+  const auto k = static_cast<std::size_t>(index - mesh.attributes().data());
   MeshColumns columns = mesh.columns();
-  auto [index, pool] = make_corner_columns(attribute_names::normal, attribute_names::normal_pool);
-  index.data.assign(columns.halfedges.size(), no_index);
-  std::uint32_t values = 0;
+  if (count == mesh.live().faces) {
+    std::erase_if(columns.attributes, [](const AttributeColumn& column) {
+      return column.name == attribute_names::normal || column.name == attribute_names::normal_pool;
+    });
+  } else {
+    for (const Face f : live_faces(mesh))
+      if (is_flat[f.index])
+        for (const Halfedge h : halfedges_around(mesh, f)) columns.attributes[k].data[h.index] = no_index;
+  }
+  mesh = Mesh(std::move(columns));
+  return is_flat;
+}
+
+void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat) {
+  MeshColumns columns = mesh.columns();
+  if (mesh.find_attribute(attribute_names::normal) < 0) {
+    auto [index, pool] = make_corner_columns(attribute_names::normal, attribute_names::normal_pool);
+    index.data.assign(columns.halfedges.size(), no_index);
+    columns.attributes.push_back(std::move(index));
+    columns.attributes.push_back(std::move(pool));
+  }
+  const auto column = [&](std::string_view name) -> AttributeColumn& {
+    return *std::find_if(columns.attributes.begin(), columns.attributes.end(),
+                         [&](const AttributeColumn& each) { return each.name == name && each.is_removed == 0; });
+  };
+  AttributeColumn &index = column(attribute_names::normal), &pool = column(attribute_names::normal_pool);
+  auto values = static_cast<std::uint32_t>(pool.data.size() / pool.words());
   for (const Face f : live_faces(mesh)) {
+    if (!is_flat[f.index]) continue;
     const auto normal = unit_normal(mesh, f);
+    for (const Halfedge h : halfedges_around(mesh, f)) index.data[h.index] = normal ? values : no_index;
     if (!normal) continue;
     const auto words = attribute_words(*normal);
     pool.data.insert(pool.data.end(), words.begin(), words.end());
-    for (const Halfedge h : halfedges_around(mesh, f)) index.data[h.index] = values;
     ++values;
   }
-  columns.attributes.push_back(std::move(index));
-  columns.attributes.push_back(std::move(pool));
   mesh = Mesh(std::move(columns));
 }
 

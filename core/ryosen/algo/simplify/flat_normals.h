@@ -1,16 +1,20 @@
-// Normals at corners that are only those of their faces: nothing to simplify around, and made anew afterwards.
+// Normals of flat faces, which are no seams between them: they are taken off before faces change, and made anew
+// afterwards.
 #pragma once
+
+#include <cstdint>
+#include <vector>
 
 #include "ryosen/mesh/mesh.h"
 
 namespace ryosen {
 
-// Takes the normals of corners off a mesh where they are those of flat faces: all around each face the same one, about
-// along it. False, and nothing is done, where the mesh has none or others. Equal values must share their place in the
-// pool (preparation.h). O(corners).
-bool take_flat_normals(Mesh& mesh);
+// Takes the normals off the corners of flat faces: all corners of one share a normal within 1 degree of its own, and so
+// do those of each face that has the same one beyond an edge. By face, not 0 where it is flat; empty, and nothing is
+// done, where there is none. Equal values must share their place in the pool (preparation.h). O(corners).
+std::vector<std::uint8_t> take_flat_normals(Mesh& mesh);
 
-// Gives the corners of each face the normal of the face, of length 1; none where it has no area. O(corners).
-void put_flat_normals(Mesh& mesh);
+// Gives the corners of these faces the normal of the face, of length 1; none where it has no area. O(corners).
+void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat);
 
 }  // namespace ryosen

@@ -60,6 +60,37 @@ void RingValues::write_vertex(Edit& edit, Vertex to) const {
   edit.blend(to, sources, place->shares);
 }
 
+void RingValues::write_other_corners(Edit& edit, Halfedge h) const {
+  const Mesh& mesh = edit.mesh();
+  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
+    const auto index = [&](Halfedge corner) { return mesh.attributes()[attribute.index_column].data[corner.index]; };
+    const auto is_beside_edge = [&](std::uint32_t value) {
+      return (!mesh.is_outside(h) && value == index(h)) ||
+             (!mesh.is_outside(twin(h)) && value == index(mesh.next(twin(h))));
+    };
+    // The values of the charts before and behind.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> charts;
+    std::size_t count = 0;
+    for (const Halfedge corner : outgoing(mesh, mesh.from(h))) {
+      if (++count > most_around) break;
+      const std::uint32_t value = mesh.is_outside(corner) ? no_index : index(corner);
+      const auto is_same = [&](const auto& chart) { return chart.first == value; };
+      if (value == no_index || is_beside_edge(value) || std::any_of(charts.begin(), charts.end(), is_same)) continue;
+      const RingPlace* const place =
+          nearest([&](Halfedge other) { return mesh.from(other) == mesh.from(h) && index(other) == value; });
+      if (!place) continue;
+      const std::array<std::uint32_t, 3> indices{value, index(place->corners[1]), index(place->corners[2])};
+      charts.emplace_back(value, edit.derive_in_pool(attribute.pool_column, indices, place->shares));
+    }
+    for (const Halfedge corner : outgoing(mesh, mesh.from(h))) {
+      if (mesh.is_outside(corner)) continue;
+      const auto chart =
+          std::find_if(charts.begin(), charts.end(), [&](const auto& each) { return each.first == index(corner); });
+      if (chart != charts.end()) edit.set_attribute(attribute.index_column, corner.index, std::span(&chart->second, 1));
+    }
+  }
+}
+
 void RingValues::write_corners(Edit& edit, Halfedge h) const {
   const Mesh& mesh = edit.mesh();
   // What a chart has at both ends, and what it gets.

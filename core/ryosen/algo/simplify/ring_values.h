@@ -27,6 +27,8 @@ class RingValues {
   // Before the edge collapses: gives the corners at both ends that lie in the chart of either side what lies at the
   // place in this chart, so that the collapse finds them equal and keeps it.
   void write_corners(Edit& edit, Halfedge h) const;
+  // The same of the other charts around the end where h begins.
+  void write_other_corners(Edit& edit, Halfedge h) const;
 
  private:
   void add_around(const CollapseSurface& surface, Halfedge first, const glm::dvec3& place);

@@ -255,8 +255,13 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
 // Gives both ends the values of the place before the collapse unites them. Where one end comes to the other, uniting is
 // enough.
 void Simplifier::carry_values(Halfedge h, const Placing& placing) {
-  if (placing.at || !(has_vertex_values_ || has_corner_values_)) return;
+  const bool has_other_charts = has_corner_values_ && !surface_.holds_seams();
+  if (!(has_other_charts || (!placing.at && (has_vertex_values_ || has_corner_values_)))) return;
   const RingValues values(surface_, h, placing.place);
+  if (has_other_charts)
+    for (const Halfedge end : {h, twin(h)})
+      if (mesh_.from(end) != placing.at) values.write_other_corners(*edit_, end);
+  if (placing.at) return;
   values.write_corners(*edit_, h);
   const Vertex kept = mesh_.to(h);
   constexpr double whole[] = {1};

@@ -4,11 +4,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/simplify/flat_normals.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
+#include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
@@ -69,6 +71,7 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
   limits.boundary = boundary == "free"     ? BoundaryMode::free
                     : boundary == "locked" ? BoundaryMode::locked
                                            : BoundaryMode::weighted;
+  if (values.choice("seams") == "keep") limits.seams = SeamMode::kept;
   limits.error = error_of(mesh, values);
   limits.turn_rad = values.angle_rad("max_turn");
   limits.smallest_angle_rad = values.angle_rad("min_angle");
@@ -96,12 +99,32 @@ std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& p
               "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
 }
 
+// The rules that hold edges, with how many, the most first.
+Text names_of_holding(const std::vector<std::size_t>& remaining) {
+  std::vector<std::pair<std::size_t, const EdgeRuleRow*>> holding;
+  for (const EdgeRuleRow& row : edge_rule_table())
+    if (const auto k = static_cast<std::size_t>(row.rule); k < remaining.size() && remaining[k] > 0)
+      holding.emplace_back(remaining[k], &row);
+  std::stable_sort(holding.begin(), holding.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  Text text;
+  for (const auto& [count, row] : holding) {
+    const std::string n = " " + std::to_string(count);
+    text += Text{(text.en.empty() ? " (" : ", ") + std::string(row->id) + n,
+                 (text.ja.empty() ? "：" : "、") + std::string(row->name_ja) + n};
+  }
+  if (!text.en.empty()) text.en += ")";
+  return text;
+}
+
 Text text_of(std::size_t before, std::size_t after, const GoalReport& report) {
   const std::string a = std::to_string(before);
   Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
   if (report.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
-  if (report.stopped == Stop::blocked)
-    return text + Text{"; no edge that is left can collapse.", "（残りの稜線はどれも稜線削除できません）。"};
+  if (report.stopped == Stop::blocked) {
+    const Text rules = names_of_holding(report.remaining);
+    return text + Text{"; no edge that is left can collapse" + rules.en + ".",
+                       "（残りの稜線はどれも稜線削除できません" + rules.ja + "）。"};
+  }
   return text + Text{".", "。"};
 }
 
@@ -112,9 +135,20 @@ struct Prepared {
   std::optional<Text> refused = {};
 };
 
+void drop_corner_values(Mesh& mesh) {
+  using namespace attribute_names;
+  MeshColumns columns = mesh.columns();
+  std::erase_if(columns.attributes, [](const AttributeColumn& column) {
+    return column.name == texcoord || column.name == texcoord_pool || column.name == normal ||
+           column.name == normal_pool;
+  });
+  mesh = Mesh(std::move(columns));
+}
+
 Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress, Descent* descent = nullptr) {
   if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
+  if (values.choice("seams") == "drop") drop_corner_values(prepared.work);
   Edit batch(prepared.work, nullptr, descent);
   if (prepared.is_triangulated) Triangulate{}.apply(batch);
   share_equal_values(batch);
@@ -137,7 +171,8 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
   Mesh& work = prepared.work;
-  const bool is_flat = values.choice("seams") != "keep" && take_flat_normals(work);
+  const std::vector<std::uint8_t> flat =
+      values.choice("seams") == "weigh" ? take_flat_normals(work) : std::vector<std::uint8_t>();
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
@@ -164,7 +199,9 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   report.error_max = simplifier.error_max();
   result.text = text_of(before, after, report);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
-  if (result.changed > 0 && is_flat) put_flat_normals(work);
+  if (result.changed > 0 && !flat.empty()) put_flat_normals(work, flat);
+  if (result.changed > 0 && values.choice("seams") == "drop" && !corner_attributes(edit.mesh()).empty())
+    result.text += Text{" Texture and normals were dropped.", "テクスチャと法線は捨てました。"};
   if (result.changed > 0) edit.replace(work.columns(), descent);
   return result;
 }

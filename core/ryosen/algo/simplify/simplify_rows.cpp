@@ -32,13 +32,13 @@ std::vector<ParameterRow> simplify_parameters() {
            .choices = {{"free", "Free", "自由"}, {"weighted", "Weighted", "重み付き"}, {"locked", "Locked", "固定"}}}),
       parameter_row(
           {"seams", "Seams", "シーム",
-           "both keep seams of texture and smooth normals; keep also edges between normals of flat faces, which "
-           "smooth makes anew",
-           "どちらもテクスチャと滑らかな法線のシームを保つ。keep は平坦な面の法線の境目も保ち、smooth "
-           "はそれらの法線を作り直す"},
+           "weigh moves seams of texture and normals where that costs least, and makes normals of flat faces anew; "
+           "keep holds all seams; drop forgets texture and normals",
+           "weigh はテクスチャと法線のシームを損失の少ない所だけ動かし、平坦な面の法線を作り直す。keep "
+           "はすべてのシームを保つ。drop はテクスチャと法線を捨てる"},
           {.kind = ParameterKind::choice,
-           .initial = "smooth",
-           .choices = {{"smooth", "Smooth", "滑らか"}, {"keep", "Keep", "保つ"}}}),
+           .initial = "weigh",
+           .choices = {{"weigh", "Weigh", "重み付き"}, {"keep", "Keep", "保つ"}, {"drop", "Drop", "捨てる"}}}),
       parameter_row(
           {"max_turn", "Largest turn", "最大の回転", "a collapse turns the normal of a face by less than this",
            "一度の稜線削除で面の法線が回る角度はこれより小さい"},

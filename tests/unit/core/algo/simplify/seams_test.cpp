@@ -1,17 +1,22 @@
-// Seams of corner values in simplification: normals of flat faces are none but where they are to be kept.
+// Seams of corner values in simplification: weighed, kept or dropped; normals of flat faces are none but where seams
+// are kept.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/algo/preparation.h"
 #include "ryosen/algo/simplify/flat_normals.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/attribute.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/invariants.h"
+#include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/triangle_corners.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/valued_sheet.h"
 
 namespace ryosen::test {
 namespace {
@@ -85,33 +90,138 @@ TEST(SimplifySeams, kept_they_hold_under_their_rule) {
 }
 
 // A value for each corner of each face: every edge is a seam of texture.
-TEST(SimplifySeams, those_of_texture_stay) {
-  IndexedMesh source = to_indexed(made_by("icosahedron")).mesh;
+Mesh with_islands(const Mesh& mesh) {
+  IndexedMesh source = to_indexed(mesh).mesh;
   source.texcoords.components = 2;
   for (std::size_t i = 0; i < source.corners.size(); ++i) {
-    source.texcoords.pool.emplace_back(double(i), 0.5, 0);
+    source.texcoords.pool.emplace_back(double(i / 3) + (i % 3 == 1 ? 0.5 : 0), i % 3 == 2 ? 0.5 : 0, 0);
     source.texcoords.index.push_back(static_cast<std::uint32_t>(i));
   }
-  const Mesh mesh = from_indexed(std::move(source));
+  return from_indexed(std::move(source));
+}
+
+std::size_t remaining_seams(const AlgorithmResult& result) {
+  return result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::seam)];
+}
+
+TEST(SimplifySeams, kept_those_of_texture_stay_and_are_named) {
+  const Mesh mesh = with_islands(made_by("icosahedron"));
   Journal journal;
-  for (const char* const words : {"faces=8", "faces=8 seams=keep", "error=100"}) {
+  for (const char* const words : {"faces=8", "faces=8 effort=2"}) {
     Mesh made = mesh;
-    const AlgorithmResult result = run_algorithm(made, journal, std::string("simplify ") + words);
+    const AlgorithmResult result = run_algorithm(made, journal, std::string("simplify seams=keep ") + words);
     EXPECT_EQ(made.live().faces, 20u) << words;
-    EXPECT_EQ(result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::seam)], 30u) << words;
+    EXPECT_EQ(remaining_seams(result), 30u) << words;
+    EXPECT_EQ(result.text.en, "From 20 to 20 faces; no edge that is left can collapse (seam 30).");
   }
+}
+
+TEST(SimplifySeams, weighed_they_hold_nothing) {
+  Journal journal;
+  for (const char* const shape : {"icosahedron", "sphere", "torus"})
+    for (const char* const words :
+         {"ratio=0.4", "ratio=0.4 effort=0", "ratio=0.4 effort=2", "ratio=0.4 boundary=locked"}) {
+      SCOPED_TRACE(std::string(shape) + " " + words);
+      Mesh mesh = made_by(shape);
+      run_algorithm(mesh, journal, "simplify ratio=1 faces=100000 triangulate=on");
+      mesh = with_islands(from_indexed(to_indexed(mesh).mesh));
+      const std::uint32_t before = mesh.live().faces;
+      const AlgorithmResult result = run_algorithm(mesh, journal, std::string("simplify ") + words);
+      EXPECT_LE(mesh.live().faces, before * 2 / 5);
+      EXPECT_FALSE(check_invariants(mesh));
+      EXPECT_TRUE(result.goal_report->is_reached);
+      // A face keeps its island, however it is stretched.
+      const CornerAttribute texture = corner_attributes(mesh).front();
+      for (const Face f : live_faces(mesh)) {
+        std::vector<double> islands;
+        for (const Halfedge h : halfedges_around(mesh, f)) {
+          const std::uint32_t value = mesh.attributes()[texture.index_column].data[h.index];
+          ASSERT_NE(value, no_index);
+          islands.push_back(
+              std::floor(attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column], value).x + 1e-9));
+        }
+        EXPECT_TRUE(islands[0] == islands[1] && islands[1] == islands[2]);
+      }
+    }
+}
+
+TEST(SimplifySeams, dropped_they_take_texture_and_normals_along_but_not_colours) {
+  Journal journal;
+  Mesh mesh = valued_sheet(8, 0.5);
+  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=20 seams=drop");
+  EXPECT_TRUE(result.text.en.ends_with(" Texture and normals were dropped.")) << result.text.en;
+  EXPECT_LE(mesh.live().faces, 20u);
+  EXPECT_TRUE(corner_attributes(mesh).empty());
+  EXPECT_TRUE(find_column(mesh, attribute_names::colour));
+  journal.undo(mesh);
+  EXPECT_EQ(corner_attributes(mesh).size(), 1u);
+}
+
+// The cap of a drum is flat and its side is smooth: they meet in a seam, which stays.
+TEST(SimplifySeams, flat_faces_beside_smooth_ones_stay_flat) {
+  Mesh drum = made_by("cylinder");
+  Journal journal;
+  run_algorithm(drum, journal, "simplify ratio=1 faces=100000 triangulate=on");
+  IndexedMesh source = to_indexed(drum).mesh;
+  source.normals.components = 3;
+  const auto is_on_cap = [&](std::size_t f) {
+    const auto corners = source.face(f);
+    const glm::dvec3 &a = source.positions[corners[0]], &b = source.positions[corners[1]],
+                     &c = source.positions[corners[2]];
+    return std::abs(glm::normalize(glm::cross(b - a, c - a)).z) > 0.9;
+  };
+  for (std::size_t f = 0; f < source.face_count(); ++f)
+    for (const std::uint32_t corner : source.face(f)) {
+      const glm::dvec3 p = source.positions[corner];
+      source.normals.index.push_back(static_cast<std::uint32_t>(source.normals.pool.size()));
+      source.normals.pool.push_back(is_on_cap(f) ? glm::dvec3(0, 0, p.z > 0 ? 1 : -1)
+                                                 : glm::normalize(glm::dvec3(p.x, p.y, 0)));
+    }
+  Mesh mesh = from_indexed(std::move(source));
+  run_algorithm(mesh, journal, "simplify ratio=0.5");
+  EXPECT_LE(mesh.live().faces, drum.live().faces / 2);
+  const CornerAttribute normals = corner_attributes(mesh).front();
+  std::size_t caps = 0;
+  for (const Face f : live_faces(mesh)) {
+    const glm::dvec3 own = glm::normalize(area_normal(corners_of(mesh, mesh.halfedge(f))));
+    for (const Halfedge h : halfedges_around(mesh, f)) {
+      const auto value = attribute_value<glm::dvec3>(mesh.attributes()[normals.pool_column],
+                                                     mesh.attributes()[normals.index_column].data[h.index]);
+      if (std::abs(own.z) > 0.9) {
+        ++caps;
+        EXPECT_NEAR(glm::distance(value, own), 0, 1e-12);
+      } else {
+        EXPECT_NEAR(value.z, 0, 1e-9) << "no value of the cap comes along";
+      }
+    }
+  }
+  EXPECT_GT(caps, 0u);
 }
 
 TEST(SimplifySeams, normals_of_smooth_faces_are_no_flat_ones) {
   Mesh smooth = made_by("sphere");
-  EXPECT_FALSE(take_flat_normals(smooth)) << "there are none";
+  EXPECT_TRUE(take_flat_normals(smooth).empty()) << "there are none";
   IndexedMesh source = to_indexed(smooth).mesh;
   source.normals.components = 3;
   source.normals.index = source.corners;
   for (const glm::dvec3& p : source.positions) source.normals.pool.push_back(glm::normalize(p));
   Mesh mesh = from_indexed(std::move(source));
-  EXPECT_FALSE(take_flat_normals(mesh));
+  EXPECT_TRUE(take_flat_normals(mesh).empty());
   EXPECT_EQ(corner_attributes(mesh).size(), 1u);
+}
+
+// A flat face within a smooth surface has the normals of its neighbours, which are no values of its own.
+TEST(SimplifySeams, a_flat_face_of_a_smooth_surface_is_no_flat_one) {
+  IndexedMesh source = to_indexed(valued_sheet(4)).mesh;
+  source.normals.components = 3;
+  source.normals.index = source.corners;
+  for (std::size_t i = 0; i < source.positions.size(); ++i)
+    source.normals.pool.push_back(i == 0 ? glm::normalize(glm::dvec3(1, 0, 1)) : glm::dvec3(0, 0, 1));
+  Mesh mesh = from_indexed(std::move(source));
+  Edit batch(mesh, nullptr);
+  share_equal_values(batch);
+  batch.commit();
+  EXPECT_TRUE(take_flat_normals(mesh).empty());
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 
 TEST(SimplifyPlaces, values_at_boundaries_and_seams_are_those_of_the_place) {
   constexpr double across = 100 * 4e-15;  // of rounding, where values lie beyond the seam
-  for (const char* const boundary : {"weighted", "free", "locked"})
+  // Where the boundary is locked most goals are out of reach, and at last weighed seams go, too.
+  for (const char* const boundary : {"weighted", "free", "locked seams=keep"})
     for (const char* const words : {" faces=100", " faces=20", " faces=9", " faces=100 effort=0", " faces=60 effort=2"})
       for (const double seam : {no_seam, 0.5}) {
         const std::string line = "boundary=" + std::string(boundary) + words;
@@ -39,7 +40,7 @@ double worst_from_above(const Mesh& mesh, double seam) {
 
 // A seam that a retreating boundary has laid open ends there: what lies beyond it does not come along.
 TEST(SimplifyPlaces, values_at_the_ends_of_seams_stay_at_a_free_boundary) {
-  constexpr double seam = 0.5, most = 0.04;  // less than an edge: what a place is beside the surface counts, too
+  constexpr double seam = 0.5, most = 0.05;  // less than an edge: what a place is beside the surface counts, too
   for (const double waves : {3.0, 5.0, 7.0, 9.0})
     for (const char* const words : {"faces=120", "faces=60", "faces=60 effort=0", "faces=60 effort=2"}) {
       Mesh mesh = valued_sheet(20, seam);

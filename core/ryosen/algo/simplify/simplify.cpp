@@ -133,6 +133,7 @@ struct Prepared {
   Mesh work;  // a copy, so that what is cancelled leaves no trace
   bool is_triangulated = false;
   std::optional<Text> refused = {};
+  std::vector<std::uint8_t> flat_faces = {};  // whose normals were taken off
 };
 
 void drop_corner_values(Mesh& mesh) {
@@ -153,6 +154,7 @@ Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& prog
   if (prepared.is_triangulated) Triangulate{}.apply(batch);
   share_equal_values(batch);
   batch.commit();
+  if (values.choice("seams") == "weigh") prepared.flat_faces = take_flat_normals(prepared.work);
   if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
   return prepared;
 }
@@ -171,8 +173,6 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
   Mesh& work = prepared.work;
-  const std::vector<std::uint8_t> flat =
-      values.choice("seams") == "weigh" ? take_flat_normals(work) : std::vector<std::uint8_t>();
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
@@ -199,7 +199,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   report.error_max = simplifier.error_max();
   result.text = text_of(before, after, report);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
-  if (result.changed > 0 && !flat.empty()) put_flat_normals(work, flat);
+  if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces);
   if (result.changed > 0 && values.choice("seams") == "drop" && !corner_attributes(edit.mesh()).empty())
     result.text += Text{" Texture and normals were dropped.", "テクスチャと法線は捨てました。"};
   if (result.changed > 0) edit.replace(work.columns(), descent);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/simplify/flat_normals.h"
 #include "ryosen/algo/transform/moved_points.h"
+#include "ryosen/analysis/measure/distance.h"
 #include "ryosen/analysis/self_intersections.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/attribute.h"
@@ -159,6 +161,57 @@ Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& prog
   return prepared;
 }
 
+// One way to the goal, on a mesh of its own.
+class Attempt {
+ public:
+  // `before` is the mesh as it was, of triangles where they were cut, and outlives it.
+  Attempt(Mesh work, Descent descent, const AlgorithmInput& input, const SimplifyGoal& goal, const Mesh& before)
+      : work_(std::move(work)),
+        descent_(std::move(descent)),
+        simplifier_(work_, limits_of(work_, input), goal, nullptr, &before, &descent_) {}
+  Attempt(const Attempt&) = delete;
+  Attempt& operator=(const Attempt&) = delete;
+
+  bool run(Progress& progress) { return simplifier_.run(progress); }
+  Mesh& work() { return work_; }
+  const Descent& descent() const { return descent_; }
+  const Simplifier& simplifier() const { return simplifier_; }
+
+ private:
+  Mesh work_;
+  Descent descent_;
+  Simplifier simplifier_;
+};
+
+// Whether the surface of one mesh lies nearer to that of another one than a third does, as the root of the mean square.
+bool lies_nearer(const Mesh& mesh, const Mesh& than, const Mesh& to, Progress& progress) {
+  if (!has_surface(mesh) || !has_surface(than) || !has_surface(to)) return false;
+  const DistanceOptions of_means{.gap = 1};
+  const auto distance = surface_distance(to, mesh, of_means, progress),
+             other = distance ? surface_distance(to, than, of_means, progress) : std::nullopt;
+  return other && distance->rms < other->rms;
+}
+
+// Null: cancelled. More effort loses less nearly everywhere; where it loses more, the result of effort 1 takes its
+// place.
+std::unique_ptr<Attempt> attempted(Mesh work, Descent descent, const AlgorithmInput& input, SimplifyGoal goal,
+                                   const Mesh& before, Progress& progress) {
+  if (goal.effort < 2 || goal.faces == 0) {
+    auto attempt = std::make_unique<Attempt>(std::move(work), std::move(descent), input, goal, before);
+    return attempt->run(progress) ? std::move(attempt) : nullptr;
+  }
+  auto attempt = std::make_unique<Attempt>(work, descent, input, goal, before);
+  if (!attempt->run(progress)) return nullptr;
+  goal.effort = 1;
+  auto other = std::make_unique<Attempt>(std::move(work), std::move(descent), input, goal, before);
+  if (!other->run(progress)) return nullptr;
+  if (!other->simplifier().is_at_goal()) return attempt;
+  if (!attempt->simplifier().is_at_goal()) return other;
+  const bool is_nearer = lies_nearer(other->work(), attempt->work(), before, progress);
+  if (progress.is_cancelled()) return nullptr;
+  return is_nearer ? std::move(other) : std::move(attempt);
+}
+
 SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
   return {faces, static_cast<unsigned>(values.count("effort")), values.flag("no_self_intersections"),
           values.flag("remove_small")};
@@ -172,17 +225,19 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Descent descent = edit.new_descent();
   Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
-  Mesh& work = prepared.work;
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
-  const std::size_t wanted = faces_wanted(values, work.live().faces + input.quarantined);
+  const std::size_t wanted = faces_wanted(values, prepared.work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
-  const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(work) : std::nullopt;
-  Simplifier simplifier(work, limits_of(work, input), goal, nullptr, cut ? &*cut : &edit.mesh(), &descent);
+  const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(prepared.work) : std::nullopt;
   GoalReport& report = result.goal_report.emplace();
-  if (!simplifier.run(progress)) {
+  const auto attempt =
+      attempted(std::move(prepared.work), std::move(descent), input, goal, cut ? *cut : edit.mesh(), progress);
+  if (!attempt) {
     report = {Stop::cancelled, false};
     return result;
   }
+  Mesh& work = attempt->work();
+  const Simplifier& simplifier = attempt->simplifier();
   const std::size_t after = work.live().faces + input.quarantined;
   const bool has_number = values.has("faces") || values.has("ratio");
   if (input.wants.edge_rules || !has_number || after > wanted) {
@@ -202,7 +257,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces);
   if (result.changed > 0 && values.choice("seams") == "drop" && !corner_attributes(edit.mesh()).empty())
     result.text += Text{" Texture and normals were dropped.", "テクスチャと法線は捨てました。"};
-  if (result.changed > 0) edit.replace(work.columns(), descent);
+  if (result.changed > 0) edit.replace(work.columns(), attempt->descent());
   return result;
 }
 

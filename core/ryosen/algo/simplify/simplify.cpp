@@ -205,8 +205,9 @@ std::unique_ptr<Attempt> attempted(Mesh work, Descent descent, const AlgorithmIn
   goal.effort = 1;
   auto other = std::make_unique<Attempt>(std::move(work), std::move(descent), input, goal, before);
   if (!other->run(progress)) return nullptr;
-  if (!other->simplifier().is_at_goal()) return attempt;
-  if (!attempt->simplifier().is_at_goal()) return other;
+  const std::uint32_t faces = attempt->work().live().faces, other_faces = other->work().live().faces;
+  if (std::max(faces, other_faces) > goal.faces && faces != other_faces)
+    return faces < other_faces ? std::move(attempt) : std::move(other);
   const bool is_nearer = lies_nearer(other->work(), attempt->work(), before, progress);
   if (progress.is_cancelled()) return nullptr;
   return is_nearer ? std::move(other) : std::move(attempt);

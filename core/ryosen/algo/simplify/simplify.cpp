@@ -196,7 +196,7 @@ bool lies_nearer(const Mesh& mesh, const Mesh& than, const Mesh& to, Progress& p
 // place.
 std::unique_ptr<Attempt> attempted(Mesh work, Descent descent, const AlgorithmInput& input, SimplifyGoal goal,
                                    const Mesh& before, Progress& progress) {
-  if (goal.effort < 2 || goal.faces == 0) {
+  if (goal.effort < 2) {
     auto attempt = std::make_unique<Attempt>(std::move(work), std::move(descent), input, goal, before);
     return attempt->run(progress) ? std::move(attempt) : nullptr;
   }

@@ -210,7 +210,7 @@ std::optional<RecipeResult> Document::run(std::span<const RecipeStep> recipe, st
   OtherQuarantine other;
   {
     Edit edit(writable(), &journal_);
-    edit.replace(result->mesh.columns(), result->descent);
+    edit.replace(std::move(result->mesh).columns(), result->descent);
     if (result->drops_quarantined) other[journal_.position()];
     make_room_in_history();
     edit.commit();

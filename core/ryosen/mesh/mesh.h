@@ -90,7 +90,9 @@ class Mesh {
   // All attributes, removed ones included, in the order of their indices.
   std::span<const AttributeColumn> attributes() const { return columns_.attributes; }
 
-  const MeshColumns& columns() const { return columns_; }
+  const MeshColumns& columns() const& { return columns_; }
+  // Of a mesh that is used no more: without a copy.
+  MeshColumns columns() && { return std::move(columns_); }
   ColumnLengths lengths() const;
   // 64-bit hash of the live elements: slots, positions, corner lists, rings, wires, copies. Depends on element and
   // corner order; the same on all compilers.

@@ -107,7 +107,7 @@ Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progr
   DelaunaySwapper swapper(edit, unit_scale(mesh.positions()), most_turn_rad, descent);
   result.is_cancelled = !swapper.run(progress, result);
   edit.commit();
-  if (!result.is_cancelled) result.columns = work.columns();
+  if (!result.is_cancelled) result.columns = std::move(work).columns();
   return result;
 }
 

@@ -203,7 +203,7 @@ class Attempts {
       result.refused = keeper.refused();
       if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
         result.is_cancelled |= progress.is_cancelled();
-        result.columns = work.columns();
+        result.columns = std::move(work).columns();
         if (descent) *descent = std::move(descent_now);
         return;
       }

@@ -384,7 +384,7 @@ AlgorithmResult stitch(Edit& edit, const AlgorithmInput& input, Progress& progre
                            "稜線の上にある頂点を # 個、その稜線に入れて縫合しました。");
   if (!stitched) return result;
   if (reach.distance > 0 && progress.go_on()) add_new_crossings(edit.mesh(), *stitched, result);
-  edit.replace(stitched->columns(), descent);
+  edit.replace(std::move(*stitched).columns(), descent);
   return result;
 }
 

@@ -281,7 +281,7 @@ Welded weld_and_turn(Edit& edit, const NearPoints& near, const Reach& reach, Wel
       welded.turned = static_cast<std::size_t>(std::count(turned.begin(), turned.end(), true));
     }
   }
-  edit.replace(copy.columns(), descent);
+  edit.replace(std::move(copy).columns(), descent);
   return welded;
 }
 

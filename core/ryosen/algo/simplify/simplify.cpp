@@ -258,7 +258,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces);
   if (result.changed > 0 && values.choice("seams") == "drop" && !corner_attributes(edit.mesh()).empty())
     result.text += Text{" Texture and normals were dropped.", "テクスチャと法線は捨てました。"};
-  if (result.changed > 0) edit.replace(work.columns(), attempt->descent());
+  if (result.changed > 0) edit.replace(std::move(work).columns(), attempt->descent());
   return result;
 }
 

@@ -99,7 +99,7 @@ class Turner {
 TurnedMesh turn_faces(const Mesh& mesh, const std::vector<bool>& turned, Descent* descent) {
   Mesh copy = mesh;
   OpEffect effect = Turner(copy, turned, descent).turn();
-  return {copy.columns(), std::move(effect)};
+  return {std::move(copy).columns(), std::move(effect)};
 }
 
 }  // namespace ryosen

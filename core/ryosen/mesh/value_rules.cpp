@@ -64,8 +64,9 @@ T mean(const Sources& sources, std::uint32_t i) {
   const auto start = static_cast<double>(sources.number<T>(first, i));
   double sum = start;
   for (std::size_t s = first + 1; s < sources.at.size(); ++s)
-    if (const auto number = static_cast<double>(sources.number<T>(s, i)); sources.weights[s] != 0 && number != start)
-      sum += sources.weights[s] * (number - start);
+    if (sources.weights[s] != 0)  // one without a weight need not exist
+      if (const auto number = static_cast<double>(sources.number<T>(s, i)); number != start)
+        sum += sources.weights[s] * (number - start);
   return static_cast<T>(sum);
 }
 

@@ -90,6 +90,7 @@ void CollapseSurface::find_features() {
     if (ends[i] == 0) continue;
     states_[i].flags |= on_feature;
     if (ends[i] != 2) states_[i].flags |= seam_end;  // or several meet
+    if (ends[i] == 1 && is_tip(Vertex(i))) states_[i].flags |= seam_tip;
   }
 }
 
@@ -135,6 +136,12 @@ void CollapseSurface::sum_planes_at(Vertex v) {
     if (is_feature(edge(h)) || is_border_of_values(mesh_, h) ||
         (boundary_ != BoundaryMode::free && is_boundary(mesh_, h)))
       add_edge_plane(sum, h, crease_weight);
+    // What holds the end of a seam that ends here from moving along it.
+    if ((states_[v.index].flags & seam_tip) && is_feature(edge(h))) {
+      const glm::dvec3 along = states_[mesh_.to(h).index].place - states_[v.index].place;
+      if (const double length = glm::length(along); length > 0)
+        sum.add_plane(along / length, states_[v.index].place, crease_weight * length * length);
+    }
   }
   states_[v.index].normal = normals;
 }
@@ -147,7 +154,7 @@ void CollapseSurface::sum_planes() {
   });
 }
 
-// A triangle at the edge whose other two sides are seams is a chart, or the end of one, and goes with one of them.
+// Where the other two sides of a triangle at the edge are seams, the triangle goes and the two become one.
 double CollapseSurface::squares_of_joined(Halfedge h) const {
   if (edge_flags_.empty()) return 0;
   double squares = 0;
@@ -160,6 +167,13 @@ double CollapseSurface::squares_of_joined(Halfedge h) const {
     squares += crease_weight * shorter * glm::dot(a - b, a - b);
   }
   return squares;
+}
+
+bool CollapseSurface::is_tip(Vertex v) const {
+  if (mesh_.is_boundary(v)) return false;
+  std::size_t seams = 0;
+  for (const Halfedge h : outgoing(mesh_, v)) seams += is_feature(edge(h));
+  return seams == 1;
 }
 
 // The rule that keeps a vertex in its place, if any does.
@@ -176,6 +190,15 @@ Freedom CollapseSurface::freedom(Halfedge h) const {
   // Along one whose other side is gone, a vertex would take values to where their chart has none.
   const bool along_feature = is_feature(edge(h)) && !is_boundary(mesh_, h);
   const auto a = hold(mesh_.from(h), along_feature), b = hold(mesh_.to(h), along_feature);
+  // A seam that ends in a tip becomes shorter from its other end: at the tip both its sides have one value.
+  if (!holds_seams() && is_feature(edge(h))) {
+    const bool is_a = states_[mesh_.from(h).index].flags & seam_tip, is_b = states_[mesh_.to(h).index].flags & seam_tip;
+    if (is_a || is_b) {
+      const auto& goes = is_a ? b : a;
+      return {is_a ? twin(h) : h, true, goes ? std::max(*goes, EdgeRule::seam) : EdgeRule::seam,
+              !(is_a && is_b) && !goes};
+    }
+  }
   if (a && b) return {h, true, std::max(*a, *b), false};
   if (a) return {twin(h), true, *a, true};
   if (b) return {h, true, *b, true};
@@ -188,8 +211,8 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   // A place that rounding brings to an end is that of the end to the bit.
   if (!at) at = place == pa ? a : place == pb ? b : Vertex();
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
-  const double squares = qa.at(place) + qb.at(place) + squares_of_joined(freedom.halfedge);
-  return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
+  const double squares = qa.at(place) + qb.at(place);
+  return {place, squares, cost_of(squares + squares_of_joined(freedom.halfedge), qa.weight + qb.weight, along), at};
 }
 
 Placing CollapseSurface::lowest(const Freedom& freedom) const {
@@ -199,11 +222,10 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const glm::dvec3 middle = 0.5 * (pa + pb), along = pa - pb;
   const Quadric sum = states_[a.index].quadric + states_[b.index].quadric;
   const glm::dvec3 place = sum.lowest(middle);
-  double squares = sum.at(place);
+  const double squares = sum.at(place);
   if (squares <= flat_share * sum.weight && place != middle) return lowest_on_flat(freedom, sum, place);
   if (place == pa || place == pb) return at_place(freedom, place);
-  squares += squares_of_joined(freedom.halfedge);
-  return {place, squares, cost_of(squares, sum.weight, along)};
+  return {place, squares, cost_of(squares + squares_of_joined(freedom.halfedge), sum.weight, along)};
 }
 
 // Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their
@@ -249,7 +271,9 @@ void CollapseSurface::merge(Vertex gone, Vertex kept, const glm::dvec3& position
   stays.normal += goes.normal;
   stays.place = scale_.scaled(position);
   ++stays.merges;
+  const bool had_tip = (stays.flags | goes.flags) & seam_tip;
   stays.flags |= static_cast<std::uint8_t>(goes.flags & (on_feature | on_locked_boundary));
+  if (had_tip) stays.flags = static_cast<std::uint8_t>(is_tip(kept) ? stays.flags | seam_tip : stays.flags & ~seam_tip);
 }
 
 void CollapseSurface::move(Vertex v, const glm::dvec3& position) {

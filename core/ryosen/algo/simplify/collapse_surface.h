@@ -84,7 +84,7 @@ struct Freedom {
 struct Placing {
   glm::dvec3 place;
   double squares;        // the sum of the quadrics of both ends there
-  double cost;           // of these and a little for a long edge: what decides the order
+  double cost;           // of these, of seams that go, and a little for a long edge: what decides the order
   Vertex at = Vertex();  // the end whose place it is
 };
 
@@ -195,7 +195,14 @@ class CollapseSurface {
     Quadric quadric;
   };
   static_assert(sizeof(State) == 128);
-  enum VertexFlag : std::uint8_t { fixed = 1, on_locked_boundary = 2, on_feature = 4, pinned = 8, seam_end = 16 };
+  enum VertexFlag : std::uint8_t {
+    fixed = 1,
+    on_locked_boundary = 2,
+    on_feature = 4,
+    pinned = 8,
+    seam_end = 16,
+    seam_tip = 32
+  };
   enum EdgeFlag : std::uint8_t { feature = 1 };
 
   // A face of so many corners that its area is kept and changed with its corners.
@@ -208,6 +215,8 @@ class CollapseSurface {
   void find_features();
   void sum_planes();
   void sum_planes_at(Vertex v);
+  // Whether one seam alone ends at a vertex, within the surface.
+  bool is_tip(Vertex v) const;
   // The squares of the seams that go where an edge collapses: each as if it moved by the edge.
   double squares_of_joined(Halfedge h) const;
   void add_edge_plane(Quadric& sum, Halfedge h, double weight) const;

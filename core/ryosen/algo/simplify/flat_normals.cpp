@@ -25,14 +25,15 @@ std::optional<glm::dvec3> unit_normal(const Mesh& mesh, Face f) {
 
 // Whether all corners of a face have one normal, which is its own but for the few digits that files write.
 bool has_own_normal(const Mesh& mesh, Face f, const AttributeColumn& index, const AttributeColumn& pool) {
-  constexpr double least_cosine = 0.99984;  // of 1 degree
+  constexpr double least_cosine = 0.9998476951563913;  // of 1 degree
   const std::uint32_t first = index.data[mesh.halfedge(f).index];
   if (first == no_index) return false;
   for (const Halfedge h : halfedges_around(mesh, f))
     if (index.data[h.index] != first) return false;
   const auto own = unit_normal(mesh, f);
   const auto given = attribute_value<glm::dvec3>(pool, first);
-  return !own || glm::dot(*own, given) >= least_cosine * glm::length(given);
+  const double length = glm::length(given);
+  return length > 0 && (!own || glm::dot(*own, given) >= least_cosine * length);
 }
 
 // A face with the normal of one that is not flat is part of a smooth surface.
@@ -52,6 +53,27 @@ std::vector<std::uint8_t> find_flat(const Mesh& mesh, const AttributeColumn& ind
   for (const Face f : live_faces(mesh))
     if (is_smooth[alike.root(f.index)]) is_flat[f.index] = 0;
   return is_flat;
+}
+
+// What the corners of a face had before, by one that it still has; no_index where it has none of them.
+std::uint32_t old_value(const Mesh& mesh, Face f, const AttributeColumn& index, const Mesh& before) {
+  for (const Halfedge h : halfedges_around(mesh, f))
+    if (before.exists(h) && before.is_alive(h) && before.face(h) == f) return index.data[h.index];
+  return no_index;
+}
+
+bool is_as_it_was(const Mesh& mesh, Face f, const Mesh& before) {
+  for (const Halfedge h : halfedges_around(mesh, f)) {
+    if (!before.exists(h) || !before.is_alive(h) || before.face(h) != f || before.next(h) != mesh.next(h)) return false;
+    if (before.position(before.from(h)) != mesh.position(mesh.from(h))) return false;
+  }
+  return true;
+}
+
+// But for rounding.
+bool looks_along(const glm::dvec3& normal, const glm::dvec3& given) {
+  constexpr double most = 1e-14;
+  return glm::distance(normal, given / glm::length(given)) <= most;
 }
 
 }  // namespace
@@ -78,13 +100,14 @@ std::vector<std::uint8_t> take_flat_normals(Mesh& mesh) {
   return is_flat;
 }
 
-void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat) {
+void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat, const Mesh& before) {
   MeshColumns columns = mesh.columns();
+  const AttributeColumn &old_index = *find_column(before, attribute_names::normal),
+                        &old_pool = *find_column(before, attribute_names::normal_pool);
   if (mesh.find_attribute(attribute_names::normal) < 0) {
-    auto [index, pool] = make_corner_columns(attribute_names::normal, attribute_names::normal_pool);
-    index.data.assign(columns.halfedges.size(), no_index);
-    columns.attributes.push_back(std::move(index));
-    columns.attributes.push_back(std::move(pool));
+    columns.attributes.insert(columns.attributes.end(), {old_index, old_pool});
+    std::vector<std::uint32_t>& data = columns.attributes[columns.attributes.size() - 2].data;
+    data.assign(columns.halfedges.size(), no_index);
   }
   const auto column = [&](std::string_view name) -> AttributeColumn& {
     return *std::find_if(columns.attributes.begin(), columns.attributes.end(),
@@ -95,8 +118,12 @@ void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat) {
   for (const Face f : live_faces(mesh)) {
     if (!is_flat[f.index]) continue;
     const auto normal = unit_normal(mesh, f);
-    for (const Halfedge h : halfedges_around(mesh, f)) index.data[h.index] = normal ? values : no_index;
-    if (!normal) continue;
+    const std::uint32_t old = old_value(mesh, f, old_index, before);
+    const bool stays = old != no_index && (!normal || is_as_it_was(mesh, f, before) ||
+                                           looks_along(*normal, attribute_value<glm::dvec3>(old_pool, old)));
+    if (!stays && !normal) continue;
+    for (const Halfedge h : halfedges_around(mesh, f)) index.data[h.index] = stays ? old : values;
+    if (stays) continue;
     const auto words = attribute_words(*normal);
     pool.data.insert(pool.data.end(), words.begin(), words.end());
     ++values;

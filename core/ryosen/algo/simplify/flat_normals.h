@@ -14,7 +14,8 @@ namespace ryosen {
 // done, where there is none. Equal values must share their place in the pool (preparation.h). O(corners).
 std::vector<std::uint8_t> take_flat_normals(Mesh& mesh);
 
-// Gives the corners of these faces the normal of the face, of length 1; none where it has no area. O(corners).
-void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat);
+// Gives the corners of these faces the normals that they had in the mesh before where a face is as it was there or
+// looks the same way, and else the normal of the face, of length 1. A face without area keeps what it had. O(corners).
+void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat, const Mesh& before);
 
 }  // namespace ryosen

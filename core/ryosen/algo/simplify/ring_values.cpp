@@ -60,73 +60,102 @@ void RingValues::write_vertex(Edit& edit, Vertex to) const {
   edit.blend(to, sources, place->shares);
 }
 
-void RingValues::write_other_corners(Edit& edit, Halfedge h) const {
-  const Mesh& mesh = edit.mesh();
-  for (const CornerAttribute& attribute : corner_attributes(mesh)) {
-    const auto index = [&](Halfedge corner) { return mesh.attributes()[attribute.index_column].data[corner.index]; };
-    const auto is_beside_edge = [&](std::uint32_t value) {
-      return (!mesh.is_outside(h) && value == index(h)) ||
-             (!mesh.is_outside(twin(h)) && value == index(mesh.next(twin(h))));
-    };
-    // The values of the charts before and behind.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> charts;
-    std::size_t count = 0;
-    for (const Halfedge corner : outgoing(mesh, mesh.from(h))) {
-      if (++count > most_around) break;
-      const std::uint32_t value = mesh.is_outside(corner) ? no_index : index(corner);
-      const auto is_same = [&](const auto& chart) { return chart.first == value; };
-      if (value == no_index || is_beside_edge(value) || std::any_of(charts.begin(), charts.end(), is_same)) continue;
-      const RingPlace* const place =
-          nearest([&](Halfedge other) { return mesh.from(other) == mesh.from(h) && index(other) == value; });
-      if (!place) continue;
-      const std::array<std::uint32_t, 3> indices{value, index(place->corners[1]), index(place->corners[2])};
-      charts.emplace_back(value, edit.derive_in_pool(attribute.pool_column, indices, place->shares));
-    }
-    for (const Halfedge corner : outgoing(mesh, mesh.from(h))) {
-      if (mesh.is_outside(corner)) continue;
-      const auto chart =
-          std::find_if(charts.begin(), charts.end(), [&](const auto& each) { return each.first == index(corner); });
-      if (chart != charts.end()) edit.set_attribute(attribute.index_column, corner.index, std::span(&chart->second, 1));
-    }
-  }
-}
+namespace {
 
-void RingValues::write_corners(Edit& edit, Halfedge h) const {
+// The corners at a vertex in fans, between which an attribute has seams. Two fans may have the same value.
+class Fans {
+ public:
+  // Around the vertex where `first` begins.
+  Fans(const Mesh& mesh, const AttributeColumn& index, Halfedge first) {
+    const auto is_apart = [&](Halfedge h) {
+      return mesh.is_outside(h) || mesh.is_outside(twin(h)) ||
+             index.data[h.index] != index.data[mesh.next(twin(h)).index] ||
+             index.data[mesh.next(h).index] != index.data[twin(h).index];
+    };
+    Halfedge corner = first;
+    do {
+      if (count_ == 0 || is_apart(corner)) ++count_;
+      if (!mesh.is_outside(corner)) fan_of_.emplace_back(corner, count_ - 1);
+    } while ((corner = mesh.counter_clockwise(corner)) != first);
+    if (!is_apart(first))
+      for (auto& [each, fan] : fan_of_)
+        if (fan == count_ - 1) fan = 0;
+    std::sort(fan_of_.begin(), fan_of_.end());
+  }
+
+  std::uint32_t of(Halfedge corner) const {
+    const auto found = std::lower_bound(fan_of_.begin(), fan_of_.end(), std::pair(corner, std::uint32_t{0}));
+    return found != fan_of_.end() && found->first == corner ? found->second : no_index;
+  }
+  template <class Visit>
+  void for_each_corner(const Visit& visit) const {
+    for (const auto& [corner, fan] : fan_of_) visit(corner, fan);
+  }
+
+ private:
+  std::vector<std::pair<Halfedge, std::uint32_t>> fan_of_;  // by corner
+  std::uint32_t count_ = 0;
+};
+
+// Fans that get one value: one at each end beside the edge, or one alone.
+struct Chart {
+  std::uint32_t gone = no_index, kept = no_index, value = no_index;
+};
+
+}  // namespace
+
+void RingValues::write_corners(Edit& edit, Halfedge h, Vertex at) const {
   const Mesh& mesh = edit.mesh();
-  // What a chart has at both ends, and what it gets.
-  struct Chart {
-    std::uint32_t gone, kept, made;
-  };
+  const Vertex gone = mesh.from(h), kept = mesh.to(h);
   for (const CornerAttribute& attribute : corner_attributes(mesh)) {
-    const auto index = [&](Halfedge corner) { return mesh.attributes()[attribute.index_column].data[corner.index]; };
-    const Vertex gone = mesh.from(h), kept = mesh.to(h);
+    const AttributeColumn& column = mesh.attributes()[attribute.index_column];
+    const auto index = [&](Halfedge corner) { return column.data[corner.index]; };
+    const Fans at_gone(mesh, column, h), at_kept(mesh, column, twin(h));
+    const auto is_in = [&](Halfedge corner, const Chart& chart) {
+      const std::uint32_t fan = mesh.from(corner) == gone ? at_gone.of(corner) : at_kept.of(corner);
+      return fan != no_index && fan == (mesh.from(corner) == gone ? chart.gone : chart.kept);
+    };
+    const auto value_at_place = [&](const Chart& chart) {
+      const RingPlace* const place = nearest([&](Halfedge corner) {
+        return is_in(corner, chart) && index(mesh.next(corner)) != no_index && index(mesh.prev(corner)) != no_index;
+      });
+      if (!place) return no_index;
+      const std::array<std::uint32_t, 3> indices{index(place->corners[0]), index(place->corners[1]),
+                                                 index(place->corners[2])};
+      return edit.derive_in_pool(attribute.pool_column, indices, place->shares);
+    };
     std::vector<Chart> charts;
     for (const Halfedge side : {h, twin(h)}) {
       if (mesh.is_outside(side)) continue;
-      const std::uint32_t here = index(side), there = index(mesh.next(side));
-      const Chart chart = side == h ? Chart{here, there, no_index} : Chart{there, here, no_index};
-      const auto is_same = [&](const Chart& c) { return c.gone == chart.gone && c.kept == chart.kept; };
-      if (chart.gone == no_index || chart.kept == no_index || std::any_of(charts.begin(), charts.end(), is_same))
-        continue;
+      const Halfedge corner_gone = side == h ? side : mesh.next(side), corner_kept = side == h ? mesh.next(side) : side;
+      Chart chart{at_gone.of(corner_gone), at_kept.of(corner_kept)};
+      const bool has_values = index(corner_gone) != no_index && index(corner_kept) != no_index;
+      if (has_values)
+        chart.value = at == gone ? index(corner_gone) : at == kept ? index(corner_kept) : value_at_place(chart);
       charts.push_back(chart);
     }
-    const auto is_in = [&](Halfedge corner, const Chart& chart) {
-      return index(corner) == (mesh.from(corner) == gone ? chart.gone : chart.kept);
+    const auto add_others = [&](const Fans& fans, std::uint32_t Chart::*end) {
+      fans.for_each_corner([&](Halfedge corner, std::uint32_t fan) {
+        if (index(corner) == no_index ||
+            std::any_of(charts.begin(), charts.end(), [&](const Chart& c) { return c.*end == fan; }))
+          return;
+        Chart chart;
+        chart.*end = fan;
+        chart.value = value_at_place(chart);
+        charts.push_back(chart);
+      });
     };
-    for (Chart& chart : charts) {
-      const RingPlace* const place = nearest([&](Halfedge corner) { return is_in(corner, chart); });
-      if (!place) continue;
-      const std::array<std::uint32_t, 3> indices{index(place->corners[0]), index(place->corners[1]),
-                                                 index(place->corners[2])};
-      chart.made = edit.derive_in_pool(attribute.pool_column, indices, place->shares);
-    }
-    for (const Vertex end : {gone, kept})
-      for (const Halfedge corner : outgoing(mesh, end)) {
-        if (mesh.is_outside(corner)) continue;
-        const auto chart = std::find_if(charts.begin(), charts.end(), [&](const Chart& c) { return is_in(corner, c); });
-        if (chart == charts.end() || chart->made == no_index) continue;
-        edit.set_attribute(attribute.index_column, corner.index, std::span(&chart->made, 1));
-      }
+    if (at != gone) add_others(at_gone, &Chart::gone);
+    if (at != kept) add_others(at_kept, &Chart::kept);
+    const auto write = [&](const Fans& fans, std::uint32_t Chart::*end) {
+      fans.for_each_corner([&](Halfedge corner, std::uint32_t fan) {
+        const auto chart = std::find_if(charts.begin(), charts.end(), [&](const Chart& c) { return c.*end == fan; });
+        if (chart == charts.end() || chart->value == no_index) return;
+        edit.set_attribute(attribute.index_column, corner.index, std::span(&chart->value, 1));
+      });
+    };
+    write(at_gone, &Chart::gone);
+    write(at_kept, &Chart::kept);
   }
 }
 

@@ -25,10 +25,10 @@ class RingValues {
   // Gives a vertex the means of vertices; attributes without means stay.
   void write_vertex(Edit& edit, Vertex to) const;
   // Before the edge collapses: gives the corners at both ends that lie in the chart of either side what lies at the
-  // place in this chart, so that the collapse finds them equal and keeps it.
-  void write_corners(Edit& edit, Halfedge h) const;
-  // The same of the other charts around the end where h begins.
-  void write_other_corners(Edit& edit, Halfedge h) const;
+  // place in this chart, so that the collapse finds them equal and keeps it; and those in other charts around an end
+  // that moves what lies there in theirs. `at`: the end that stays where it is, if one does. A corner without a value
+  // stays so, and one whose chart has none at the place keeps its own. Cost: the valences.
+  void write_corners(Edit& edit, Halfedge h, Vertex at) const;
 
  private:
   void add_around(const CollapseSurface& surface, Halfedge first, const glm::dvec3& place);

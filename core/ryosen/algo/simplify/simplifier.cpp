@@ -252,17 +252,13 @@ void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plai
   edit_->set_position(kept, position);
 }
 
-// Gives both ends the values of the place before the collapse unites them. Where one end comes to the other, uniting is
-// enough.
+// Gives both ends the values of the place before the collapse unites them. Of vertices, where one end comes to the
+// other, uniting is enough.
 void Simplifier::carry_values(Halfedge h, const Placing& placing) {
-  const bool has_other_charts = has_corner_values_ && !surface_.holds_seams();
-  if (!(has_other_charts || (!placing.at && (has_vertex_values_ || has_corner_values_)))) return;
+  if (!(has_corner_values_ || (has_vertex_values_ && !placing.at))) return;
   const RingValues values(surface_, h, placing.place);
-  if (has_other_charts)
-    for (const Halfedge end : {h, twin(h)})
-      if (mesh_.from(end) != placing.at) values.write_other_corners(*edit_, end);
+  if (has_corner_values_) values.write_corners(*edit_, h, placing.at);
   if (placing.at) return;
-  values.write_corners(*edit_, h);
   const Vertex kept = mesh_.to(h);
   constexpr double whole[] = {1};
   values.write_vertex(*edit_, kept);

@@ -121,7 +121,11 @@ Text names_of_holding(const std::vector<std::size_t>& remaining) {
 Text text_of(std::size_t before, std::size_t after, const GoalReport& report) {
   const std::string a = std::to_string(before);
   Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
-  if (report.stopped == Stop::error) return text + Text{"; more would go beyond the error.", "（許容誤差まで）。"};
+  if (report.stopped == Stop::error) {
+    const bool names_seams = report.remaining[static_cast<std::size_t>(EdgeRule::seam)] > 0;
+    const Text rules = names_seams ? names_of_holding(report.remaining) : Text();
+    return text + Text{"; more would go beyond the error" + rules.en + ".", "（許容誤差まで" + rules.ja + "）。"};
+  }
   if (report.stopped == Stop::blocked) {
     const Text rules = names_of_holding(report.remaining);
     return text + Text{"; no edge that is left can collapse" + rules.en + ".",
@@ -148,15 +152,29 @@ void drop_corner_values(Mesh& mesh) {
   mesh = Mesh(std::move(columns));
 }
 
+// The parts of a flat face are flat.
+void triangulate(Prepared& prepared, Descent* descent) {
+  Descent parts(prepared.work);
+  Edit batch(prepared.work, nullptr, &parts);
+  Triangulate{}.apply(batch);
+  batch.commit();
+  std::vector<std::uint8_t>& flat = prepared.flat_faces;
+  if (!flat.empty()) {
+    flat.resize(prepared.work.face_slots());
+    for (const Face f : live_faces(prepared.work)) flat[f.index] = flat[parts.origin(f).index];
+  }
+  if (descent && descent->is_recording()) descent->follow(parts);
+}
+
 Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress, Descent* descent = nullptr) {
   if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
   if (values.choice("seams") == "drop") drop_corner_values(prepared.work);
-  Edit batch(prepared.work, nullptr, descent);
-  if (prepared.is_triangulated) Triangulate{}.apply(batch);
+  Edit batch(prepared.work, nullptr);
   share_equal_values(batch);
   batch.commit();
   if (values.choice("seams") == "weigh") prepared.flat_faces = take_flat_normals(prepared.work);
+  if (prepared.is_triangulated) triangulate(prepared, descent);
   if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
   return prepared;
 }
@@ -218,6 +236,17 @@ SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
           values.flag("remove_small")};
 }
 
+void add_dropped(const Mesh& mesh, AlgorithmResult& result) {
+  const bool has_texture = find_column(mesh, attribute_names::texcoord),
+             has_normals = find_column(mesh, attribute_names::normal);
+  if (!has_texture && !has_normals) return;
+  ++result.changed;
+  const Text what = has_texture && has_normals ? Text{"Texture and normals were", "テクスチャと法線"}
+                    : has_texture              ? Text{"Texture was", "テクスチャ"}
+                                               : Text{"Normals were", "法線"};
+  result.text += Text{" " + what.en + " dropped.", what.ja + "は捨てました。"};
+}
+
 }  // namespace
 
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
@@ -255,9 +284,8 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   report.error_max = simplifier.error_max();
   result.text = text_of(before, after, report);
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
-  if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces);
-  if (result.changed > 0 && values.choice("seams") == "drop" && !corner_attributes(edit.mesh()).empty())
-    result.text += Text{" Texture and normals were dropped.", "テクスチャと法線は捨てました。"};
+  if (values.choice("seams") == "drop") add_dropped(edit.mesh(), result);
+  if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces, edit.mesh());
   if (result.changed > 0) edit.replace(std::move(work).columns(), attempt->descent());
   return result;
 }

@@ -46,7 +46,8 @@ class DetailLevels {
 
 // What simplify() does with these values, as levels of detail: from the mesh, triangulated where that is asked for, to
 // the goal, or as far as it goes. The level with as many faces has the bytes of what simplify() makes of that goal, but
-// for faces that look against the input, which levels leave as they are. Null with a clause where it cannot be done,
+// for faces that look against the input, which levels leave as they are, for normals of flat faces, which levels do not
+// have, and for what effort 2 does beside collapses. Null with a clause where it cannot be done,
 // without one where it was cancelled.
 struct BuiltLevels {
   std::unique_ptr<DetailLevels> levels;

@@ -64,10 +64,13 @@ std::vector<ParameterRow> simplify_parameters() {
                      "faces of a mesh of triangles that does not meet itself do not come to meet",
                      "自己交差のない三角形メッシュで、面を新たに交わらせない"},
                     {.kind = ParameterKind::flag, .initial = "off"}),
-      parameter_row({"effort", "Effort", "手間",
-                     "more takes longer and loses less; 2 also swaps edges where the surface comes nearer",
-                     "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もする）"},
-                    {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
+      parameter_row(
+          {"effort", "Effort", "手間",
+           "more takes longer and loses less; 2 also swaps edges where the surface comes nearer, and takes what 1 "
+           "makes "
+           "where that is nearer",
+           "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もし、1 の結果の方が近ければそれを採る）"},
+          {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
 }
 
 }  // namespace

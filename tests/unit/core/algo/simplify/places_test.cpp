@@ -40,7 +40,7 @@ double worst_from_above(const Mesh& mesh, double seam) {
 
 // A seam that a retreating boundary has laid open ends there: what lies beyond it does not come along.
 TEST(SimplifyPlaces, values_at_the_ends_of_seams_stay_at_a_free_boundary) {
-  constexpr double seam = 0.5, most = 0.05;  // less than an edge: what a place is beside the surface counts, too
+  constexpr double seam = 0.5, most = 0.05;  // an edge at most: what a place is beside the surface counts, too
   for (const double waves : {3.0, 5.0, 7.0, 9.0})
     for (const char* const words : {"faces=120", "faces=60", "faces=60 effort=0", "faces=60 effort=2"}) {
       Mesh mesh = valued_sheet(20, seam);

@@ -14,8 +14,10 @@
 #include "ryosen/mesh/invariants.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/triangle_corners.h"
+#include "ryosen/ops/rules/corner_values.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/simplified.h"
 #include "tests/support/core/valued_sheet.h"
 
 namespace ryosen::test {
@@ -149,7 +151,7 @@ TEST(SimplifySeams, dropped_they_take_texture_and_normals_along_but_not_colours)
   Journal journal;
   Mesh mesh = valued_sheet(8, 0.5);
   const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=20 seams=drop");
-  EXPECT_TRUE(result.text.en.ends_with(" Texture and normals were dropped.")) << result.text.en;
+  EXPECT_TRUE(result.text.en.ends_with(" Texture was dropped.")) << result.text.en;
   EXPECT_LE(mesh.live().faces, 20u);
   EXPECT_TRUE(corner_attributes(mesh).empty());
   EXPECT_TRUE(find_column(mesh, attribute_names::colour));
@@ -222,6 +224,155 @@ TEST(SimplifySeams, a_flat_face_of_a_smooth_surface_is_no_flat_one) {
   share_equal_values(batch);
   batch.commit();
   EXPECT_TRUE(take_flat_normals(mesh).empty());
+}
+
+// Texture of three numbers, as its place of islands: the number of the island times what the others add up to.
+TEST(SimplifySeams, islands_with_a_common_value_do_not_mix) {
+  for (const char* const words : {"faces=400", "faces=100", "faces=400 effort=0", "faces=100 effort=2"}) {
+    IndexedMesh source = to_indexed(sheet(20, wave)).mesh;
+    source.texcoords.components = 3;
+    source.texcoords.pool.emplace_back(0, 0, 0);
+    for (std::size_t f = 0; f < source.face_count(); ++f) {
+      const double island = double(f + 1);
+      const auto first = static_cast<std::uint32_t>(source.texcoords.pool.size());
+      source.texcoords.pool.emplace_back(1, 0, island);
+      source.texcoords.pool.emplace_back(0, 1, island);
+      for (const std::uint32_t value : {0u, first, first + 1}) source.texcoords.index.push_back(value);
+    }
+    Mesh mesh = from_indexed(std::move(source));
+    ASSERT_GT(simplified(mesh, words).changed, 0u);
+    const CornerAttribute texture = corner_attributes(mesh).front();
+    for (const Face f : live_faces(mesh)) {
+      std::optional<double> island;
+      for (const Halfedge h : halfedges_around(mesh, f)) {
+        const auto value = attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column],
+                                                       mesh.attributes()[texture.index_column].data[h.index]);
+        if (value.x + value.y < 1e-9) continue;
+        const double here = value.z / (value.x + value.y);
+        EXPECT_NEAR(island.value_or(here), here, 1e-6) << words;
+        island = here;
+      }
+    }
+  }
+}
+
+// A seam that ends amid the sheet: beside its tip the values of both sides are one.
+TEST(SimplifySeams, the_tip_of_a_seam_stays_and_values_with_it) {
+  for (const char* const words :
+       {"faces=600", "faces=300", "faces=100", "faces=300 effort=0", "faces=300 effort=2", "faces=300 seams=keep"}) {
+    IndexedMesh source = to_indexed(sheet(20, [](auto, auto) { return 0.0; })).mesh;
+    source.texcoords.components = 3;
+    for (std::size_t f = 0; f < source.face_count(); ++f) {
+      const auto corners = source.face(f);
+      double right = 0;
+      for (const std::uint32_t corner : corners) right = std::max(right, source.positions[corner].x);
+      for (const std::uint32_t corner : corners) {
+        const glm::dvec3 p = source.positions[corner];
+        const bool is_torn = p.x == 10 && p.y < 10 && right > 10;
+        source.texcoords.index.push_back(static_cast<std::uint32_t>(source.texcoords.pool.size()));
+        source.texcoords.pool.emplace_back(p.x, p.y, is_torn ? 10 - p.y : 0);
+      }
+    }
+    Mesh mesh = from_indexed(std::move(source));
+    ASSERT_GT(simplified(mesh, words).changed, 0u);
+    const CornerAttribute texture = corner_attributes(mesh).front();
+    double length = 0;
+    for (const Halfedge h : live_halfedges(mesh)) {
+      if (mesh.is_outside(h)) continue;
+      const glm::dvec3 p = mesh.position(mesh.from(h));
+      const auto value = attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column],
+                                                     mesh.attributes()[texture.index_column].data[h.index]);
+      EXPECT_NEAR(glm::distance(glm::dvec2(value), glm::dvec2(p)), 0, 1e-9) << words;
+      if (value.z > 0) EXPECT_NEAR(p.x, 10, 1e-9) << words;
+      if (h < twin(h) && is_seam(mesh, h)) length += glm::distance(p, mesh.position(mesh.to(h)));
+    }
+    EXPECT_NEAR(length, 10, 1e-9) << words;
+  }
+}
+
+// Where a corner has no value, its face is in no chart.
+TEST(SimplifySeams, corners_without_values_stay_so) {
+  for (const char* const words : {"faces=30", "faces=10", "faces=30 seams=keep", "faces=30 effort=0"}) {
+    Mesh mesh = valued_sheet(6);
+    const CornerAttribute texture = corner_attributes(mesh).front();
+    Edit batch(mesh, nullptr);
+    for (std::uint32_t i = 0; i < mesh.face_slots(); i += 7)
+      batch.set_attribute(texture.index_column, mesh.halfedge(Face(i)).index, std::span(&no_index, 1));
+    batch.commit();
+    ASSERT_GT(simplified(mesh, words).changed, 0u);
+    EXPECT_FALSE(check_invariants(mesh));
+    for (const Halfedge h : live_halfedges(mesh)) {
+      const std::uint32_t value = mesh.attributes()[texture.index_column].data[h.index];
+      if (mesh.is_outside(h) || value == no_index) continue;
+      const auto given = attribute_value<glm::dvec3>(mesh.attributes()[texture.pool_column], value);
+      EXPECT_LT(glm::distance(given, mesh.position(mesh.from(h))), 1.0 / 3) << "two edges are that long";
+    }
+  }
+}
+
+// Squares that bend, each with its own normal: the halves that they are cut into have normals of their own.
+TEST(SimplifySeams, parts_of_flat_polygons_are_flat) {
+  IndexedMesh source;
+  constexpr std::uint32_t side = 12;
+  for (std::uint32_t y = 0; y <= side; ++y)
+    for (std::uint32_t x = 0; x <= side; ++x) source.positions.emplace_back(x, y, wave(x, y));
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = 0; x < side; ++x) {
+      const std::uint32_t a = y * (side + 1) + x, b = a + 1, d = a + side + 1, c = d + 1;
+      for (const std::uint32_t corner : {a, b, c, d}) source.corners.push_back(corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+  source.normals.components = 3;
+  for (std::size_t f = 0; f < source.face_count(); ++f) {
+    const auto corners = source.face(f);
+    const auto at = [&](std::size_t i) { return source.positions[corners[i]]; };
+    source.normals.pool.push_back(glm::normalize(glm::cross(at(2) - at(0), at(3) - at(1))));
+    for (std::size_t i = 0; i < 4; ++i) source.normals.index.push_back(static_cast<std::uint32_t>(f));
+  }
+  Mesh mesh = from_indexed(std::move(source));
+  Journal journal;
+  run_algorithm(mesh, journal, "simplify ratio=0.5 triangulate=on");
+  EXPECT_EQ(mesh.live().faces, side * side);
+  expect_flat_normals(mesh);
+}
+
+TEST(SimplifySeams, flat_faces_that_stay_keep_their_normals) {
+  Mesh mesh = with_flat_normals(made_by("torus"));
+  Journal journal;
+  run_algorithm(mesh, journal, "simplify ratio=1 faces=100000 triangulate=on");
+  mesh = with_flat_normals(from_indexed(to_indexed(mesh).mesh), 0.001);
+  const Mesh before = mesh;
+  run_algorithm(mesh, journal, "simplify ratio=0.95");
+  const CornerAttribute normals = corner_attributes(mesh).front(), old = corner_attributes(before).front();
+  std::size_t kept = 0;
+  for (const Face f : live_faces(mesh)) {
+    bool is_same = true;
+    for (const Halfedge h : halfedges_around(mesh, f))
+      is_same = is_same && before.face(h) == f && before.position(before.from(h)) == mesh.position(mesh.from(h)) &&
+                before.next(h) == mesh.next(h);
+    if (!is_same) continue;
+    ++kept;
+    for (const Halfedge h : halfedges_around(mesh, f))
+      EXPECT_EQ(mesh.attributes()[normals.index_column].data[h.index],
+                before.attributes()[old.index_column].data[h.index]);
+  }
+  EXPECT_GT(kept, mesh.live().faces / 2);
+}
+
+TEST(SimplifySeams, dropped_values_are_a_change_where_nothing_collapses) {
+  Mesh mesh = valued_sheet(4);
+  Journal journal;
+  EXPECT_EQ(run_algorithm(mesh, journal, "simplify ratio=1 seams=drop").changed, 1u);
+  EXPECT_TRUE(corner_attributes(mesh).empty());
+  EXPECT_EQ(run_algorithm(mesh, journal, "simplify ratio=1 seams=drop").changed, 0u) << "again";
+}
+
+TEST(SimplifySeams, what_seams_hold_is_named_beside_the_error) {
+  Mesh mesh = with_islands(made_by("icosahedron"));
+  Journal journal;
+  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify error=100 seams=keep");
+  EXPECT_EQ(result.text.en, "From 20 to 20 faces; no edge that is left can collapse (seam 30).");
+  EXPECT_EQ(result.text.ja, "面 20 個から 20 個へ（残りの稜線はどれも稜線削除できません：シーム 30）。");
 }
 
 }  // namespace

@@ -278,7 +278,8 @@ TEST(simplify, keeps_seams_and_carries_values_along) {
   }
   EXPECT_GT(seam_edges, 0u);
   EXPECT_LT(seam_edges, side) << "it loses vertices too";
-  EXPECT_NEAR(seam_length, side, 0.05) << "and goes from end to end";
+  EXPECT_NEAR(seam_length, side, 0.05)
+      << "and goes from end to end, whose points keep to the boundary but for its weight";
 }
 
 // A sheet with a crowd of tetrahedra above it, which cannot collapse.

@@ -19,6 +19,9 @@ TEST(SimplifyPlaces, values_at_boundaries_and_seams_are_those_of_the_place) {
         ASSERT_GT(simplified(mesh, line).changed, 0u);
         EXPECT_LT(worst_value(mesh, seam, some_turn()), across) << line << ", seam " << seam;
       }
+  Mesh locked = valued_sheet(20, 0.5, some_turn());
+  ASSERT_GT(simplified(locked, "boundary=locked faces=110").changed, 0u);
+  EXPECT_LT(worst_value(locked, 0.5, some_turn()), across) << "within reach of the goal";
 }
 
 // How far texture coordinates lie at most from the places of their points, seen from above.

@@ -77,7 +77,7 @@ TEST(simplify_corpus, goes_as_far_on_every_mesh_and_is_sound_on_the_way) {
     if (!entry.is_regular_file() || (entry.file_size() > large && !is_long_run() && large_files++ % 8 != 0)) continue;
     const Result<MeshFile> file = read_mesh_file(entry.path());
     if (!file) continue;
-    // The kernel only warns of a seam, which here holds what is on it.
+    // The kernel only warns of a seam, which here holds its tip.
     const bool has_seams = !file->mesh.texcoords.index.empty() || !file->mesh.normals.index.empty();
     const Mesh mesh = from_indexed(file->mesh);
     const std::string name = entry.path().string();

@@ -120,7 +120,9 @@ bool CollapseSurface::turns_face(Halfedge h, const Placing& placing, Minds minds
   // above it: it is to look clearly along what its corners stand for, not only not against it. So is one with two such
   // points, from which such a face may come. Between points that are locked this is a rule: nothing after it could mend
   // such a face.
-  const unsigned line_flags = minds == Minds::input ? 0xff : fixed | on_locked_boundary;
+  // Weighed seams are no lines: what they hold here, dearer collapses would go before.
+  const unsigned seams = holds_seams() ? 0 : on_feature | seam_end | seam_tip;
+  const unsigned line_flags = minds == Minds::input ? 0xff & ~seams : fixed | on_locked_boundary;
   const auto is_on_line = [&](Vertex v) {
     return (minds != Minds::nothing && mesh_.is_boundary(v)) || (states_[v.index].flags & line_flags) != 0;
   };

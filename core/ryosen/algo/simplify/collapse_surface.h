@@ -118,7 +118,7 @@ class CollapseSurface {
   // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last,
   // small turns do not add up to a large one.
   enum class Minds {
-    input,   // the faces that its corners stand for; at boundaries and seams clearly
+    input,   // the faces that its corners stand for; at boundaries and kept seams clearly
     lines,   // the same, of faces with two corners or more on a boundary alone
     nothing  // the same, of faces with two locked corners or more alone
   };

@@ -154,21 +154,6 @@ void CollapseSurface::sum_planes() {
   });
 }
 
-// Where the other two sides of a triangle at the edge are seams, the triangle goes and the two become one.
-double CollapseSurface::squares_of_joined(Halfedge h) const {
-  if (edge_flags_.empty()) return 0;
-  double squares = 0;
-  for (const Halfedge side : {h, twin(h)}) {
-    const Halfedge next = mesh_.next(side), prev = mesh_.prev(side);
-    if (mesh_.is_outside(side) || mesh_.next(next) != prev || !is_feature(edge(next)) || !is_feature(edge(prev)))
-      continue;
-    const glm::dvec3 &a = place(mesh_.from(side)), &b = place(mesh_.to(side)), &apex = place(mesh_.from(prev));
-    const double shorter = std::min(glm::dot(a - apex, a - apex), glm::dot(b - apex, b - apex));
-    squares += crease_weight * shorter * glm::dot(a - b, a - b);
-  }
-  return squares;
-}
-
 bool CollapseSurface::is_tip(Vertex v) const {
   if (mesh_.is_boundary(v)) return false;
   std::size_t seams = 0;
@@ -212,7 +197,7 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   if (!at) at = place == pa ? a : place == pb ? b : Vertex();
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
   const double squares = qa.at(place) + qb.at(place);
-  return {place, squares, cost_of(squares + squares_of_joined(freedom.halfedge), qa.weight + qb.weight, along), at};
+  return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
 }
 
 Placing CollapseSurface::lowest(const Freedom& freedom) const {
@@ -225,7 +210,7 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   const double squares = sum.at(place);
   if (squares <= flat_share * sum.weight && place != middle) return lowest_on_flat(freedom, sum, place);
   if (place == pa || place == pb) return at_place(freedom, place);
-  return {place, squares, cost_of(squares + squares_of_joined(freedom.halfedge), sum.weight, along)};
+  return {place, squares, cost_of(squares, sum.weight, along)};
 }
 
 // Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their

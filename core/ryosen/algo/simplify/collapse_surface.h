@@ -59,7 +59,7 @@ class ScaledPlaces {
 };
 
 enum class BoundaryMode { free, weighted, locked };
-// Seams of values at corners: a collapse that moves one or takes one away costs more, or is held.
+// Seams of values at corners: a collapse that moves one costs more, or is held.
 enum class SeamMode { weighed, kept };
 
 struct CollapseLimits {
@@ -84,7 +84,7 @@ struct Freedom {
 struct Placing {
   glm::dvec3 place;
   double squares;        // the sum of the quadrics of both ends there
-  double cost;           // of these, of seams that go, and a little for a long edge: what decides the order
+  double cost;           // of these and a little for a long edge: what decides the order
   Vertex at = Vertex();  // the end whose place it is
 };
 
@@ -217,8 +217,6 @@ class CollapseSurface {
   void sum_planes_at(Vertex v);
   // Whether one seam alone ends at a vertex, within the surface.
   bool is_tip(Vertex v) const;
-  // The squares of the seams that go where an edge collapses: each as if it moved by the edge.
-  double squares_of_joined(Halfedge h) const;
   void add_edge_plane(Quadric& sum, Halfedge h, double weight) const;
   // Twice the area of a face along its normal, with the ends of an edge at a place.
   glm::dvec3 area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;

@@ -17,7 +17,7 @@
 
 namespace ryosen {
 
-// What is asked for beside the work of an algorithm, where it can be told.
+// Reports that are asked for beside the work of an algorithm, where it can give them.
 struct AlgorithmWants {
   bool edge_rules = false;  // the rule under which each edge stands, see GoalReport
   bool descent = false;     // the edit records where elements come from, where the lineage is told

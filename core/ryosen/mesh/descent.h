@@ -89,8 +89,8 @@ class Descent {
   bool is_recording_ = false;
 };
 
-// What these elements of the mesh before have become: each is followed by all that comes of it; a vertex keeps its
-// number. Halves of edges are those of its parts on the same side. O(result), and what is found by a logarithm.
+// The elements that these elements of the mesh before have become, in the order of these; a vertex keeps its number.
+// Halves of edges become those of the parts on the same side. O(result), and what is found by a logarithm.
 std::vector<Element> descended(const Mesh& mesh, const Descent& descent, std::span<const Element> elements);
 
 }  // namespace ryosen

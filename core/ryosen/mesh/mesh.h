@@ -91,7 +91,7 @@ class Mesh {
   std::span<const AttributeColumn> attributes() const { return columns_.attributes; }
 
   const MeshColumns& columns() const& { return columns_; }
-  // Of a mesh that is used no more: without a copy.
+  // A mesh that is used no more gives its columns away without a copy.
   MeshColumns columns() && { return std::move(columns_); }
   ColumnLengths lengths() const;
   // 64-bit hash of the live elements: slots, positions, corner lists, rings, wires, copies. Depends on element and

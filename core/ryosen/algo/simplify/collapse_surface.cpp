@@ -136,7 +136,7 @@ void CollapseSurface::sum_planes_at(Vertex v) {
     if (is_feature(edge(h)) || is_border_of_values(mesh_, h) ||
         (boundary_ != BoundaryMode::free && is_boundary(mesh_, h)))
       add_edge_plane(sum, h, crease_weight);
-    // What holds the end of a seam that ends here from moving along it.
+    // A plane across the seam holds its tip from moving along it.
     if ((states_[v.index].flags & seam_tip) && is_feature(edge(h))) {
       const glm::dvec3 along = states_[mesh_.to(h).index].place - states_[v.index].place;
       if (const double length = glm::length(along); length > 0)

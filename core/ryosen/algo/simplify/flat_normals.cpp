@@ -55,7 +55,7 @@ std::vector<std::uint8_t> find_flat(const Mesh& mesh, const AttributeColumn& ind
   return is_flat;
 }
 
-// What the corners of a face had before, by one that it still has; no_index where it has none of them.
+// The value that the corners of a face had before, by one that it still has; no_index where it has none of them.
 std::uint32_t old_value(const Mesh& mesh, Face f, const AttributeColumn& index, const Mesh& before) {
   for (const Halfedge h : halfedges_around(mesh, f))
     if (before.exists(h) && before.is_alive(h) && before.face(h) == f) return index.data[h.index];

@@ -154,7 +154,8 @@ void drop_corner_values(Mesh& mesh) {
 
 // The parts of a flat face are flat.
 void triangulate(Prepared& prepared, Descent* descent) {
-  Descent parts(prepared.work);
+  const bool is_asked = !prepared.flat_faces.empty() || (descent && descent->is_recording());
+  Descent parts = is_asked ? Descent(prepared.work) : Descent();
   Edit batch(prepared.work, nullptr, &parts);
   Triangulate{}.apply(batch);
   batch.commit();

@@ -67,8 +67,7 @@ std::vector<ParameterRow> simplify_parameters() {
       parameter_row(
           {"effort", "Effort", "手間",
            "more takes longer and loses less; 2 also swaps edges where the surface comes nearer, and takes what 1 "
-           "makes "
-           "where that is nearer",
+           "makes where that is nearer",
            "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もし、1 の結果の方が近ければそれを採る）"},
           {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
 }

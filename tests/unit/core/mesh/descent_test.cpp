@@ -86,7 +86,7 @@ struct SourceLists {
   SourceList vertices, edges, corners, faces;
 };
 
-// What is said of a replacement of two quads by themselves, with the elements that `further` makes.
+// The sentence on a replacement of two quads by themselves, with the elements that `further` makes.
 std::optional<std::string> said(
     const std::function<void(SourceLists&)>& change,
     const std::function<void(MeshColumns&)>& further = [](MeshColumns&) {}) {

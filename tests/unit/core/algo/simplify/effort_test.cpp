@@ -1,4 +1,4 @@
-// What more effort is for: no result of it lies farther from the surface than one of less.
+// More effort never leaves the result farther from the surface than less effort does.
 #include <gtest/gtest.h>
 
 #include "ryosen/analysis/measure/distance.h"
@@ -29,7 +29,7 @@ TEST(SimplifyEffort, two_is_never_farther_than_one) {
   EXPECT_GE(nearer, 4u);
 }
 
-// By the order of collapses alone effort 2 came out a tenth farther here.
+// Effort 2 alone comes out a tenth farther here.
 TEST(SimplifyEffort, one_takes_the_place_of_two_where_it_lies_nearer) {
   const Mesh sphere = made_by("sphere");
   Mesh one = sphere, two = sphere;

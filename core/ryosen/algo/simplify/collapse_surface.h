@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "ryosen/algo/edge_rules.h"
+#include "ryosen/algo/seams/seam_mode.h"
 #include "ryosen/algo/simplify/quadric.h"
 #include "ryosen/base/column_memory.h"
 #include "ryosen/geometry/box.h"
@@ -59,12 +60,10 @@ class ScaledPlaces {
 };
 
 enum class BoundaryMode { free, weighted, locked };
-// Seams of values at corners: a collapse that moves one costs more, or is held.
-enum class SeamMode { weighed, kept };
 
 struct CollapseLimits {
   BoundaryMode boundary = BoundaryMode::weighted;
-  SeamMode seams = SeamMode::weighed;
+  SeamMode seams = SeamMode::weighed;                      // weighed, a collapse that moves one costs more
   double error = std::numeric_limits<double>::infinity();  // in units of the mesh
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
   double smallest_angle_rad = 0;          // no face gets a smaller one, or one smaller than it had where that was less

@@ -7,7 +7,8 @@
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/preparation.h"
-#include "ryosen/algo/simplify/flat_normals.h"
+#include "ryosen/algo/seams/flat_normals.h"
+#include "ryosen/algo/seams/seam_mode.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/analysis/self_intersections.h"
@@ -73,7 +74,7 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
   limits.boundary = boundary == "free"     ? BoundaryMode::free
                     : boundary == "locked" ? BoundaryMode::locked
                                            : BoundaryMode::weighted;
-  if (values.choice("seams") == "keep") limits.seams = SeamMode::kept;
+  limits.seams = seam_mode_of(values);
   limits.error = error_of(mesh, values);
   limits.turn_rad = values.angle_rad("max_turn");
   limits.smallest_angle_rad = values.angle_rad("min_angle");
@@ -142,39 +143,23 @@ struct Prepared {
   std::vector<std::uint8_t> flat_faces = {};  // whose normals were taken off
 };
 
-void drop_corner_values(Mesh& mesh) {
-  using namespace attribute_names;
-  MeshColumns columns = mesh.columns();
-  std::erase_if(columns.attributes, [](const AttributeColumn& column) {
-    return column.name == texcoord || column.name == texcoord_pool || column.name == normal ||
-           column.name == normal_pool;
-  });
-  mesh = Mesh(std::move(columns));
-}
-
-// The parts of a flat face are flat.
 void triangulate(Prepared& prepared, Descent* descent) {
   const bool is_asked = !prepared.flat_faces.empty() || (descent && descent->is_recording());
   Descent parts = is_asked ? Descent(prepared.work) : Descent();
   Edit batch(prepared.work, nullptr, &parts);
   Triangulate{}.apply(batch);
   batch.commit();
-  std::vector<std::uint8_t>& flat = prepared.flat_faces;
-  if (!flat.empty()) {
-    flat.resize(prepared.work.face_slots());
-    for (const Face f : live_faces(prepared.work)) flat[f.index] = flat[parts.origin(f).index];
-  }
+  if (!prepared.flat_faces.empty()) prepared.flat_faces = flags_of_parts(prepared.flat_faces, prepared.work, parts);
   if (descent && descent->is_recording()) descent->follow(parts);
 }
 
 Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress, Descent* descent = nullptr) {
   if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
-  if (values.choice("seams") == "drop") drop_corner_values(prepared.work);
+  prepared.flat_faces = prepare_seams(prepared.work, seam_mode_of(values));
   Edit batch(prepared.work, nullptr);
   share_equal_values(batch);
   batch.commit();
-  if (values.choice("seams") == "weigh") prepared.flat_faces = take_flat_normals(prepared.work);
   if (prepared.is_triangulated) triangulate(prepared, descent);
   if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
   return prepared;
@@ -237,17 +222,6 @@ SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
           values.flag("remove_small")};
 }
 
-void add_dropped(const Mesh& mesh, AlgorithmResult& result) {
-  const bool has_texture = find_column(mesh, attribute_names::texcoord),
-             has_normals = find_column(mesh, attribute_names::normal);
-  if (!has_texture && !has_normals) return;
-  ++result.changed;
-  const Text what = has_texture && has_normals ? Text{"Texture and normals were", "テクスチャと法線"}
-                    : has_texture              ? Text{"Texture was", "テクスチャ"}
-                                               : Text{"Normals were", "法線"};
-  result.text += Text{" " + what.en + " dropped.", what.ja + "は捨てました。"};
-}
-
 }  // namespace
 
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
@@ -284,8 +258,10 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   report.is_reached = has_number ? after <= wanted : report.stopped == Stop::error;
   report.error_max = simplifier.error_max();
   result.text = text_of(before, after, report);
-  result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0);
-  if (values.choice("seams") == "drop") add_dropped(edit.mesh(), result);
+  const Text dropped = dropped_text(edit.mesh(), seam_mode_of(values));
+  result.text += dropped;
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0) +
+                   (dropped.en.empty() ? 0 : 1);
   if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces, edit.mesh());
   if (result.changed > 0) edit.replace(std::move(work).columns(), attempt->descent());
   return result;

@@ -1,4 +1,5 @@
 #include "ryosen/algo/algorithm_rows.h"
+#include "ryosen/algo/seams/seam_mode.h"
 #include "ryosen/algo/simplify/simplify.h"
 
 namespace ryosen {
@@ -30,15 +31,11 @@ std::vector<ParameterRow> simplify_parameters() {
           {.kind = ParameterKind::choice,
            .initial = "weighted",
            .choices = {{"free", "Free", "自由"}, {"weighted", "Weighted", "重み付き"}, {"locked", "Locked", "固定"}}}),
-      parameter_row(
-          {"seams", "Seams", "シーム",
-           "weigh moves seams of texture and normals where that costs least, and makes normals of flat faces anew; "
-           "keep holds all seams; drop forgets texture and normals",
-           "weigh はテクスチャと法線のシームを損失の少ない所だけ動かし、平坦な面の法線を作り直す。keep "
-           "はすべてのシームを保つ。drop はテクスチャと法線を捨てる"},
-          {.kind = ParameterKind::choice,
-           .initial = "weigh",
-           .choices = {{"weigh", "Weigh", "重み付き"}, {"keep", "Keep", "保つ"}, {"drop", "Drop", "捨てる"}}}),
+      seams_row(
+          "weigh moves seams of texture and normals where that costs least, and makes normals of flat faces anew; "
+          "keep holds all seams; drop forgets texture and normals",
+          "weigh はテクスチャと法線のシームを損失の少ない所だけ動かし、平坦な面の法線を作り直す。keep "
+          "はすべてのシームを保つ。drop はテクスチャと法線を捨てる"),
       parameter_row(
           {"max_turn", "Largest turn", "最大の回転", "a collapse turns the normal of a face by less than this",
            "一度の稜線削除で面の法線が回る角度はこれより小さい"},

@@ -2,13 +2,11 @@
 // are kept.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/preparation.h"
-#include "ryosen/algo/simplify/flat_normals.h"
+#include "ryosen/algo/seams/flat_normals.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/indexed/to_indexed.h"
 #include "ryosen/mesh/attribute.h"
@@ -19,43 +17,12 @@
 #include "ryosen/ops/rules/corner_values.h"
 #include "tests/support/core/asset_mesh.h"
 #include "tests/support/core/run_algorithm.h"
+#include "tests/support/core/seamed_meshes.h"
 #include "tests/support/core/simplified.h"
 #include "tests/support/core/valued_sheet.h"
 
 namespace ryosen::test {
 namespace {
-
-// The mesh with a value for each corner of its own, made of the normal of its face.
-Mesh with_flat_normals(const Mesh& mesh, double rounding = 0) {
-  IndexedMesh source = to_indexed(mesh).mesh;
-  source.normals = {};
-  source.normals.components = 3;
-  for (std::size_t f = 0; f < source.face_count(); ++f) {
-    const auto corners = source.face(f);
-    const glm::dvec3 &a = source.positions[corners[0]], &b = source.positions[corners[1]],
-                     &c = source.positions[corners[2]];
-    glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
-    if (rounding > 0) normal = rounding * glm::round(normal / rounding);
-    for (std::size_t i = 0; i < corners.size(); ++i) source.normals.index.push_back(static_cast<std::uint32_t>(f));
-    source.normals.pool.push_back(normal);
-  }
-  return from_indexed(std::move(source));
-}
-
-void expect_flat_normals(const Mesh& mesh) {
-  const std::vector<CornerAttribute> attributes = corner_attributes(mesh);
-  ASSERT_EQ(attributes.size(), 1u);
-  const AttributeColumn &index = mesh.attributes()[attributes[0].index_column],
-                        &pool = mesh.attributes()[attributes[0].pool_column];
-  for (Face f(0); f.index < mesh.face_slots(); ++f.index) {
-    if (!mesh.is_alive(f)) continue;
-    const glm::dvec3 own = glm::normalize(area_normal(corners_of(mesh, mesh.halfedge(f))));
-    for (const Halfedge h : halfedges_around(mesh, f)) {
-      ASSERT_NE(index.data[h.index], no_index);
-      EXPECT_GT(glm::dot(own, attribute_value<glm::dvec3>(pool, index.data[h.index])), 1 - 1e-12);
-    }
-  }
-}
 
 TEST(SimplifySeams, flat_normals_are_no_seams_and_stay_flat) {
   Mesh octahedron = report_mesh("flat_normals.obj");
@@ -91,17 +58,6 @@ TEST(SimplifySeams, kept_they_hold_under_their_rule) {
     ASSERT_TRUE(result.goal_report);
     EXPECT_EQ(result.goal_report->remaining[static_cast<std::size_t>(EdgeRule::seam)], edges);
   }
-}
-
-// A value for each corner of each face: every edge is a seam of texture.
-Mesh with_islands(const Mesh& mesh) {
-  IndexedMesh source = to_indexed(mesh).mesh;
-  source.texcoords.components = 2;
-  for (std::size_t i = 0; i < source.corners.size(); ++i) {
-    source.texcoords.pool.emplace_back(double(i / 3) + (i % 3 == 1 ? 0.5 : 0), i % 3 == 2 ? 0.5 : 0, 0);
-    source.texcoords.index.push_back(static_cast<std::uint32_t>(i));
-  }
-  return from_indexed(std::move(source));
 }
 
 std::size_t remaining_seams(const AlgorithmResult& result) {
@@ -361,41 +317,13 @@ TEST(SimplifySeams, flat_faces_that_stay_keep_their_normals) {
   EXPECT_GT(kept, mesh.live().faces / 2);
 }
 
-// A box of n x n squares a side, each side an island: its corners are where three seams meet.
+// The corners of the box are where three seams meet.
 TEST(SimplifySeams, boxes_with_an_island_per_side_keep_their_corners) {
   for (const std::uint32_t n : {2u, 3u, 4u, 5u, 6u, 8u, 10u})
     for (const char* const words :
          {"faces=12", "faces=12 effort=0", "faces=12 effort=2", "faces=16", "faces=12 seams=keep"}) {
       const auto is_at = [](double x, double y) { return std::abs(x - y) < 1e-9; };
-      IndexedMesh source;
-      std::map<std::array<double, 3>, std::uint32_t> known;
-      const auto vertex = [&](const glm::dvec3& p) {
-        const auto [found, is_new] =
-            known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(source.positions.size()));
-        if (is_new) source.positions.push_back(p);
-        return found->second;
-      };
-      source.texcoords.components = 2;
-      for (int axis = 0; axis < 3; ++axis)
-        for (const double level : {0.0, 1.0})
-          for (std::uint32_t y = 0; y < n; ++y)
-            for (std::uint32_t x = 0; x < n; ++x) {
-              const auto corner = [&](std::uint32_t i, std::uint32_t j) {
-                const double u = double(i) / n, v = double(j) / n;
-                glm::dvec3 p(0);
-                p[axis] = level;
-                p[(axis + 1) % 3] = level > 0 ? u : v;
-                p[(axis + 2) % 3] = level > 0 ? v : u;
-                source.corners.push_back(vertex(p));
-                source.texcoords.index.push_back(static_cast<std::uint32_t>(source.texcoords.pool.size()));
-                source.texcoords.pool.emplace_back(10 * (2 * axis + level) + u, v, 0);
-              };
-              corner(x, y), corner(x + 1, y), corner(x + 1, y + 1);
-              source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
-              corner(x, y), corner(x + 1, y + 1), corner(x, y + 1);
-              source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
-            }
-      Mesh mesh = from_indexed(std::move(source));
+      Mesh mesh = island_box(n);
       ASSERT_EQ(compute_figures(mesh)[ProblemKind::boundary_loop], 0u);
       simplified(mesh, words);
       std::size_t corners = 0;

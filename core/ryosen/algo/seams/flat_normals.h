@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ryosen/mesh/mesh.h"
+#include "ryosen/mesh/descent.h"
 
 namespace ryosen {
 
@@ -13,6 +13,10 @@ namespace ryosen {
 // do those of each face that has the same one beyond an edge. By face, not 0 where it is flat; empty, and nothing is
 // done, where there is none. Equal values must share their place in the pool (preparation.h). O(corners).
 std::vector<std::uint8_t> take_flat_normals(Mesh& mesh);
+
+// The same by face of a mesh that has come of that one, as the descent tells: parts of flat faces are flat. O(faces).
+std::vector<std::uint8_t> flags_of_parts(const std::vector<std::uint8_t>& is_flat, const Mesh& parts,
+                                         const Descent& descent);
 
 // Gives the corners of these faces the normals that they had in the mesh before where a face is as it was there or
 // looks the same way, and else the normal of the face, of length 1. A face without area keeps what it had. O(corners).

@@ -1,4 +1,4 @@
-#include "ryosen/algo/simplify/flat_normals.h"
+#include "ryosen/algo/seams/flat_normals.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -98,6 +98,14 @@ std::vector<std::uint8_t> take_flat_normals(Mesh& mesh) {
   }
   mesh = Mesh(std::move(columns));
   return is_flat;
+}
+
+std::vector<std::uint8_t> flags_of_parts(const std::vector<std::uint8_t>& is_flat, const Mesh& parts,
+                                         const Descent& descent) {
+  std::vector<std::uint8_t> flags(parts.face_slots());
+  for (const Face f : live_faces(parts))
+    if (const Face whole = descent.origin(f)) flags[f.index] = is_flat[whole.index];
+  return flags;
 }
 
 void put_flat_normals(Mesh& mesh, const std::vector<std::uint8_t>& is_flat, const Mesh& before) {

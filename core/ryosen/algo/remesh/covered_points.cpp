@@ -15,9 +15,9 @@ CoveredPoints::CoveredPoints(const Mesh& mesh, const Features& features, double 
   for (const Face f : live_faces(mesh)) area_normals[f.index] = area_normal(corners_of(mesh, mesh.halfedge(f)));
   points_.reserve(2 * mesh.live().vertices);
   for (const Vertex v : live_vertices(mesh))
-    if (!features.vertices[v.index]) add_vertex(mesh, area_normals, v);
+    if (!features.vertices[v.index] || features.is_weighed(v)) add_vertex(mesh, area_normals, v);
   for (const Edge e : live_edges(mesh))
-    if (!features.edges[e.index]) add_edge(mesh, area_normals, e, spacing);
+    if (!features.edges[e.index] || features.is_weighed(e)) add_edge(mesh, area_normals, e, spacing);
 }
 
 void CoveredPoints::add_vertex(const Mesh& mesh, const FaceNormals& area_normals, Vertex v) {

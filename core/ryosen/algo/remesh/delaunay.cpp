@@ -3,6 +3,7 @@
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/remesh/features.h"
 #include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/seams/flat_normals.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/mesh/live_elements.h"
@@ -34,11 +35,11 @@ bool becomes_less(const Kite& k) {
 
 class DelaunaySwapper {
  public:
-  DelaunaySwapper(Edit& edit, double scale, double most_turn_rad, Descent* descent)
+  DelaunaySwapper(Edit& edit, double scale, const SwapOptions& options, Descent* descent)
       : edit_(edit),
         mesh_(edit.mesh()),
         scale_(scale),
-        features_(find_features(mesh_, most_turn_rad)),
+        features_(find_features(mesh_, options.most_turn_rad, options.seams)),
         descent_(descent) {}
 
   // False: cancelled.
@@ -66,8 +67,14 @@ class DelaunaySwapper {
       for (const Halfedge side : {h, twin(h)})
         for (const Halfedge around : {mesh_.next(side), mesh_.prev(side)}) add(edge(around));
     }
-    for (const Edge e : live_edges(mesh_))
-      if (!features_.edges[e.index] && !is_delaunay(kite(halfedge(e)))) ++result.refused;
+    for (const Edge e : live_edges(mesh_)) {
+      const std::uint8_t kind = features_.edges[e.index];
+      if (kind == Features::held || is_delaunay(kite(halfedge(e)))) continue;
+      if (kind == Features::seam)
+        result.held_by_seams.push_back(e);
+      else
+        ++result.refused;
+    }
     return true;
   }
 
@@ -95,19 +102,24 @@ class DelaunaySwapper {
 
 }  // namespace
 
-Swapped delaunay_swapped(const Mesh& mesh, double most_turn_rad, Progress& progress, Descent* descent) {
+Swapped delaunay_swapped(const Mesh& mesh, const SwapOptions& options, Progress& progress, Descent* descent) {
   Swapped result;
   result.is_cancelled = !progress.go_on(0, 1);
   if (result.is_cancelled) return result;
   Mesh work = mesh;
+  const std::vector<std::uint8_t> flat = prepare_seams(work, options.seams);
+  Descent own_descent;
+  if (!flat.empty() && !(descent && descent->is_recording())) descent = &(own_descent = Descent(mesh));
   Edit edit(work, nullptr, descent);
   const std::vector<Face> polygons = polygons_of_mesh(work);
   result.cut_faces = polygons.size();
   if ((result.fault = cut_faces(edit, polygons))) return result;
-  DelaunaySwapper swapper(edit, unit_scale(mesh.positions()), most_turn_rad, descent);
+  DelaunaySwapper swapper(edit, unit_scale(mesh.positions()), options, descent);
   result.is_cancelled = !swapper.run(progress, result);
   edit.commit();
-  if (!result.is_cancelled) result.columns = std::move(work).columns();
+  if (result.is_cancelled) return result;
+  if (!flat.empty()) put_flat_normals(work, flags_of_parts(flat, work, *descent), mesh);
+  result.columns = std::move(work).columns();
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/remesh/remesher.h"
+#include "ryosen/algo/seams/flat_normals.h"
 #include "ryosen/algo/unit_scale.h"
 #include "ryosen/analysis/components.h"
 #include "ryosen/analysis/self_intersections.h"
@@ -175,8 +176,8 @@ struct Start {
   Start(const Mesh& triangles, const Sizing& sizing, const Options& options) {
     do_beside([&] { target.emplace(triangles, sizing); },
               [&] {
-                features = find_features(triangles, options.feature_angle_rad);
-                for (const Vertex v : options.on_lines) features.vertices[v.index] = 1;
+                features = find_features(triangles, options.feature_angle_rad, options.seams);
+                for (const Vertex v : options.on_lines) features.vertices[v.index] = Features::held;
                 points.emplace(triangles, features, sizing.shortest());
               });
   }
@@ -199,6 +200,7 @@ class Attempts {
       Remesher remesher(edit, known_.features, *known_.target, keeper);
       result.is_cancelled = !run_rounds(remesher, options_, progress);
       if (!result.is_cancelled) remesher.take_values(start_);
+      result.held_by_seams = remesher.held_by_seams();
       edit.commit();
       result.refused = keeper.refused();
       if (result.is_cancelled || !watches_more(work, attempt + 2 == most, progress)) {
@@ -255,6 +257,9 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress, 
   MeshColumns columns = mesh.columns();
   for (glm::dvec3& p : columns.positions) p *= scale;
   Mesh triangles(std::move(columns));
+  const std::vector<std::uint8_t> flat = prepare_seams(triangles, options.seams);
+  Descent own_descent;
+  if (!flat.empty() && !(descent && descent->is_recording())) descent = &(own_descent = Descent(mesh));
   Edit edit(triangles, nullptr, descent);
   const std::vector<Face> polygons = polygons_of_mesh(triangles);
   result.cut_faces = polygons.size();
@@ -265,7 +270,10 @@ Remeshed remeshed(const Mesh& mesh, const Options& options, Progress& progress, 
   if ((result.fault = fault_of_length(triangles, sizing, scale))) return result;
   const Start start(triangles, sizing, own);
   Attempts(triangles, own, start).run(result, progress, descent);
-  if (!result.is_cancelled) result.columns = unscaled(Mesh(std::move(result.columns)), mesh, scale);
+  if (result.is_cancelled) return result;
+  Mesh made(unscaled(Mesh(std::move(result.columns)), mesh, scale));
+  if (!flat.empty()) put_flat_normals(made, flags_of_parts(flat, made, *descent), mesh);
+  result.columns = std::move(made).columns();
   return result;
 }
 

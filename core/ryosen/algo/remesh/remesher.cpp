@@ -8,7 +8,6 @@
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/collapse_edge.h"
 #include "ryosen/ops/split_edge.h"
-#include "ryosen/ops/swap_edge.h"
 
 namespace ryosen::remesh {
 
@@ -23,6 +22,7 @@ Remesher::Remesher(Edit& edit, const Features& features, const Target& target, S
       mesh_(edit.mesh()),
       begun_with_(features),
       features_(features),
+      seams_(edit, features_),
       target_(target),
       keeper_(keeper),
       judge_(keeper),
@@ -138,23 +138,24 @@ bool Remesher::try_split(Edge e) {
   const SplitEdge split{halfedge(e), *along};
   if (!keeper_.allows_split(split.halfedge, split.position(mesh_))) return false;
   const Vertex a = point(mesh_, mesh_.from(halfedge(e))), b = point(mesh_, mesh_.to(halfedge(e)));
-  const bool was_feature = is_feature(e);
+  const std::uint8_t kind = features_.edges[e.index];
   const double length = (wanted_[a.index] + wanted_[b.index]) / 2, chord = length_of(e);
   const std::uint32_t first = mesh_.vertex_slots(), first_face = mesh_.face_slots();
   split.apply(edit_);
   keeper_.split(Vertex(first), Face(first_face));
   features_.edges.resize(mesh_.edge_slots(), 0);
-  features_.vertices.resize(mesh_.vertex_slots(), was_feature ? 1 : 0);
+  features_.vertices.resize(mesh_.vertex_slots(), kind);
   wanted_.resize(mesh_.vertex_slots(), length);
   nearby_.resize(mesh_.vertex_slots(), no_index);
   for (Vertex v(first); v.index < mesh_.vertex_slots(); ++v.index)
     for (const Halfedge h : outgoing(mesh_, v)) {
       const Vertex end = point(mesh_, mesh_.to(h));
       const bool is_half = end == a || end == b;
-      features_.edges[edge(h).index] = was_feature && is_half ? 1 : 0;
+      features_.edges[edge(h).index] = is_half ? kind : std::uint8_t{Features::none};
       if (is_half) nearby_[v.index] = nearby_[mesh_.to(h).index];  // of its own sheet, not of another one there
     }
-  if (was_feature) return true;
+  if (kind == Features::seam) seams_.split(e, Vertex(first));
+  if (kind != Features::none) return true;
   share_corner_values(Vertex(first));
   // Half way along a chord the surface may lie elsewhere.
   const Vertex middle(first);
@@ -207,10 +208,7 @@ bool Remesher::lies_near(const Corners& corners, Vertex v) const {
 }
 
 bool Remesher::collapse_short(Progress& progress) {
-  const auto is_short = [&](Edge e, double length) {
-    const auto [a, b] = ends(mesh_, e);
-    return length < shortest_share * wanted(e) && !is_feature(e) && !(is_fixed(a) && is_fixed(b));
-  };
+  const auto is_short = [&](Edge e, double length) { return length < shortest_share * wanted(e) && may_vanish(e); };
   const std::vector<Edge> edges = edges_by_length(false, is_short);
   std::size_t done = 0;
   for (const Edge e : edges) {
@@ -220,8 +218,34 @@ bool Remesher::collapse_short(Progress& progress) {
   return true;
 }
 
+bool Remesher::may_vanish(Edge e) const {
+  const auto [a, b] = ends(mesh_, e);
+  return is_feature(e) ? is_weighed(e) && (is_weighed(a) || is_weighed(b)) : !(is_fixed(a) && is_fixed(b));
+}
+
+std::vector<Edge> Remesher::held_by_seams() const {
+  std::vector<Edge> held;
+  for (const Edge e : live_edges(mesh_)) {
+    if (mesh_.is_wire(e) || !(length_of(e) < shortest_share * wanted(e))) continue;
+    const auto [a, b] = ends(mesh_, e);
+    if (may_vanish(e) || a.index >= first_made_ || b.index >= first_made_) continue;
+    const std::uint8_t kind = features_.edges[e.index], at_a = features_.vertices[a.index],
+                       at_b = features_.vertices[b.index];
+    const bool is_between =
+        at_a != Features::none && at_b != Features::none && (at_a != Features::held || at_b != Features::held);
+    if (kind == Features::seam || (kind == Features::none && is_between)) held.push_back(e);
+  }
+  return held;
+}
+
+// Along a seam, into the next point of it.
+bool Remesher::try_leaving(Halfedge h) {
+  return is_weighed(mesh_.from(h)) && try_collapse(h, mesh_.position(mesh_.to(h)));
+}
+
 bool Remesher::try_collapse(Edge e) {
   Halfedge h = halfedge(e);
+  if (is_feature(e)) return try_leaving(h) || try_leaving(twin(h));
   if (is_fixed(mesh_.from(h))) h = twin(h);
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   if (is_fixed(kept)) return try_collapse(h, mesh_.position(kept));
@@ -245,13 +269,19 @@ bool Remesher::try_collapse(Halfedge h, const glm::dvec3& place) {
   const CollapseEdge collapse{h, stays ? CollapseEdge::Place::end : CollapseEdge::Place::point, place};
   if (!collapse.is_legal(mesh_)) return false;
   const double length = stays ? wanted_[kept.index] : std::min(wanted_[gone.index], wanted_[kept.index]);
+  const bool leaves = is_weighed(gone);
+  if (leaves && !seams_.allows_collapse(h, share_of_seam_reach * length)) return false;
   if (!keeper_.allows_collapse(h, place, share_of_reach * length)) return false;
+  if (leaves) seams_.share_values(h);
   // The edges that vanish may be marked where those that stay are not.
   for (const Halfedge side : {h, twin(h)}) {
     const Edge one = edge(mesh_.prev(side)), other = edge(mesh_.next(side));
-    if (is_feature(one) || is_feature(other)) features_.edges[one.index] = features_.edges[other.index] = 1;
+    if (!is_feature(one) && !is_feature(other)) continue;
+    const bool is_held = features_.edges[one.index] == Features::held || features_.edges[other.index] == Features::held;
+    features_.edges[one.index] = features_.edges[other.index] = is_held ? Features::held : Features::seam;
   }
   collapse.apply(edit_);
+  if (leaves) seams_.collapsed();
   keeper_.collapsed();
   wanted_[kept.index] = length;
   return true;
@@ -286,106 +316,6 @@ bool Remesher::may_collapse(Halfedge h, const glm::dvec3& place) const {
         return false;
     }
   }
-  return true;
-}
-
-// Those on both sides of an edge, and those that a swap makes of them.
-struct Remesher::SwappedTriangles {
-  std::array<Corners, 2> before, after;
-
-  bool keep_facing(double least_cosine = cosine_of_turn) const {
-    for (const Corners& old : before)
-      for (const Corners& made : after)
-        if (!keeps_facing(area_normal(old), area_normal(made), least_cosine)) return false;
-    return true;
-  }
-  bool has_sliver_before() const { return is_narrower(before[0], sliver_sine) || is_narrower(before[1], sliver_sine); }
-  bool has_sliver_after() const { return is_narrower(after[0], sliver_sine) || is_narrower(after[1], sliver_sine); }
-  double sine_before() const { return std::min(smallest_sine(before[0]), smallest_sine(before[1])); }
-  double sine_after() const { return std::min(smallest_sine(after[0]), smallest_sine(after[1])); }
-  bool makes_slivers() const { return has_sliver_after() && sine_after() < sine_before(); }
-};
-Remesher::SwappedTriangles Remesher::triangles_at(Halfedge h) const {
-  const glm::dvec3 &a = mesh_.position(mesh_.from(h)), &b = mesh_.position(mesh_.to(h)),
-                   &c = mesh_.position(mesh_.from(mesh_.prev(h))), &d = mesh_.position(mesh_.from(mesh_.prev(twin(h))));
-  return {{Corners{a, b, c}, Corners{b, a, d}}, {Corners{c, d, b}, Corners{d, c, a}}};
-}
-
-int Remesher::valence_error(Vertex v, int valence) const { return std::abs(valence - (mesh_.is_boundary(v) ? 4 : 6)); }
-
-bool Remesher::swap_for_valence(Progress& progress) {
-  std::vector<int> valences(mesh_.vertex_slots(), 0);
-  for (const Halfedge h : live_halfedges(mesh_)) ++valences[mesh_.from(h).index];
-  for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-    if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
-    if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) try_swap(Edge(i), valences);
-  }
-  return true;
-}
-
-bool Remesher::try_swap(Edge e, std::vector<int>& valences) {
-  const Halfedge h = halfedge(e), o = twin(h);
-  const Vertex a = mesh_.from(h), b = mesh_.to(h), c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(o));
-  const auto error = [&](Vertex v, int more) { return valence_error(v, valences[v.index] + more); };
-  const int now = error(a, 0) + error(b, 0) + error(c, 0) + error(d, 0);
-  if (error(a, -1) + error(b, -1) + error(c, 1) + error(d, 1) >= now) return false;
-  const SwappedTriangles t = triangles_at(h);
-  if (!t.keep_facing() || t.makes_slivers()) return false;
-  if (!swap_if_allowed(h)) return false;
-  --valences[a.index];
-  --valences[b.index];
-  ++valences[c.index];
-  ++valences[d.index];
-  return true;
-}
-
-bool Remesher::swap_slivers(Progress& progress) {
-  constexpr int most_turns = 8;
-  std::size_t swapped = 1;
-  for (int turn = 0; turn < most_turns && swapped > 0; ++turn) {
-    swapped = 0;
-    for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
-      if (i % (between_reports * 16) == 0 && !progress.go_on()) return false;
-      if (mesh_.is_alive(Edge(i)) && !is_feature(Edge(i))) swapped += try_swap_sliver(Edge(i)) ? 1 : 0;
-    }
-  }
-  return true;
-}
-
-bool Remesher::try_swap_sliver(Edge e) {
-  const SwappedTriangles t = triangles_at(halfedge(e));
-  constexpr double clearly = 1.1;
-  if (!t.has_sliver_before() || t.sine_after() < clearly * t.sine_before() || !t.keep_facing()) return false;
-  return swap_if_allowed(halfedge(e));
-}
-
-// A long edge over whose middle a corner lies near: what splitting it and joining the two would come to.
-bool Remesher::try_swap_cap(Edge e) {
-  const SwappedTriangles t = triangles_at(halfedge(e));
-  return t.sine_after() > t.sine_before() && t.keep_facing() && swap_if_allowed(halfedge(e));
-}
-
-// Whether no face turns too far, nor becomes narrower than the guard lets it.
-bool Remesher::is_guarded_swap(Halfedge h) const {
-  const SwappedTriangles t = triangles_at(h);
-  const bool is_near = lies_near(t.after[0], mesh_.from(h)) && lies_near(t.after[1], mesh_.from(h));
-  return is_near && t.keep_facing(guard_.turn_cosine) &&
-         (t.sine_after() >= guard_.sine || t.sine_after() >= t.sine_before());
-}
-
-bool Remesher::swap_if_allowed(Halfedge h) {
-  const Vertex c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(twin(h)));
-  const double made = glm::distance(mesh_.position(c), mesh_.position(d));
-  // How far apart two points are that stay is given: their edge is no reason for another short one.
-  const bool is_given = made < least_ && stay(mesh_.from(h), mesh_.to(h));
-  return !is_given && !is_too_short(made, length_of(edge(h))) && !is_lasting(made, c, d) && swap_if_kept(h);
-}
-
-bool Remesher::swap_if_kept(Halfedge h) {
-  const SwapEdge swap{h};
-  if (!swap.is_legal(mesh_) || !keeper_.allows_swap(h, share_of_reach * wanted(edge(h)))) return false;
-  swap.apply(edit_);
-  keeper_.swapped(h);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ryosen/algo/remesh/features.h"
+#include "ryosen/algo/remesh/seam_lines.h"
 #include "ryosen/algo/remesh/surface_keeper.h"
 #include "ryosen/algo/remesh/target.h"
 #include "ryosen/base/progress.h"
@@ -16,7 +17,8 @@
 
 namespace ryosen::remesh {
 
-// Of triangles. Feature edges are split alone, feature points never move; everything else stays on the surface that the
+// Of triangles. Feature edges are split alone, feature points never move, but points amid seams that are weighed may
+// leave along these (seam_lines.h), into the next one; everything else stays on the surface that the
 // target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of
 // the length of the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in
 // a fixed order, so the result does not depend on threads; false: cancelled.
@@ -53,9 +55,14 @@ class Remesher {
 
   // How many of these there are.
   std::size_t short_edges() const;
+  // Edges that are left shorter than 4/5 of what is wanted, which nothing but seams keeps from collapsing; not those
+  // that divisions have made.
+  std::vector<Edge> held_by_seams() const;
 
  private:
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
+  // Of the length: how far points that a seam had may be from it as it becomes.
+  static constexpr double share_of_seam_reach = 0.1;
   // Of 20 degrees: no pass but the splits makes a narrower triangle of wider ones.
   static constexpr double sliver_sine = 0.34;
   // Below it rounding tells which way a face lies, so that it meets its neighbours.
@@ -76,6 +83,10 @@ class Remesher {
 
   bool is_feature(Edge e) const { return features_.edges[e.index] != 0; }
   bool is_fixed(Vertex v) const { return features_.vertices[v.index] != 0; }
+  bool is_weighed(Edge e) const { return features_.is_weighed(e); }
+  bool is_weighed(Vertex v) const { return features_.is_weighed(v); }
+  // Whether rules of features let an edge collapse.
+  bool may_vanish(Edge e) const;
   double length_of(Edge e) const;
   double wanted(Edge e) const;
   // Edges that are wanted, by length.
@@ -88,11 +99,12 @@ class Remesher {
   bool try_split(Edge e);
   bool try_collapse(Edge e);
   bool try_collapse(Halfedge h, const glm::dvec3& place);
+  bool try_leaving(Halfedge h);
   bool may_collapse(Halfedge h, const glm::dvec3& place) const;
   SwappedTriangles triangles_at(Halfedge h) const;
   // Whether both are points of features of the input, which stay: how far apart they are is given.
   bool stay(Vertex a, Vertex b) const { return stays(a) && stays(b); }
-  bool stays(Vertex v) const { return is_fixed(v) && v.index < first_made_; }
+  bool stays(Vertex v) const { return is_fixed(v) && !is_weighed(v) && v.index < first_made_; }
   // No step makes an edge that short which nothing could remove at last: points with copies cannot leave an edge where
   // many sheets meet.
   double least_at_last() const;
@@ -135,6 +147,7 @@ class Remesher {
   const Mesh& mesh_;
   const Features& begun_with_;
   Features features_;
+  SeamLines seams_;
   const Target& target_;
   SurfaceKeeper& keeper_;
   SurfaceKeeper::MoveJudge judge_;

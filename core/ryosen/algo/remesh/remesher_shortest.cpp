@@ -105,6 +105,7 @@ bool Remesher::mend_at_once(Edge e) {
 // Where the other diagonal is long enough, or one between points that stay.
 bool Remesher::swap_longer(Halfedge h) {
   const Vertex c = mesh_.from(mesh_.prev(h)), d = mesh_.from(mesh_.prev(twin(h)));
+  if (is_feature(edge(h))) return false;
   const bool is_fine = stay(c, d) || glm::distance(mesh_.position(c), mesh_.position(d)) >= least_;
   return is_fine && is_guarded_swap(h) && swap_if_kept(h);
 }

@@ -7,6 +7,7 @@
 #include "ryosen/algo/proposals.h"
 #include "ryosen/algo/remesh/planar_regions.h"
 #include "ryosen/algo/remesh/remesh.h"
+#include "ryosen/algo/seams/seam_mode.h"
 #include "ryosen/base/count_text.h"
 
 namespace ryosen {
@@ -19,6 +20,11 @@ Text refused_text(std::size_t refused) {
                     "; # steps were left out since faces would have met", "（面どうしが交わる操作 # 回は行わず）");
 }
 
+void add_held_by_seams(AlgorithmResult& result, const std::vector<Edge>& edges, Text reason) {
+  result.left += edges.size();
+  add_left(result.left_for, std::move(reason), std::vector<Element>(edges.begin(), edges.end()));
+}
+
 AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const Mesh& mesh = edit.mesh();
   const ParameterValues& values = input.values;
@@ -29,6 +35,7 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
                           .tolerance = values.has("tolerance") ? values.length("tolerance") : 0,
                           .rounds = values.count("rounds"),
                           .feature_angle_rad = values.angle_rad("feature_angle"),
+                          .seams = seam_mode_of(values),
                           .on_lines = input.on_lines};
   if (!values.has("tolerance")) options.tolerance = options.length / 20;
   const std::size_t before = mesh.live().faces;
@@ -41,7 +48,14 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
   const std::string after = std::to_string(made.columns.live.faces);
   result.text = count_text(before, "One face became " + after, "# faces became " + after,
                            "面 # 個が " + after + " 個になりました") +
-                cut_text(made.cut_faces) + refused_text(made.refused) + Text{".", "。"};
+                cut_text(made.cut_faces) + refused_text(made.refused);
+  if (!made.held_by_seams.empty())
+    result.text += count_text(made.held_by_seams.size(), "; one edge stays too short (seam; drop seams to let it go)",
+                              "; # edges stay too short (seam; drop seams to let them go)",
+                              "（シームに固定された短い稜線 # 本が残る。seams を drop にすると固定されない）");
+  result.text += Text{".", "。"} + dropped_text(mesh, options.seams);
+  add_held_by_seams(result, made.held_by_seams,
+                    {"it would move a seam of texture or normals", "テクスチャや法線のシームが動きます"});
   if (values.has("tolerance") && !options.adaptive)
     result.text += Text{" The tolerance counts only where lengths are adaptive.",
                         "許容誤差は、曲率に適応させるときだけ効きます。"};
@@ -52,17 +66,26 @@ AlgorithmResult remesh_mesh(Edit& edit, const AlgorithmInput& input, Progress& p
 AlgorithmResult swap_to_delaunay(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   AlgorithmResult result;
   Descent descent = edit.new_descent();
-  remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), input.values.angle_rad("most_turn"), progress, &descent);
+  const remesh::SwapOptions options{input.values.angle_rad("most_turn"), seam_mode_of(input.values)};
+  const Text dropped = dropped_text(edit.mesh(), options.seams);
+  remesh::Swapped made = remesh::delaunay_swapped(edit.mesh(), options, progress, &descent);
   if (made.is_cancelled) return result;
   if ((result.fault = std::move(made.fault))) return result;
-  result.changed = made.swaps + made.cut_faces;
+  result.changed = made.swaps + made.cut_faces + (dropped.en.empty() ? 0 : 1);
   result.left = made.refused;
   result.text = count_text(made.swaps, "One edge was swapped", "# edges were swapped", "稜線 # 本を交換しました") +
                 cut_text(made.cut_faces);
   if (made.refused > 0)
     result.text += count_text(made.refused, "; one is not Delaunay and stays", "; # are not Delaunay and stay",
                               "（交換できない稜線 # 本が残る）");
-  result.text += Text{".", "。"};
+  if (!made.held_by_seams.empty())
+    result.text +=
+        count_text(made.held_by_seams.size(), "; one that is not Delaunay is a seam and stays (drop seams to swap it)",
+                   "; # that are not Delaunay are seams and stay (drop seams to swap them)",
+                   "（ドロネーでないシームの稜線 # 本は交換しない。seams を drop にすると交換する）");
+  result.text += Text{".", "。"} + dropped;
+  add_held_by_seams(result, made.held_by_seams,
+                    {"a swap would tear a seam of texture or normals", "テクスチャや法線のシームが切れます"});
   if (result.changed > 0) edit.replace(std::move(made.columns), descent);
   return result;
 }
@@ -125,17 +148,27 @@ std::vector<AlgorithmRow> remeshing_rows() {
                           parameter_row({"feature_angle", "Feature angle", "特徴角",
                                          "edges whose faces bend by at least this are features",
                                          "両側の面がこの角度以上に曲がる稜線を特徴として保つ"},
-                                        {.kind = ParameterKind::angle, .initial = "45"})},
+                                        {.kind = ParameterKind::angle, .initial = "45"}),
+                          seams_row("weigh lets points leave along seams of texture and normals, and makes normals of "
+                                    "flat faces anew; keep only divides all seams; drop forgets texture and normals",
+                                    "weigh はテクスチャと法線のシームに沿って頂点を減らし、平坦な面の法線を作り直す。"
+                                    "keep はすべてのシームを分割だけにする。drop はテクスチャと法線を捨てる")},
            .run = remesh_mesh,
            .lineage = Lineage::lost,
            .has_goal = true}),
       algorithm_row({"delaunay", "Delaunay swaps", "ドロネー交換",
                      "swaps edges until the angles across from each are together at most 180 degrees; points stay",
                      "各稜線の向かいの角の和が 180 度以下になるまで交換する（頂点は動かない）"},
-                    {.parameters = {parameter_row(
-                         {"most_turn", "Largest bend", "最大の曲がり", "edges whose faces bend by at least this stay",
-                          "両側の面がこの角度以上に曲がる稜線は交換しない"},
-                         {.kind = ParameterKind::angle, .initial = "10"})},
+                    {.parameters = {parameter_row({"most_turn", "Largest bend", "最大の曲がり",
+                                                   "edges whose faces bend by at least this stay",
+                                                   "両側の面がこの角度以上に曲がる稜線は交換しない"},
+                                                  {.kind = ParameterKind::angle, .initial = "10"}),
+                                    seams_row("no seam of texture or normals is swapped, but weigh makes normals of "
+                                              "flat faces anew, so that these are none; keep holds all seams; drop "
+                                              "forgets texture and normals",
+                                              "テクスチャと法線のシームは交換しない。weigh は平坦な面の法線を作り直し、"
+                                              "その境目を交換できる。keep はすべてのシームを保つ。drop "
+                                              "はテクスチャと法線を捨てる")},
                      .run = swap_to_delaunay,
                      .lineage = Lineage::told}),
       algorithm_row(

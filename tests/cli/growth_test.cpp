@@ -103,7 +103,7 @@ IndexedMesh tilted_pile(std::uint32_t n) {
 
 // Faces that cross or lie on each other, of which one pair is enough, and two repairs.
 TEST_F(Growth, refusals_and_repairs_on_many_overlaps) {
-  EXPECT_EQ(run_within(seconds, equal_triangles(4000), "simplify", "--ratio 0.1 --no-self-intersections"), 6);
+  EXPECT_EQ(run_within(seconds, equal_triangles(4000), "simplify", "--ratio 0.1 --no-self-intersections"), 1);
   EXPECT_EQ(run_within(seconds, equal_triangles(4000), "remesh", "--length 20%"), 0);
   for (const auto family : {equal_triangles, book, fan, apex_soup, spokes_on_a_line})
     EXPECT_GE(run_within(seconds, family(4000), "repair", "--kinds stitch"), 0);
@@ -131,7 +131,7 @@ TEST_F(Growth, refusals_on_soups_of_alike_faces) {
       mesh.positions.push_back(place(i / corners, i % corners));
     }
     for (std::uint32_t f = 1; f <= faces; ++f) mesh.face_offsets.push_back(corners * f);
-    EXPECT_EQ(run_within(seconds, mesh, "simplify", "--ratio 0.1 --no-self-intersections"), 6);
+    EXPECT_EQ(run_within(seconds, mesh, "simplify", "--ratio 0.1 --no-self-intersections"), corners == 3 ? 1 : 6);
     EXPECT_GE(run_within(seconds, mesh, "simplify", "--ratio 0.1"), 0);
   }
 }

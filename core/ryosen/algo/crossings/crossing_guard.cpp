@@ -39,6 +39,7 @@ bool CrossingGuard::meet(const Changed& a, const Changed& b) const {
 void CrossingGuard::Step::begin(std::uint32_t face_slots) {
   changed.clear();
   gone.clear();
+  heirs.clear();
   if (++number == 0) last.clear();  // all numbers were there
   number = std::max(number, 1u);
   last.resize(std::max<std::size_t>(last.size(), face_slots), 0);
@@ -66,14 +67,19 @@ void CrossingGuard::change(const NumberedTriangle& t, Face f) const {
   }
 }
 
+void CrossingGuard::remove(Halfedge side) const {
+  const Face f = mesh_.face(side);
+  step_.gone.push_back(f);
+  step_.mark(f);
+  for (const Halfedge other : {mesh_.next(side), mesh_.prev(side)})
+    if (const Face heir = mesh_.face(twin(other))) step_.heirs.push_back({f, heir});
+}
+
 bool CrossingGuard::would_meet(Halfedge h, const glm::dvec3& position) const {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   begin();
-  for (const Face f : {mesh_.face(h), mesh_.face(twin(h))})
-    if (f) {
-      step_.gone.push_back(f);
-      step_.mark(f);
-    }
+  for (const Halfedge side : {h, twin(h)})
+    if (!mesh_.is_outside(side)) remove(side);
   for (Halfedge end : {h, twin(h)}) {
     if (end != h && mesh_.position(kept) == position) continue;
     for (const Face f : faces_around(mesh_, mesh_.from(end))) {
@@ -130,44 +136,79 @@ bool CrossingGuard::would_meet_split(Halfedge h, const glm::dvec3& position) con
   return would_meet();
 }
 
-// A face without area before meets none; so it is not among those that `before` counts.
 bool CrossingGuard::would_meet() const {
   if (loses_area_) return true;
   if (step_.changed.empty()) return false;
-  constexpr std::size_t most = 1000;
-  if (meetings(step_.changed, 1) == 0) return false;
-  if (!counts_) return true;
+  if (allowed_ == Allowed::inherited) return !inherits();
+  return meetings(step_.changed, 1) > 0 && (allowed_ == Allowed::none || adds());
+}
+
+// A face without area meets none; so it is not among those that are asked.
+std::vector<CrossingGuard::Changed> CrossingGuard::before() const {
   std::vector<Changed> before;
   for (const Changed& one : step_.changed)  // of a split both halves
     if (before.empty() || before.back().face != one.face) before.push_back({one.face, triangle(one.face)});
   for (const Face f : step_.gone) before.push_back({f, triangle(f)});
   std::erase_if(before, [](const Changed& one) { return is_flat(one.triangle); });
-  const std::size_t now = meetings(before, most);
+  return before;
+}
+
+bool CrossingGuard::adds() const {
+  const std::vector<Changed> before = this->before();
+  const std::size_t now = meetings(before, most_compared);
   return now == 0 || meetings(step_.changed, now + 1) > now;
 }
 
+bool CrossingGuard::inherits() const {
+  std::size_t count = 0;
+  const bool is_all = visit_meetings(step_.changed, [&](const Changed& a, const Changed& b) {
+    return ++count <= most_compared && is_inherited(a.face, b.face);
+  });
+  return is_all && (count == 0 || meetings(before(), count) == count);
+}
+
+bool CrossingGuard::is_inherited(Face a, Face b) const {
+  const auto do_meet = [&](Face x, Face y) {
+    if (x == y) return false;
+    const NumberedTriangle first = triangle(x), second = triangle(y);
+    return !is_flat(first) && !is_flat(second) && meet_elsewhere(first, second);
+  };
+  const auto any_of = [&](Face f, const auto& is) {
+    return is(f) || std::any_of(step_.heirs.begin(), step_.heirs.end(),
+                                [&](const Heir& one) { return one.heir == f && is(one.gone); });
+  };
+  return any_of(a, [&](Face x) { return any_of(b, [&](Face y) { return do_meet(x, y); }); });
+}
+
+// Where one is enough it is mostly found between neighbours around the vertex.
 std::size_t CrossingGuard::meetings(const std::vector<Changed>& faces, std::size_t most) const {
-  constexpr std::size_t many_pairs = 1 << 14;
-  find_near(faces);
-  if (faces.size() * (faces.size() / 2 + near_.size()) > many_pairs && faces.size() > 64)
-    return meetings_by_tree(faces, most);
+  for (std::size_t i = 1; most == 1 && faces.size() > few && i < faces.size(); ++i)
+    if (meet(faces[i - 1], faces[i])) return 1;
   std::size_t found = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (std::size_t k = i + 1; k < faces.size(); ++k)
-      if (meet(faces[i], faces[k]) && ++found == most) return found;
-    const TriangleSlabs slabs(faces[i].triangle.places);
-    for (const Changed& other : near_)
-      if (faces[i].box.overlaps(other.box) && !slabs.separate(other.triangle.places) && meet(faces[i], other) &&
-          ++found == most)
-        return found;
-  }
+  visit_meetings(faces, [&](const Changed&, const Changed&) { return ++found < most; });
   return found;
 }
 
-std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const {
-  // Where one is enough it is mostly found between neighbours around the vertex.
-  for (std::size_t i = 1; most == 1 && i < faces.size(); ++i)
-    if (meet(faces[i - 1], faces[i])) return 1;
+template <class Visit>
+bool CrossingGuard::visit_meetings(const std::vector<Changed>& faces, const Visit& visit) const {
+  constexpr std::size_t many_pairs = 1 << 14;
+  find_near(faces);
+  if (faces.size() * (faces.size() / 2 + near_.size()) > many_pairs && faces.size() > few)
+    return visit_meetings_by_tree(faces, visit);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t k = i + 1; k < faces.size(); ++k)
+      if (meet(faces[i], faces[k]) && !visit(faces[i], faces[k])) return false;
+    const TriangleSlabs slabs(faces[i].triangle.places);
+    for (const Changed& other : near_)
+      if (faces[i].box.overlaps(other.box) && !slabs.separate(other.triangle.places) && meet(faces[i], other) &&
+          !visit(faces[i], other))
+        return false;
+  }
+  return true;
+}
+
+template <class Visit>
+bool CrossingGuard::visit_meetings_by_tree(const std::vector<Changed>& faces, const Visit& visit) const {
   std::vector<glm::dvec3> places;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::unordered_map<std::uint32_t, std::uint32_t> place_of;  // by number
@@ -182,16 +223,16 @@ std::size_t CrossingGuard::meetings_by_tree(const std::vector<Changed>& faces, s
     }
   const NumberedSurface surface(std::move(places), std::move(triangles));
   const OverlapTree tree(surface, 1);
-  std::size_t found = 0;
   const auto is_of_step = [&](std::uint32_t a, std::uint32_t b) { return a < faces.size() || b < faces.size(); };
-  const auto counts = [&](std::uint32_t a, std::uint32_t b) {
-    const auto one = [&](std::uint32_t i) { return i < faces.size() ? &faces[i] : &near_[i - faces.size()]; };
-    found += meet(*one(a), *one(b)) ? 1 : 0;
-    return found < most;
+  const auto visit_slots = [&](std::uint32_t a, std::uint32_t b) {
+    const auto one = [&](std::uint32_t i) -> const Changed& {
+      return i < faces.size() ? faces[i] : near_[i - faces.size()];
+    };
+    return !meet(one(a), one(b)) || visit(one(a), one(b));
   };
   for (std::uint32_t node = 0; node < tree.node_count(); ++node)
-    if (!tree.visit_pairs(node, is_of_step, counts)) break;
-  return found;
+    if (!tree.visit_pairs(node, is_of_step, visit_slots)) return false;
+  return true;
 }
 
 // The faces near these that the step leaves as they are.

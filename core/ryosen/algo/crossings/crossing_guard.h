@@ -70,9 +70,20 @@ class CrossingGuard {
   // Guards one in which parts meet at some places, which outlive the guard: there they may go on meeting. Where faces
   // meet elsewhere, a step may make as many such pairs as it takes away.
   CrossingGuard(const Mesh& mesh, const MetPlaces& met)
-      : mesh_(mesh), met_(met), parts_(met.parts()), counts_(!met.is_empty()), faces_(mesh) {}
+      : mesh_(mesh),
+        met_(met),
+        parts_(met.parts()),
+        allowed_(met.is_empty() ? Allowed::none : Allowed::as_many),
+        faces_(mesh) {}
   // From here on a step may make as many pairs that meet as it takes away, wherever they are.
-  void count() { counts_ = true; }
+  void count() { allowed_ = Allowed::as_many; }
+  // From here on a collapse may leave no more pairs that meet than there were, and each comes from one that met before
+  // it: a face comes from itself, and from a face that goes and has a side in common with it.
+  //
+  //       w          The collapse of u to v takes the face u v w away, and its sides u w and v w become one. So the
+  //    a / \ b      faces a and b beside it take its place, and what met it may meet one of them. A step whose faces
+  //     u---v        would be in more than 1,000 such pairs is refused.
+  void inherit() { allowed_ = Allowed::inherited; }
 
   // Whether faces would meet elsewhere than at what they share if from(h) became to(h) there. A face that would lose
   // its area counts too. Cost: n log n of the faces around both ends and those near them.
@@ -102,10 +113,15 @@ class CrossingGuard {
     NumberedTriangle triangle;
     Box box = box_of(triangle.places);
   };
+  // A face that goes, and one beside it that stays.
+  struct Heir {
+    Face gone, heir;
+  };
   // What a step does: faces that change, and those that go.
   struct Step {
     std::vector<Changed> changed;
     std::vector<Face> gone;
+    std::vector<Heir> heirs;  // of those that go
     // By face: the number of the step that it was last of.
     std::vector<std::uint32_t> last;
     std::uint32_t number = 0;
@@ -115,25 +131,42 @@ class CrossingGuard {
     bool concerns(Face f) const { return last[f.index] == number; }
   };
 
+  // Pairs that may meet where others did before a step.
+  enum class Allowed { none, as_many, inherited };
+  static constexpr std::size_t few = 64, most_compared = 1000;  // faces, and pairs
+
   static const MetPlaces& nowhere();
   NumberedTriangle triangle(Face f) const { return triangle(mesh_.halfedge(f)); }
   // The triangle at a halfedge, from its start on.
   NumberedTriangle triangle(Halfedge h) const;
   void begin() const;
   void change(const NumberedTriangle& t, Face f) const;
+  // The face of a side of an edge that collapses.
+  void remove(Halfedge side) const;
   bool would_meet() const;
+  // Those that change and go, as they are before the step.
+  std::vector<Changed> before() const;
+  // Whether more pairs would meet than before.
+  bool adds() const;
+  // Whether each pair that would meet comes from one that does, and they become no more.
+  bool inherits() const;
+  bool is_inherited(Face a, Face b) const;
   // Whether two triangles meet elsewhere than at what they share, and than where their parts met before.
   bool meet(const Changed& a, const Changed& b) const;
   // How many pairs of faces one of which is among these do, at most so many.
   std::size_t meetings(const std::vector<Changed>& faces, std::size_t most) const;
+  // Calls visit(one, other) for each, until it returns false; then so does this.
+  template <class Visit>
+  bool visit_meetings(const std::vector<Changed>& faces, const Visit& visit) const;
   // The same of very many, by a tree.
-  std::size_t meetings_by_tree(const std::vector<Changed>& faces, std::size_t most) const;
+  template <class Visit>
+  bool visit_meetings_by_tree(const std::vector<Changed>& faces, const Visit& visit) const;
   void find_near(const std::vector<Changed>& faces) const;
 
   const Mesh& mesh_;
   const MetPlaces& met_;
   std::vector<std::uint32_t> parts_;  // by face; empty where none met
-  bool counts_;                       // pairs before a step and after it
+  Allowed allowed_;
   mutable NearFaces faces_;
   // Of the step that is judged.
   mutable Step step_;

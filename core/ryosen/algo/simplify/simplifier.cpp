@@ -52,6 +52,7 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       has_vertex_values_(has_attributes(mesh_, ElementKind::vertex)),
       has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
+  if (guard_ && goal.has_self_intersections) guard_->inherit();
   if (!steps) edit_.emplace(mesh, nullptr, descent);
   if (input_ && !steps && !guard_ && has_triangles_alone_ && !has_corner_values_ && goal.effort > 0)
     merged_into_.resize(mesh_.vertex_slots());

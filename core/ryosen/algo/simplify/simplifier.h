@@ -93,8 +93,9 @@ struct SimplifyGoal {
   // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end
   // where this brings the surface nearer to the input.
   unsigned effort = 1;
-  // No faces may come to meet: of a mesh of triangles, none of which do.
-  bool no_self_intersections = false;
+  // Of a mesh of triangles no faces may come to meet. Where some do already, pairs that come from them may go on, as
+  // many at most (CrossingGuard::inherit).
+  bool no_self_intersections = false, has_self_intersections = false;
   // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without
   // one, than the largest error that was made until then; and where nothing else can collapse, all that are so small.
   bool removes_small_parts = false;

@@ -83,23 +83,35 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
   return limits;
 }
 
-std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh, Progress& progress) {
+std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh) {
   for (const Face f : live_faces(mesh))
     if (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f))
       return Text{name_of(mesh, f) +
                       " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
                   name_of(mesh, f) +
                       " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
-  constexpr std::size_t most = 1000;
-  const auto found = find_few_self_intersections(mesh, most, progress);
-  const std::size_t pairs = found ? found->count : 0;  // cancelled: no matter
-  if (pairs == 0) return std::nullopt;
-  const std::string n = std::to_string(std::min(pairs, most));
-  if (pairs > most)
-    return Text{"more than " + n + " pairs of faces meet already, so that it cannot be kept free of them",
-                "すでに " + n + " 組を超える面が交わっているため、交差のない状態を保てません"};
-  return Text{n + " pairs of faces meet already, so that it cannot be kept free of them",
-              "すでに " + n + " 組の面が交わっているため、交差のない状態を保てません"};
+  return std::nullopt;
+}
+
+constexpr std::size_t most_crossings = 100'000;  // that are counted
+
+// The pairs of faces that meet, up to one more than are counted; none where it was cancelled.
+std::optional<std::size_t> count_crossings(const Mesh& mesh, Progress& progress) {
+  const auto found = find_few_self_intersections(mesh, most_crossings, progress);
+  if (!found) return std::nullopt;
+  return std::min(found->count, most_crossings + 1);
+}
+
+Text crossings_text(std::size_t before, std::size_t after) {
+  const auto text_of = [](std::size_t count, std::string_view one, std::string_view many, std::string_view more) {
+    if (count > most_crossings) return count_text(most_crossings, more, more, "# 組超");
+    return count_text(count, one, many, "# 組");
+  };
+  const Text was = text_of(before, "One pair of faces crossed", "# pairs of faces crossed",
+                           "More than # pairs of faces crossed"),
+             is = text_of(after, "one still does", "# still do", "more than # still do");
+  return {" " + was.en + ", " + (after == 0 ? "none still does" : is.en) + ".",
+          "交わる面は " + was.ja + "から " + is.ja + "へ。"};
 }
 
 // The rules that hold edges, with how many, the most first.
@@ -141,6 +153,7 @@ struct Prepared {
   bool is_triangulated = false;
   std::optional<Text> refused = {};
   std::vector<std::uint8_t> flat_faces = {};  // whose normals were taken off
+  std::size_t crossings = 0;                  // where no further ones may come
 };
 
 void triangulate(Prepared& prepared, Descent* descent) {
@@ -161,7 +174,9 @@ Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& prog
   share_equal_values(batch);
   batch.commit();
   if (prepared.is_triangulated) triangulate(prepared, descent);
-  if (values.flag("no_self_intersections")) prepared.refused = why_faces_cannot_be_kept_apart(prepared.work, progress);
+  if (!values.flag("no_self_intersections")) return prepared;
+  prepared.refused = why_faces_cannot_be_kept_apart(prepared.work);
+  if (!prepared.refused) prepared.crossings = count_crossings(prepared.work, progress).value_or(0);  // cancelled
   return prepared;
 }
 
@@ -217,9 +232,9 @@ std::unique_ptr<Attempt> attempted(Mesh work, Descent descent, const AlgorithmIn
   return is_nearer ? std::move(other) : std::move(attempt);
 }
 
-SimplifyGoal goal_of(const ParameterValues& values, std::size_t faces) {
+SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, std::size_t faces) {
   return {faces, static_cast<unsigned>(values.count("effort")), values.flag("no_self_intersections"),
-          values.flag("remove_small")};
+          prepared.crossings > 0, values.flag("remove_small")};
 }
 
 }  // namespace
@@ -232,7 +247,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   if ((result.refused = prepared.refused)) return result;
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, prepared.work.live().faces + input.quarantined);
-  const SimplifyGoal goal = goal_of(values, wanted - std::min(wanted, input.quarantined));
+  const SimplifyGoal goal = goal_of(prepared, values, wanted - std::min(wanted, input.quarantined));
   const std::optional<Mesh> cut = prepared.is_triangulated ? std::optional(prepared.work) : std::nullopt;
   GoalReport& report = result.goal_report.emplace();
   const auto attempt =
@@ -243,6 +258,11 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   }
   Mesh& work = attempt->work();
   const Simplifier& simplifier = attempt->simplifier();
+  const std::optional<std::size_t> crossings = prepared.crossings > 0 ? count_crossings(work, progress) : 0;
+  if (!crossings) {
+    report = {Stop::cancelled, false};
+    return result;
+  }
   const std::size_t after = work.live().faces + input.quarantined;
   const bool has_number = values.has("faces") || values.has("ratio");
   if (input.wants.edge_rules || !has_number || after > wanted) {
@@ -258,6 +278,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   report.is_reached = has_number ? after <= wanted : report.stopped == Stop::error;
   report.error_max = simplifier.error_max();
   result.text = text_of(before, after, report);
+  if (prepared.crossings > 0) result.text += crossings_text(prepared.crossings, *crossings);
   const Text dropped = dropped_text(edit.mesh(), seam_mode_of(values));
   result.text += dropped;
   result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0) +
@@ -272,8 +293,9 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   Prepared prepared = prepare(mesh, values, progress);
   if (prepared.refused) return {nullptr, prepared.refused};
   const CollapseLimits limits = limits_of(prepared.work, input);
+  const SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
-  if (!levels->build(limits, goal_of(values, faces_wanted(values, mesh.live().faces)), progress)) levels.reset();
+  if (!levels->build(limits, goal, progress)) levels.reset();
   return {std::move(levels)};
 }
 

@@ -58,8 +58,9 @@ std::vector<ParameterRow> simplify_parameters() {
                      "目標に達しないとき、誤差より小さい部分を丸ごと取り除く"},
                     {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row({"no_self_intersections", "No self-intersections", "自己交差の防止",
-                     "faces of a mesh of triangles that does not meet itself do not come to meet",
-                     "自己交差のない三角形メッシュで、面を新たに交わらせない"},
+                     "faces of a mesh of triangles do not come to meet; pairs that already do, or take their place, "
+                     "never become more",
+                     "三角形メッシュの面を新たに交わらせない（もとから交わる組は隣の面に移ることはあるが、増えない）"},
                     {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row(
           {"effort", "Effort", "手間",

@@ -9,7 +9,9 @@
 #include "ryosen/geometry/predicates.h"
 #include "ryosen/indexed/from_indexed.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "tests/support/core/long_run.h"
+#include "tests/support/core/met_faces.h"
 #include "tests/support/core/pairs_by_asking_all.h"
 #include "tests/support/core/random_meshes.h"
 
@@ -167,6 +169,75 @@ TEST(crossing_guard, lets_faces_meet_where_they_met_before_and_nowhere_else) {
     }
     EXPECT_GT(allowed, 0);
     EXPECT_GT(refused, 0);
+  }
+}
+
+// Whether a collapse lets pairs meet that come from none, or more than before, or takes the area of a face.
+bool adds_by_asking_all(const IndexedMesh& before, std::uint32_t gone, std::uint32_t kept, const glm::dvec3& position) {
+  IndexedMesh after;
+  after.positions = before.positions;
+  after.positions[kept] = position;
+  std::vector<Face> all, left;
+  for (std::uint32_t f = 0; f < before.face_count(); ++f) {
+    const auto corners = before.face(f);
+    all.emplace_back(f);
+    if (std::count(corners.begin(), corners.end(), gone) + std::count(corners.begin(), corners.end(), kept) == 2)
+      continue;
+    left.emplace_back(f);
+    for (const std::uint32_t corner : corners) after.corners.push_back(corner == gone ? kept : corner);
+    after.face_offsets.push_back(static_cast<std::uint32_t>(after.corners.size()));
+    if (is_flat(after, after.face_count() - 1) && !is_flat(before, f)) return true;
+  }
+  const MetFaces was = met_faces(before, all), is = met_faces(after, left);
+  return is.pairs.size() > was.pairs.size() || !pairs_from_nowhere(was, is).empty();
+}
+
+TEST(crossing_guard, lets_pairs_meet_that_come_from_others_and_no_more) {
+  for (const double rough : {0.45, 0.5, 0.6, 0.9, 1.5}) {
+    SCOPED_TRACE(rough);
+    const IndexedMesh source = crossing_sheets(5, rough < 0.6 ? 2 : 3, rough, 9);
+    const Mesh mesh = from_indexed(source);
+    CrossingGuard guard(mesh), strict(mesh);
+    guard.inherit();
+    Dice dice(4);
+    int allowed = 0, refused = 0, inherited = 0;
+    for (int step = 0; step < 150; ++step) {
+      const Halfedge h(static_cast<std::uint32_t>(dice.below(static_cast<int>(mesh.halfedge_slots()))));
+      const Vertex gone = mesh.from(h), kept = mesh.to(h);
+      const double along = dice.below(3) / 2.0;
+      const glm::dvec3 position = (1 - along) * mesh.position(gone) + along * mesh.position(kept);
+      const bool expected = adds_by_asking_all(source, gone.index, kept.index, position);
+      EXPECT_EQ(guard.would_meet(h, position), expected) << step << ": " << gone.index << " into " << kept.index;
+      ++(expected ? refused : allowed);
+      if (!expected && strict.would_meet(h, position)) ++inherited;
+    }
+    EXPECT_GT(allowed, 10);
+    EXPECT_GT(refused, 10);
+    EXPECT_GT(inherited, 3);
+  }
+}
+
+// An upright sheet of three triangles through so many level ones, and a vertex that moves hardly in a collapse.
+TEST(crossing_guard, refuses_a_step_among_more_pairs_than_it_compares) {
+  for (const std::uint32_t levels : {1u, 10u, 100u, 490u, 510u, 900u}) {
+    IndexedMesh source;
+    source.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, 9.99}, {1, 0, 10}, {0, 0, 10}};
+    source.corners = {0, 1, 2, 2, 1, 3, 2, 3, 4};
+    source.face_offsets = {0, 3, 6, 9};
+    for (std::uint32_t i = 0; i < levels; ++i) {
+      const double z = 1 + 8.0 * i / levels;
+      for (const glm::dvec3& place : {glm::dvec3(-5, -5, z), glm::dvec3(5, -5, z), glm::dvec3(0.5, 9, z)}) {
+        source.corners.push_back(static_cast<std::uint32_t>(source.positions.size()));
+        source.positions.push_back(place);
+      }
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+    const Mesh mesh = from_indexed(source);
+    CrossingGuard guard(mesh);
+    guard.inherit();
+    const Halfedge h = any_sheet_between(mesh, Vertex(2), Vertex(4));
+    ASSERT_TRUE(h);
+    EXPECT_EQ(guard.would_meet(h, mesh.position(Vertex(4))), 2 * levels > 1000) << levels;
   }
 }
 

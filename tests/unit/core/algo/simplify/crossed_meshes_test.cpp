@@ -237,6 +237,26 @@ TEST(simplify_crossed, leaves_the_mesh_as_it_is_wherever_it_is_cancelled) {
   EXPECT_GT(cancelled, 20);
 }
 
+// Two sheets that cross all over, of n squares each.
+TEST(simplify_crossed, looks_at_no_more_for_each_face_of_a_larger_mesh) {
+  const auto looks = [](std::uint32_t side) {
+    Mesh mesh = sheets(2, side, [](std::uint32_t n, double x, double y) {
+      return glm::dvec3(x, y, 0.3 * std::sin(x + n) * std::cos(y));
+    });
+    const CollapseLimits limits;
+    const SimplifyGoal goal{
+        .faces = mesh.live().faces / 5, .no_self_intersections = true, .has_self_intersections = true};
+    Simplifier simplifier(mesh, limits, goal);
+    Progress unheard;
+    simplifier.run(unheard);
+    EXPECT_TRUE(simplifier.is_at_goal());
+    return static_cast<double>(simplifier.looked_at());
+  };
+  const double one = looks(20), two = looks(28), four = looks(40);
+  EXPECT_LT(two, 2.6 * one) << one << " " << two << " " << four;
+  EXPECT_LT(four, 2.6 * two) << one << " " << two << " " << four;
+}
+
 // Meshes that nobody here made, where they are there.
 TEST(simplify_crossed, holds_on_meshes_of_others) {
   const std::filesystem::path folder = RYOSEN_SHARED_DIR "/meshes";

@@ -51,5 +51,28 @@ TEST(nearest, no_place_of_a_random_triangle_is_nearer) {
   }
 }
 
+// Needles from a tenth to a 1e-17th as high as long, in five turns: points off, over and along them.
+TEST(nearest, no_place_of_a_needle_is_nearer) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto direction = [&] { return glm::normalize(dvec3(unit(random), unit(random), unit(random))); };
+  for (int turn = 0; turn < 5; ++turn) {
+    const dvec3 along = direction(), across = glm::normalize(glm::cross(along, direction())), from = direction();
+    for (double height = 0.1; height > 1e-17; height /= 3)
+      for (const double at : {0.0, 0.3, 0.5, 1.0, 1.2}) {
+        const std::vector<dvec3> p = {from, from + along, from + at * along + height * across};
+        for (int i = 0; i < 20; ++i) {
+          const dvec3 point = from + 1.5 * unit(random) * along + (i % 4 == 0 ? 0.0 : 0.1 * height) * direction();
+          const NearestPlace found = nearest_place(p, Primitive::triangle(0, 1, 2, 0), point);
+          for (int k = 0; k <= 1000; ++k) {
+            const dvec3 other = p[0] + k / 1000.0 * (p[1] - p[0]);
+            ASSERT_GE(glm::distance(other, point), found.distance - 1e-12) << height << " " << at << " " << i;
+          }
+          EXPECT_NEAR(glm::distance(found.place, point), found.distance, 1e-12);
+        }
+      }
+  }
+}
+
 }  // namespace
 }  // namespace ryosen

@@ -249,6 +249,13 @@ bool CollapseSurface::may_swap(Halfedge h) const {
   return !is_feature(edge(h)) && !is_border_of_values(mesh_, h);
 }
 
+bool CollapseSurface::is_amid_surface(Vertex v) const {
+  if (states_[v.index].flags != 0 || mesh_.is_isolated(v)) return false;
+  for (const Halfedge h : outgoing(mesh_, v))
+    if (mesh_.is_outside(h) || is_border_of_values(mesh_, h)) return false;
+  return true;
+}
+
 void CollapseSurface::merge(Vertex gone, Vertex kept, const glm::dvec3& position) {
   State& stays = states_[kept.index];
   const State& goes = states_[gone.index];

@@ -113,6 +113,8 @@ class CollapseSurface {
   double error_limit() const { return error_; }
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
+  // The same, nor any line that it lies on: of a boundary, a seam, or a border of a material or group.
+  bool is_amid_surface(Vertex v) const;
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
   // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last,
   // small turns do not add up to a large one.

@@ -1,10 +1,10 @@
 #include "ryosen/algo/simplify/nearer_swaps.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
 
-#include "ryosen/base/parallel.h"
-#include "ryosen/geometry/trees/primitive.h"
-#include "ryosen/mesh/live_elements.h"
 #include "ryosen/ops/swap_edge.h"
 
 namespace ryosen {
@@ -15,74 +15,19 @@ constexpr int most_rounds = 6;
 // A swap gains at least such a share of the sum, so that rounding does not swap an edge to and fro.
 constexpr double least_gain = 1e-6;
 
-bool is_plain_triangle(const Mesh& mesh, Face f) {
-  const Halfedge h = mesh.halfedge(f);
-  return !mesh.has_rings(f) && mesh.next(mesh.next(h)) == mesh.prev(h);
-}
-
-Primitive triangle_primitive(const Mesh& mesh, Face f) {
-  const Halfedge h = mesh.halfedge(f);
-  return Primitive::triangle(mesh.from(h).index, mesh.to(h).index, mesh.from(mesh.prev(h)).index, f.index);
-}
-
-std::vector<glm::dvec3> places_of(const CollapseSurface& surface) {
-  std::vector<glm::dvec3> places;
-  places.reserve(surface.mesh().vertex_slots());
-  for (std::uint32_t i = 0; i < surface.mesh().vertex_slots(); ++i) places.push_back(surface.place(Vertex(i)));
-  return places;
-}
-
-// The triangles of a mesh that lie at finite places.
-std::vector<Primitive> triangles_of(const Mesh& mesh, std::span<const glm::dvec3> places) {
-  std::vector<Primitive> triangles;
-  triangles.reserve(mesh.face_slots());
-  for (const Face f : live_faces(mesh)) {
-    if (!is_plain_triangle(mesh, f)) continue;
-    const Primitive t = triangle_primitive(mesh, f);
-    if (std::all_of(t.vertices.begin(), t.vertices.end(), [&](std::uint32_t v) { return is_finite(places[v]); }))
-      triangles.push_back(t);
-  }
-  return triangles;
-}
-
-double area_of(std::span<const glm::dvec3> places, const Primitive& t) {
-  const glm::dvec3& a = places[t.vertices[0]];
-  return glm::length(glm::cross(places[t.vertices[1]] - a, places[t.vertices[2]] - a)) / 2;
-}
-
 // How far both surfaces lie from each other about each edge, and what a swap would make of it. An integral over a face
 // of the surface before is taken from its corners and its middle, one over a face of now from the middles of its sides;
 // both are exact for polynomials of degree two.
 class NearerSwaps {
  public:
-  NearerSwaps(Edit& edit, const CollapseSurface& surface, const SurfaceBefore& before)
+  NearerSwaps(Edit& edit, const CollapseSurface& surface, NearSamples& samples, const TriangleTree& input)
       : edit_(edit),
         mesh_(edit.mesh()),
         surface_(surface),
-        before_(before),
-        places_(places_of(surface)),
-        next_(before.samples.size(), no_index),
+        samples_(samples),
+        input_(input),
         square_at_middle_(mesh_.edge_slots(), unknown) {}
 
-  // Gives each sample to the face that it is nearest to; false where it is cancelled.
-  bool assign(Progress& progress) {
-    const TriangleTree tree(places_, triangles_of(mesh_, places_), 1);
-    const auto count = static_cast<std::uint32_t>(before_.samples.size());
-    std::vector<std::uint32_t> faces(count, no_index);
-    constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
-    for (std::uint32_t first = 0; first < count && !tree.is_empty(); first += piece) {
-      if (!progress.go_on()) return false;
-      const std::uint32_t here = std::min(piece, count - first);
-      for_each_part(here, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t i = first + begin; i < first + end; ++i)
-          faces[i] = tree.owner(tree.nearest(before_.samples[i].place).triangle);
-      });
-    }
-    first_.assign(mesh_.face_slots(), no_index);
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (faces[i] != no_index) put(Face(faces[i]), i);
-    return true;
-  }
   // Whether it was swapped.
   bool try_edge(Edge e) {
     const Halfedge h = halfedge(e), o = twin(h);
@@ -106,29 +51,20 @@ class NearerSwaps {
     Vertex a, b, c, d;
   };
 
-  double square(const Primitive& triangle, std::uint32_t sample) const {
-    const double distance = nearest_place(places_, triangle, before_.samples[sample].place).distance;
+  double square(const Primitive& triangle, const glm::dvec3& place) const {
+    const double distance = samples_.nearest(triangle, place).distance;
     return distance * distance;
   }
-  template <class Visit>
-  void for_each_sample(Face f, Visit visit) const {
-    for (std::uint32_t s = first_[f.index]; s != no_index;) {
-      const std::uint32_t next = next_[s];
-      visit(s);
-      s = next;
-    }
-  }
-  void put(Face f, std::uint32_t sample) {
-    next_[sample] = first_[f.index];
-    first_[f.index] = sample;
-  }
   Primitive triangle(Vertex a, Vertex b, Vertex c) const { return Primitive::triangle(a.index, b.index, c.index, 0); }
-  double area(Vertex a, Vertex b, Vertex c) const { return area_of(places_, triangle(a, b, c)); }
+  double area(Vertex a, Vertex b, Vertex c) const {
+    const glm::dvec3& p = surface_.place(a);
+    return glm::length(glm::cross(surface_.place(b) - p, surface_.place(c) - p)) / 2;
+  }
   // Of the place in the middle of two from the surface before.
   double square_between(Vertex a, Vertex b) const {
-    const glm::dvec3 middle = (places_[a.index] + places_[b.index]) / 2.0;
-    if (before_.triangles.is_empty() || !is_finite(middle)) return 0;
-    const double distance = before_.triangles.nearest(middle).distance;
+    const glm::dvec3 middle = (surface_.place(a) + surface_.place(b)) / 2.0;
+    if (input_.is_empty() || !is_finite(middle)) return 0;
+    const double distance = input_.nearest(middle).distance;
     return distance * distance;
   }
   double square_at_middle(Halfedge h) {
@@ -143,9 +79,10 @@ class NearerSwaps {
     const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
     double was = 0, is = 0;
     for (Halfedge side : {h, twin(h)})
-      for_each_sample(mesh_.face(side), [&](std::uint32_t s) {
-        was += before_.samples[s].area * std::min(square(was_left, s), square(was_right, s));
-        is += before_.samples[s].area * std::min(square(new_a, s), square(new_b, s));
+      samples_.for_each(mesh_.face(side), [&](std::uint32_t s) {
+        const auto [place, share] = samples_.sample(s);
+        was += share * std::min(square(was_left, place), square(was_right, place));
+        is += share * std::min(square(new_a, place), square(new_b, place));
       });
     const double left = area(a, b, c) / 3, right = area(b, a, d) / 3, at_a = area(c, a, d) / 3,
                  at_b = area(d, b, c) / 3;
@@ -159,54 +96,31 @@ class NearerSwaps {
   void swap(Halfedge h, const Quad& quad) {
     const auto [a, b, c, d] = quad;
     std::vector<std::uint32_t> samples;
-    for (Face f : {mesh_.face(h), mesh_.face(twin(h))}) {
-      for_each_sample(f, [&](std::uint32_t s) { samples.push_back(s); });
-      first_[f.index] = no_index;
-    }
+    for (Face f : {mesh_.face(h), mesh_.face(twin(h))}) samples_.take(f, samples);
     SwapEdge{h}.apply(edit_);
     square_at_middle_[edge(h).index] = unknown;
     const bool is_first = mesh_.from(mesh_.prev(h)) == a;
     const Face with_a = mesh_.face(is_first ? h : twin(h)), with_b = mesh_.face(is_first ? twin(h) : h);
     const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
-    for (const std::uint32_t s : samples) put(square(new_a, s) <= square(new_b, s) ? with_a : with_b, s);
+    for (const std::uint32_t s : samples) {
+      const glm::dvec3 place = samples_.sample(s).place;
+      samples_.give(square(new_a, place) <= square(new_b, place) ? with_a : with_b, s);
+    }
   }
 
   Edit& edit_;
   const Mesh& mesh_;
   const CollapseSurface& surface_;
-  const SurfaceBefore& before_;
-  std::vector<glm::dvec3> places_;        // by vertex
-  std::vector<std::uint32_t> first_;      // by face, its first sample
-  std::vector<std::uint32_t> next_;       // by sample, the next one of its face
+  NearSamples& samples_;
+  const TriangleTree& input_;
   std::vector<double> square_at_middle_;  // by edge, or unknown
 };
 
 }  // namespace
 
-SurfaceBefore surface_before(const CollapseSurface& surface) {
-  const Mesh& mesh = surface.mesh();
-  SurfaceBefore before;
-  const std::vector<glm::dvec3> places = places_of(surface);
-  const std::vector<Primitive> triangles = triangles_of(mesh, places);
-  std::vector<double> areas(mesh.vertex_slots());
-  for (const Primitive& t : triangles) {
-    const double area = area_of(places, t);
-    glm::dvec3 sum{0.0};
-    for (const std::uint32_t v : t.vertices) {
-      areas[v] += area / 12;
-      sum += places[v];
-    }
-    before.samples.push_back({sum / 3.0, area * 3 / 4});
-  }
-  for (std::uint32_t v = 0; v < areas.size(); ++v)
-    if (areas[v] > 0) before.samples.push_back({places[v], areas[v]});
-  before.triangles = TriangleTree(places, triangles, 1);
-  return before;
-}
-
-std::size_t swap_nearer(Edit& edit, const CollapseSurface& surface, const SurfaceBefore& before, Progress& progress) {
-  NearerSwaps swaps(edit, surface, before);
-  if (!swaps.assign(progress)) return 0;
+std::size_t swap_nearer(Edit& edit, const CollapseSurface& surface, NearSamples& samples, const TriangleTree& input,
+                        Progress& progress) {
+  NearerSwaps swaps(edit, surface, samples, input);
   const Mesh& mesh = edit.mesh();
   std::vector<std::uint8_t> is_asked(mesh.edge_slots(), 1);
   std::size_t swapped = 0, swapped_before = 0;

@@ -46,9 +46,9 @@ struct Quadric {
   bool is_lowest(const glm::dvec3& place) const { return is_rounding(times(place) + b); }
 
   // The place of the least sum; where planes leave it open, as on a flat or straight part, the one nearest to `near`. A
-  // small share of the trace on the diagonal of A makes both one equation, which is solved by LDL'.
-  glm::dvec3 lowest(const glm::dvec3& near) const {
-    constexpr double share = 1e-8;
+  // share of the trace on the diagonal of A makes both one equation, which is solved by LDL': the larger it is, the
+  // more `near` holds the place.
+  glm::dvec3 lowest(const glm::dvec3& near, double share = 1e-8) const {
     const double trace = xx + yy + zz;
     if (!(trace > 0)) return near;
     const double held = share * trace;

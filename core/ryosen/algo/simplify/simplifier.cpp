@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "ryosen/algo/features.h"
-#include "ryosen/algo/simplify/nearer_swaps.h"
 #include "ryosen/algo/simplify/plain_collapse.h"
 #include "ryosen/algo/simplify/ring_values.h"
 #include "ryosen/base/parallel.h"
@@ -54,8 +53,7 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (guard_ && goal.has_self_intersections) guard_->inherit();
   if (!steps) edit_.emplace(mesh, nullptr, descent);
-  if (input_ && !steps && !guard_ && has_triangles_alone_ && !has_corner_values_ && goal.effort > 0)
-    merged_into_.resize(mesh_.vertex_slots());
+  if (input_ && !steps && !guard_ && goal.effort > 0) merged_into_.resize(mesh_.vertex_slots());
 }
 
 void Simplifier::fill_queue() {
@@ -73,13 +71,10 @@ void Simplifier::fill_queue() {
 bool Simplifier::run(Progress& progress) {
   if (is_at_goal()) return progress.go_on();
   fill_queue();
-  const bool swaps = goal_.effort == 2 && !steps_ && !guard_;
-  const SurfaceBefore before = swaps ? surface_before(surface_) : SurfaceBefore();
   if (!collapse_all(progress)) return false;
-  if (swaps && (swaps_ = swap_nearer(*edit_, surface_, before, progress)) > 0 && !is_at_goal() &&
-      find_further(progress) && !collapse_all(progress))
-    return false;
-  if (!merged_into_.empty() && is_at_goal() && !mend_turned(progress)) return false;
+  if (!merged_into_.empty() && collapses_ > 0 && !come_nearer(progress)) return false;
+  const bool may_mend = !merged_into_.empty() && has_triangles_alone_ && !has_corner_values_;
+  if (may_mend && is_at_goal() && !mend_turned(progress)) return false;
   if (goal_.removes_small_parts && !is_at_goal()) remove_small_parts();
   return progress.go_on();
 }

@@ -90,8 +90,8 @@ class LevelQueue {
 
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
-  // 0 to 2; where it is 2, and there is neither a journal nor anything to keep apart, edges are swapped in the end
-  // where this brings the surface nearer to the input.
+  // 0 to 2: how many levels of cost there are, and what is done in the end where the input is known and there is
+  // neither a journal nor anything to keep apart: from 1 on vertices move nearer to it, and with 2 edges are swapped.
   unsigned effort = 1;
   // Of a mesh of triangles no faces may come to meet. Where some do already, pairs that come from them may go on, as
   // many at most (CrossingGuard::inherit).
@@ -104,10 +104,10 @@ struct SimplifyGoal {
 class Simplifier {
  public:
   // Collapses edges of this mesh, each as an entry of a journal where there is one; without one what it writes is
-  // final, so that it is to be a copy. `input`: the mesh as it is, to stay so: with it faces that have come to look
-  // against it are mended when the goal is reached, where there are but triangles without values at their corners,
-  // neither a journal nor anything to keep apart, and the effort is more than 0. `descent`: told where elements come
-  // from, without a journal. All must outlive it.
+  // final, so that it is to be a copy. `input`: the mesh as it is, to stay so: with it the surface comes nearer to it
+  // in the end as the effort says, and where there are but triangles without values at their corners, faces that have
+  // come to look against it are mended when the goal is reached. `descent`: told where elements come from, without a
+  // journal. All must outlive it.
   Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps = nullptr,
              const Mesh* input = nullptr, Descent* descent = nullptr);
 
@@ -117,6 +117,8 @@ class Simplifier {
   std::size_t collapses() const { return collapses_; }
   std::size_t removed_parts() const { return removed_parts_; }
   std::size_t swaps() const { return swaps_; }
+  // To where the surface lies nearer to the input.
+  std::size_t moves() const { return moves_; }
   // So many faces had come to look against the input, and so many still do.
   std::size_t turned() const { return turned_; }
   std::size_t still_turned() const { return still_turned_; }
@@ -162,6 +164,11 @@ class Simplifier {
   // Removes them, the smallest first, until the goal is reached.
   void remove_small_parts();
   void remove_part(std::span<const Vertex> part);
+  // Into what vertices have been merged: none where they are their own, and else the last one. O(n).
+  std::span<const Vertex> find_merged();
+  // Moves vertices to where the surface lies nearer to the input, and with effort 2 swaps edges before
+  // (simplifier_nearer.cpp). False where it was cancelled.
+  bool come_nearer(Progress& progress);
   // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
   // (simplifier_turned.cpp). False where it was cancelled.
   bool mend_turned(Progress& progress);
@@ -232,7 +239,7 @@ class Simplifier {
     CollapseSurface::History history;
   };
   mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
-  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, turned_ = 0, still_turned_ = 0,
+  std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, moves_ = 0, turned_ = 0, still_turned_ = 0,
               passed_on_ = 0;
   std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
   double error_max_ = 0;

@@ -58,12 +58,9 @@ std::vector<Face> Simplifier::find_turned() {
   sort_unique(corners);
   for (Vertex v : corners)
     for (Halfedge h : outgoing(mesh_, v)) is_near[mesh_.to(h).index] = 1;
-  for (std::uint32_t i = 0; i < merged_into_.size(); ++i) {
-    Vertex v(i);
-    while (merged_into_[v.index]) v = merged_into_[v.index];
-    for (Vertex w(i); w != v;) w = std::exchange(merged_into_[w.index], v);  // a shorter way for the others
-    is_near[i] = is_near[v.index];
-  }
+  const std::span<const Vertex> merged = find_merged();
+  for (std::uint32_t i = 0; i < merged.size(); ++i)
+    if (merged[i]) is_near[i] = is_near[merged[i].index];
   sides_.emplace(*input_, is_near);
   std::erase_if(found, [&](Face f) { return !may_look_further() || !is_turned(f); });
   return found;

@@ -64,9 +64,10 @@ std::vector<ParameterRow> simplify_parameters() {
                     {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row(
           {"effort", "Effort", "手間",
-           "more takes longer and loses less; 2 also swaps edges where the surface comes nearer, and takes what 1 "
-           "makes where that is nearer",
-           "大きいほど時間がかかり、誤差が小さい（2 では近づく箇所の稜線交換もし、1 の結果の方が近ければそれを採る）"},
+           "more takes longer and loses less: 1 also moves vertices to where the surface comes nearer, 2 also swaps "
+           "edges for that, and takes what 1 makes where that is nearer",
+           "大きいほど時間がかかり、誤差が小さい（1 では面が近づく位置へ頂点も動かす。2 "
+           "では近づく箇所の稜線交換もし、1 の結果の方が近ければそれを採る）"},
           {.kind = ParameterKind::count, .initial = "1", .largest = 2})};
 }
 

@@ -29,16 +29,17 @@ Mesh wavy_fan(std::uint32_t spokes) {
 double triangles_asked_on_average(std::uint32_t spokes) {
   const Mesh mesh = wavy_fan(spokes);
   const CollapseSurface surface(mesh, {});
-  const SurfaceBefore before = surface_before(surface);
-  std::size_t asked = 0;
-  for (const SurfaceBefore::Sample& sample : before.samples)
-    asked += before.triangles.triangles_asked_for(sample.place);
+  const NearSamples samples(mesh, surface);
+  const TriangleTree input = tree_of_input(mesh, surface);
+  std::size_t asked = 0, count = 0;
+  for (std::uint32_t i = 0; i < mesh.face_slots() + mesh.vertex_slots(); ++i, ++count)
+    asked += input.triangles_asked_for(samples.sample(i).place);
   for (std::uint32_t i = 0; i < spokes; ++i) {
     const auto spoke = [&](std::uint32_t k) { return surface.place(Vertex(1 + k % spokes)); };
-    asked += before.triangles.triangles_asked_for((spoke(i) + spoke(i + 2)) / 2.0);
-    asked += before.triangles.triangles_asked_for((spoke(i) + surface.place(Vertex(0))) / 2.0);
+    asked += input.triangles_asked_for((spoke(i) + spoke(i + 2)) / 2.0);
+    asked += input.triangles_asked_for((spoke(i) + surface.place(Vertex(0))) / 2.0);
   }
-  return static_cast<double>(asked) / static_cast<double>(before.samples.size() + 2 * spokes);
+  return static_cast<double>(asked) / static_cast<double>(count + 2 * spokes);
 }
 
 TEST(nearer_swaps, asks_few_triangles_about_a_vertex_of_many_faces) {

@@ -1,0 +1,70 @@
+// Samples of a surface as it was before it was simplified, each at the nearest face of now: what tells how far both lie
+// from each other.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "ryosen/algo/simplify/collapse_surface.h"
+#include "ryosen/base/progress.h"
+#include "ryosen/geometry/trees/primitive.h"
+#include "ryosen/geometry/trees/triangle_tree.h"
+
+namespace ryosen {
+
+class NearSamples {
+ public:
+  // `input`: the mesh as it was, whose vertices have the same numbers. Its triangles at finite places and without rings
+  // are sampled, by numbers of faces for their middles and behind them by numbers of vertices. Both must outlive it.
+  // O(n).
+  NearSamples(const Mesh& input, const CollapseSurface& surface);
+
+  struct Sample {
+    glm::dvec3 place{0.0};
+    double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
+  };
+  Sample sample(std::uint32_t i) const;
+
+  // Gives each sample to the face that it is nearest to; false where it is cancelled. `hints`: by vertex, one that it
+  // has become, or none; the nearer, the faster. O(n log n).
+  bool assign(std::span<const Vertex> hints, Progress& progress);
+  template <class Visit>
+  void for_each(Face f, const Visit& visit) const {
+    for (std::uint32_t i = first_[f.index]; i != no_index; i = next_[i]) visit(i);
+  }
+  // Takes all samples of a face.
+  void take(Face f, std::vector<std::uint32_t>& taken);
+  void give(Face f, std::uint32_t i) {
+    next_[i] = first_[f.index];
+    first_[f.index] = i;
+  }
+
+  // Where the corners of triangles are, scaled, by vertex of the surface of now; put() tells of one that moves.
+  std::span<const glm::dvec3> places() const { return places_; }
+  void put(Vertex v, const glm::dvec3& place) { places_[v.index] = place; }
+  NearestPlace nearest(const Primitive& triangle, const glm::dvec3& place) const {
+    return nearest_place(places_, triangle, place);
+  }
+
+ private:
+  std::uint32_t count() const { return input_.face_slots() + input_.vertex_slots(); }
+  bool is_sampled(Face f) const;
+
+  const Mesh& input_;
+  const CollapseSurface& surface_;
+  std::vector<glm::dvec3> places_;
+  std::vector<float> vertex_areas_;   // by vertex of the input
+  std::vector<std::uint32_t> first_;  // by face, its first sample
+  std::vector<std::uint32_t> next_;   // by sample, the next one of its face
+};
+
+// A plain triangle, its owner the face.
+Primitive triangle_primitive(const Mesh& mesh, Face f);
+// The triangles of a mesh without rings whose corners have finite places.
+std::vector<Primitive> plain_triangles(const Mesh& mesh, std::span<const glm::dvec3> places);
+// Of the input, in the scale of the surface. O(n log n).
+TriangleTree tree_of_input(const Mesh& input, const CollapseSurface& surface);
+
+}  // namespace ryosen

@@ -226,6 +226,23 @@ bool CollapseSurface::move_spoils_face(Vertex v, const glm::dvec3& position, Fac
   return false;
 }
 
+bool CollapseSurface::move_tilts_face(Vertex v, const glm::dvec3& position) const {
+  constexpr double clear_cosine = 0.3;
+  const glm::dvec3 p = place(v), q = scale_.scaled(position);
+  const auto cosine = [](const glm::dvec3& normal, const glm::dvec3& along) {
+    const double product = glm::dot(normal, normal) * glm::dot(along, along);
+    return product > 0 ? glm::dot(normal, along) / std::sqrt(product) : -1;
+  };
+  for (const Halfedge corner : outgoing(mesh_, v)) {
+    if (mesh_.is_outside(corner)) continue;
+    const State &x = states_[mesh_.to(corner).index], &y = states_[mesh_.from(mesh_.prev(corner)).index];
+    const glm::dvec3 all = glm::dvec3(states_[v.index].normal) + glm::dvec3(x.normal) + glm::dvec3(y.normal);
+    const double after = cosine(glm::cross(x.place - q, y.place - q), all);
+    if (after < clear_cosine && after < cosine(glm::cross(x.place - p, y.place - p), all)) return true;
+  }
+  return false;
+}
+
 // The areas of faces of many corners are kept while edges collapse, since summing them anew for each of their edges
 // would cost the square of their corners.
 void CollapseSurface::find_large_faces() {

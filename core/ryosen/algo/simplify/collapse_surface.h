@@ -136,6 +136,8 @@ class CollapseSurface {
   // or turn too far; but for one that is to turn.
   double error_of_move(Vertex v, const glm::dvec3& position) const;
   bool move_spoils_face(Vertex v, const glm::dvec3& position, Face mended) const;
+  // Whether a face around it would look less along what its corners stand for, and not clearly along that.
+  bool move_tilts_face(Vertex v, const glm::dvec3& position) const;
   // Whether one would get too small an angle.
   bool narrows_face(Halfedge h, const glm::dvec3& place) const;
 

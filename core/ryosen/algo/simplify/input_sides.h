@@ -5,13 +5,13 @@
 // looks the other way. Neither its own turns nor the normals that its corners stand for tell that; only the input does.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
 #include "ryosen/geometry/trees/bvh.h"
 #include "ryosen/mesh/mesh.h"
+#include "ryosen/mesh/triangle_corners.h"
 
 namespace ryosen {
 
@@ -24,14 +24,17 @@ class InputSides {
   // Whether of these the one nearest to the middle of a triangle looks 90 degrees or more away from it; where several
   // are as near, whether one of them does. A triangle without area looks nowhere. Cost: O(log n), and what looks()
   // says.
-  bool is_turned(const std::array<glm::dvec3, 3>& triangle) const;
+  bool is_turned(const TriangleCorners& triangle) const;
   // What that has cost so far: so many triangles were near the nearest place. As many slivers lie around a hub.
   std::size_t looks() const { return looks_; }
 
  private:
+  TriangleCorners corners(Face f) const;
   bool looks_against(Face f, const glm::dvec3& normal) const;
 
   const Mesh& input_;
+  double scale_;  // a power of two, so that what is huge or tiny is judged as all else is
+  std::vector<glm::dvec3> places_;
   Bvh tree_;
   mutable std::size_t looks_ = 0;
 };

@@ -126,7 +126,9 @@ class Mover {
     if (step == glm::dvec3(0.0)) return;
     const glm::dvec3 position = surface_.scale().restored(surface_.place(v) + step);
     const double error = surface_.error_of_move(v, position);
-    if (!(error <= surface_.error_limit()) || surface_.move_spoils_face(v, position, Face())) return;
+    if (!(error <= surface_.error_limit()) || surface_.move_spoils_face(v, position, Face()) ||
+        surface_.move_tilts_face(v, position))
+      return;
     if (input_) {
       const double was = squares_around(v);
       samples_.put(v, surface_.scale().scaled(position));

@@ -205,7 +205,9 @@ class Attempt {
 // Whether the surface of one mesh lies nearer to that of another one than a third does, as the root of the mean square.
 bool lies_nearer(const Mesh& mesh, const Mesh& than, const Mesh& to, Progress& progress) {
   if (!has_surface(mesh) || !has_surface(than) || !has_surface(to)) return false;
-  const DistanceOptions of_means{.gap = 1};
+  constexpr std::uint64_t fewest_samples = 20000, samples_per_face = 4;
+  const DistanceOptions of_means{
+      .gap = 1, .samples = std::max(fewest_samples, samples_per_face * std::uint64_t{to.live().faces})};
   const auto distance = surface_distance(to, mesh, of_means, progress),
              other = distance ? surface_distance(to, than, of_means, progress) : std::nullopt;
   return other && distance->rms < other->rms;

@@ -20,7 +20,7 @@ namespace {
 
 double rms_between(const Mesh& a, const Mesh& b) {
   Progress unheard;
-  return surface_distance(a, b, {.gap = 1}, unheard)->rms;
+  return surface_distance(a, b, {.gap = 1, .samples = 20000}, unheard)->rms;
 }
 
 struct Made {

@@ -80,6 +80,35 @@ TEST_F(Simplify, ends_with_1_where_it_stops_before) {
   expect_accounts(blocked.line(), output_);
 }
 
+TEST_F(Simplify, ends_with_1_where_more_would_lose_the_shape_and_goes_on_by_force) {
+  const std::string fine = folder_.at("fine.obj");
+  ASSERT_EQ(run_program({"subdivide", asset("cube.obj"), "--scheme", "midpoint", "--steps", "3", "-o", fine}).exit_code,
+            0);
+  const ProgramRun shape = run({fine, "-o", output_, "--faces", "6", "--triangulate"});
+  EXPECT_EQ(shape.exit_code, 1) << shape.err;
+  EXPECT_EQ(shape.line()["stopped"], "shape");
+  EXPECT_EQ(shape.line()["faces_after"], 12);
+  EXPECT_EQ(shape.line()["remaining"]["free"], 0);
+  EXPECT_GT(shape.line()["remaining"]["error"], 0);
+  expect_accounts(shape.line(), output_);
+  const ProgramRun forced = run({fine, "--faces", "6", "--triangulate", "--force"});
+  EXPECT_EQ(forced.exit_code, 0) << forced.err;
+  EXPECT_EQ(forced.line()["stopped"], "goal");
+  const std::string misoriented =
+      folder_.write("misoriented.obj",
+                    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 1\nf 1 2 5\nf 3 2 5\nf 3 4 5\nf 1 4 5\n"
+                    "f 1 2 3\nf 3 1 4\n");
+  const ProgramRun left = run({misoriented, "--faces", "4"});
+  EXPECT_EQ(left.exit_code, 1) << left.err;
+  EXPECT_EQ(left.line()["stopped"], "shape");
+  EXPECT_EQ(left.line()["changed"], 0);
+  EXPECT_NE(left.line()["en"].get<std::string>().find("orient"), std::string::npos);
+  EXPECT_NE(left.line()["ja"].get<std::string>().find("orient"), std::string::npos);
+  const std::string turned = folder_.at("turned.obj");
+  ASSERT_EQ(run_program({"edit", misoriented, "--do", "orient", "-o", turned}).exit_code, 0);
+  EXPECT_EQ(run({turned, "--faces", "4"}).line()["stopped"], "goal");
+}
+
 TEST_F(Simplify, without_an_output_is_a_trial) {
   const std::string before = read_file(bunny_);
   const ProgramRun trial = run({bunny_, "--faces", "5000"}), done = run({bunny_, "-o", output_, "--faces", "5000"});

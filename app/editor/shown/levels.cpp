@@ -15,7 +15,7 @@ std::span<const ParameterRow> level_parameters() {
   static const std::vector<ParameterRow> rows = [] {
     std::vector<ParameterRow> some;
     for (ParameterRow row : find_algorithm("simplify")->parameters) {
-      if (row.id == "faces" || row.id == "ratio") continue;
+      if (row.id == "faces" || row.id == "ratio" || row.id == "force") continue;
       row.one_of = "";
       some.push_back(std::move(row));
     }
@@ -34,6 +34,7 @@ std::size_t ShownLevels::level_of(std::size_t faces) const {
 std::string ShownLevels::line() const {
   ParameterValues values = values_;
   values.set("faces", std::to_string(faces()), "faces");
+  values.set("force", "on", "force");  // the level was seen
   return "simplify " + values.line();
 }
 

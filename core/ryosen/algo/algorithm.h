@@ -48,7 +48,7 @@ inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vec
 }
 
 // Why an algorithm with a goal came to its end.
-enum class Stop { goal, error, blocked, cancelled };
+enum class Stop { goal, error, blocked, shape, cancelled };
 
 // What an algorithm with a goal says of its end.
 struct GoalReport {

@@ -43,7 +43,8 @@ struct StopRow {
 };
 
 inline constexpr std::array stops{StopRow{Stop::goal, "goal"}, StopRow{Stop::error, "error"},
-                                  StopRow{Stop::blocked, "blocked"}, StopRow{Stop::cancelled, "cancelled"}};
+                                  StopRow{Stop::blocked, "blocked"}, StopRow{Stop::shape, "shape"},
+                                  StopRow{Stop::cancelled, "cancelled"}};
 
 static_assert(rows_are_in_order(stops, &StopRow::stop));
 

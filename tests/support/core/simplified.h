@@ -92,7 +92,7 @@ inline void expect_kept(const Mesh& before, Mesh& mesh, Journal& journal, const 
 inline void go_all_the_way(Mesh mesh, const std::string& name, bool verify = true, const std::string& further = "") {
   const Mesh before = mesh;
   Journal journal;
-  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=0" + further);
+  const AlgorithmResult result = run_algorithm(mesh, journal, "simplify faces=0 force=on" + further);
   if (result.refused) return;
   expect_kept(before, mesh, journal, name);
   EXPECT_EQ(result.goal_report->stopped, Stop::blocked) << name;

@@ -109,7 +109,6 @@ class CollapseSurface {
 
   // A distance in scaled units: the root of the mean squared distance from the planes of both ends.
   double error_of(Halfedge h, const Placing& placing) const;
-  bool is_within_error(Halfedge h, const Placing& placing) const { return error_of(h, placing) <= error_; }
   double error_limit() const { return error_; }
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }

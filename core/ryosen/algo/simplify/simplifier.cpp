@@ -34,6 +34,14 @@ bool has_only_triangles(const Mesh& mesh) {
   return true;
 }
 
+// Scaled.
+double diagonal_of(const CollapseSurface& surface) {
+  Box box;
+  for (const Vertex v : live_vertices(surface.mesh()))
+    if (!surface.mesh().is_isolated(v) && is_finite(surface.place(v))) box.add(surface.place(v));
+  return box.is_empty() ? 0 : glm::length(box.highest - box.lowest);
+}
+
 }  // namespace
 
 Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyGoal& goal, Journal* steps,
@@ -52,6 +60,7 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       has_triangles_alone_(has_only_triangles(mesh_)) {
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (guard_ && goal.has_self_intersections) guard_->inherit();
+  if (goal.keeps_shape) jump_.emplace(diagonal_of(surface_), mesh_.live().faces);
   if (!steps) edit_.emplace(mesh, nullptr, descent);
   if (input_ && !steps && !guard_ && goal.effort > 0) merged_into_.resize(mesh_.vertex_slots());
 }
@@ -152,7 +161,7 @@ Simplifier::Answer Simplifier::try_again(const Candidate& candidate) {
 
 Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& lowest) {
   const Halfedge h = freedom.halfedge;
-  const auto is_near = [&](const Placing& placing) { return surface_.is_within_error(h, placing); };
+  const auto is_near = [&](const Placing& placing) { return is_within_error(h, placing); };
   std::optional<std::array<Placing, 3>> others;
   if (!is_near(lowest)) {
     if (freedom.is_anchored) return Answer::refused;
@@ -181,7 +190,7 @@ Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& l
 
 Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing, Legality legality) {
   const Halfedge h = freedom.halfedge;
-  if (!surface_.is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
+  if (!is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
       surface_.narrows_face(h, placing.place))
     return Answer::refused;
   if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {
@@ -192,6 +201,11 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
   const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
   collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);
   return Answer::done;
+}
+
+bool Simplifier::is_within_error(Halfedge h, const Placing& placing) const {
+  const double limit = surface_.error_limit();
+  return surface_.error_of(h, placing) <= (jump_ ? std::min(limit, jump_->limit()) : limit);
 }
 
 bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
@@ -231,6 +245,7 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legali
     guard_->follow(kept);
   }
   ++collapses_;
+  if (jump_) jump_->follow(mesh_.live().faces, error_max_);
   unblock_around(kept, apexes);
 }
 
@@ -286,7 +301,7 @@ EdgeRule Simplifier::refusal(const Freedom& freedom, const Placing& placing, Edg
   const Halfedge h = freedom.halfedge;
   if (none <= EdgeRule::normal || surface_.turns_face(h, placing)) return std::min(none, EdgeRule::normal);
   if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
-  if (!surface_.is_within_error(h, placing)) return EdgeRule::error;
+  if (!is_within_error(h, placing)) return EdgeRule::error;
   return none > EdgeRule::self_intersection && makes_faces_meet(freedom, placing) ? EdgeRule::self_intersection : none;
 }
 
@@ -299,7 +314,7 @@ EdgeRule Simplifier::rule_of(Edge e) const {
     const bool is_held = freedom.is_anchored && !is_at_anchor;
     EdgeRule rule = is_held ? freedom.held_by : EdgeRule::free;
     // It costs the valence to see whether faces turn: that is not asked where it would tell nothing.
-    if (!surface_.is_within_error(freedom.halfedge, placing)) rule = std::min(rule, EdgeRule::error);
+    if (!is_within_error(freedom.halfedge, placing)) rule = std::min(rule, EdgeRule::error);
     if (rule <= last) return;
     last = std::max(last, refusal(freedom, placing, rule));
   };

@@ -20,6 +20,7 @@
 #include "ryosen/algo/crossings/crossing_guard.h"
 #include "ryosen/algo/simplify/collapse_surface.h"
 #include "ryosen/algo/simplify/input_sides.h"
+#include "ryosen/algo/simplify/jump_limit.h"
 #include "ryosen/base/progress.h"
 #include "ryosen/mesh/edit.h"
 #include "ryosen/ops/rules/local_facts.h"
@@ -99,6 +100,8 @@ struct SimplifyGoal {
   // Parts of the surface go that can collapse no further and are smaller than the error: than its limit, or without
   // one, than the largest error that was made until then; and where nothing else can collapse, all that are so small.
   bool removes_small_parts = false;
+  // Edges whose collapse would lose the shape are left (jump_limit.h).
+  bool keeps_shape = false;
 };
 
 class Simplifier {
@@ -201,6 +204,8 @@ class Simplifier {
   QuickAnswer collapse_at_hub(Halfedge h) const;
   bool shares_neighbours_with_hub(Halfedge h) const;
   bool are_joined(Vertex v, Vertex hub) const;
+  // Within the limit that was set, and within that of the shape.
+  bool is_within_error(Halfedge h, const Placing& placing) const;
   bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
   void collapse(const Freedom& freedom, const Placing& placing, Legality legality);
   Halfedge directed(const Freedom& freedom, Legality legality);
@@ -221,6 +226,7 @@ class Simplifier {
   LevelQueue queue_;
   std::vector<Candidate> batch_;  // whose turn it is
   std::optional<CrossingGuard> guard_;
+  std::optional<JumpLimit> jump_;
   const Mesh* input_;
   std::vector<Vertex> merged_into_;  // by vertex that went, where faces that look against the input are to be mended
   std::optional<InputSides> sides_;

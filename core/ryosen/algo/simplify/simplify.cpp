@@ -9,6 +9,7 @@
 #include "ryosen/algo/preparation.h"
 #include "ryosen/algo/seams/flat_normals.h"
 #include "ryosen/algo/seams/seam_mode.h"
+#include "ryosen/algo/simplify/goal_text.h"
 #include "ryosen/algo/transform/moved_points.h"
 #include "ryosen/analysis/measure/distance.h"
 #include "ryosen/analysis/self_intersections.h"
@@ -24,11 +25,18 @@ namespace ryosen {
 
 namespace {
 
+bool has_face_goal(const ParameterValues& values) { return values.has("faces") || values.has("ratio"); }
+
+// A number of faces alone says nothing of the shape; whoever states an error has said what it may cost.
+bool stops_by_shape(const ParameterValues& values) {
+  return has_face_goal(values) && !values.has("error") && !values.flag("force");
+}
+
 // Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are
 // wanted and the error decides.
 std::size_t faces_wanted(const ParameterValues& values, std::size_t faces) {
   constexpr double rounding = 1e-6;  // 0.29 of 100 is 29
-  std::size_t wanted = values.has("faces") || values.has("ratio") ? faces : 0;
+  std::size_t wanted = has_face_goal(values) ? faces : 0;
   if (values.has("faces")) wanted = std::min(wanted, values.count("faces"));
   if (values.has("ratio"))
     wanted = std::min(wanted, static_cast<std::size_t>(values.ratio("ratio") * static_cast<double>(faces) + rounding));
@@ -112,39 +120,6 @@ Text crossings_text(std::size_t before, std::size_t after) {
              is = text_of(after, "one still does", "# still do", "more than # still do");
   return {" " + was.en + ", " + (after == 0 ? "none still does" : is.en) + ".",
           "交わる面は " + was.ja + "から " + is.ja + "へ。"};
-}
-
-// The rules that hold edges, with how many, the most first.
-Text names_of_holding(const std::vector<std::size_t>& remaining) {
-  std::vector<std::pair<std::size_t, const EdgeRuleRow*>> holding;
-  for (const EdgeRuleRow& row : edge_rule_table())
-    if (const auto k = static_cast<std::size_t>(row.rule); k < remaining.size() && remaining[k] > 0)
-      holding.emplace_back(remaining[k], &row);
-  std::stable_sort(holding.begin(), holding.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  Text text;
-  for (const auto& [count, row] : holding) {
-    const std::string n = " " + std::to_string(count);
-    text += Text{(text.en.empty() ? " (" : ", ") + std::string(row->id) + n,
-                 (text.ja.empty() ? "：" : "、") + std::string(row->name_ja) + n};
-  }
-  if (!text.en.empty()) text.en += ")";
-  return text;
-}
-
-Text text_of(std::size_t before, std::size_t after, const GoalReport& report) {
-  const std::string a = std::to_string(before);
-  Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
-  if (report.stopped == Stop::error) {
-    const bool names_seams = report.remaining[static_cast<std::size_t>(EdgeRule::seam)] > 0;
-    const Text rules = names_seams ? names_of_holding(report.remaining) : Text();
-    return text + Text{"; more would go beyond the error" + rules.en + ".", "（許容誤差まで" + rules.ja + "）。"};
-  }
-  if (report.stopped == Stop::blocked) {
-    const Text rules = names_of_holding(report.remaining);
-    return text + Text{"; no edge that is left can collapse" + rules.en + ".",
-                       "（残りの稜線はどれも稜線削除できません" + rules.ja + "）。"};
-  }
-  return text + Text{".", "。"};
 }
 
 // What is simplified, or why it cannot be.
@@ -235,8 +210,32 @@ std::unique_ptr<Attempt> attempted(Mesh work, Descent descent, const AlgorithmIn
 }
 
 SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, std::size_t faces) {
-  return {faces, static_cast<unsigned>(values.count("effort")), values.flag("no_self_intersections"),
-          prepared.crossings > 0, values.flag("remove_small")};
+  return {faces,
+          static_cast<unsigned>(values.count("effort")),
+          values.flag("no_self_intersections"),
+          prepared.crossings > 0,
+          values.flag("remove_small"),
+          stops_by_shape(values)};
+}
+
+// Why it ended before it reached a number of faces.
+Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal) {
+  if (remaining[static_cast<std::size_t>(EdgeRule::error)] == 0) return Stop::blocked;
+  return goal.keeps_shape ? Stop::shape : Stop::error;
+}
+
+// Tells what holds the edges of a mesh most of which are misoriented; false for any other.
+bool leave_misoriented(const Mesh& mesh, const AlgorithmInput& input, AlgorithmResult& result, Progress& progress) {
+  const EdgeAgreement agreement = count_agreement(mesh);
+  if (!agreement.is_lost()) return false;
+  Mesh copy = mesh;
+  GoalReport& report = result.goal_report.emplace();
+  report = {Stop::shape, false, 0.0};
+  report.rules = find_remaining(mesh, Simplifier(copy, limits_of(copy, input), {}), progress);
+  report.remaining = count_remaining(mesh, report.rules);
+  if (progress.is_cancelled()) report = {Stop::cancelled, false};
+  result.text = text_of_misoriented(agreement);
+  return true;
 }
 
 }  // namespace
@@ -247,6 +246,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Descent descent = edit.new_descent();
   Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
+  if (stops_by_shape(values) && leave_misoriented(edit.mesh(), input, result, progress)) return result;
   const std::size_t before = edit.mesh().live().faces + input.quarantined;
   const std::size_t wanted = faces_wanted(values, prepared.work.live().faces + input.quarantined);
   const SimplifyGoal goal = goal_of(prepared, values, wanted - std::min(wanted, input.quarantined));
@@ -266,8 +266,8 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     return result;
   }
   const std::size_t after = work.live().faces + input.quarantined;
-  const bool has_number = values.has("faces") || values.has("ratio");
-  if (input.wants.edge_rules || !has_number || after > wanted) {
+  const bool is_by_number = has_face_goal(values);
+  if (input.wants.edge_rules || !is_by_number || after > wanted) {
     report.rules = find_remaining(work, simplifier, progress);
     if (progress.is_cancelled()) {
       report = {Stop::cancelled, false};
@@ -275,11 +275,10 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     }
     report.remaining = count_remaining(work, report.rules);
   }
-  if (!has_number || after > wanted)
-    report.stopped = report.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? Stop::error : Stop::blocked;
-  report.is_reached = has_number ? after <= wanted : report.stopped == Stop::error;
+  if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal);
+  report.is_reached = is_by_number ? after <= wanted : report.stopped == Stop::error;
   report.error_max = simplifier.error_max();
-  result.text = text_of(before, after, report);
+  result.text = text_of_goal(work, before, after, report);
   if (prepared.crossings > 0) result.text += crossings_text(prepared.crossings, *crossings);
   const Text dropped = dropped_text(edit.mesh(), seam_mode_of(values));
   result.text += dropped;
@@ -295,7 +294,8 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   Prepared prepared = prepare(mesh, values, progress);
   if (prepared.refused) return {nullptr, prepared.refused};
   const CollapseLimits limits = limits_of(prepared.work, input);
-  const SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
+  SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
+  goal.keeps_shape = false;  // whoever goes through them sees what is lost
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal, progress)) levels.reset();
   return {std::move(levels)};

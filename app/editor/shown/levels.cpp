@@ -15,7 +15,7 @@ std::span<const ParameterRow> level_parameters() {
   static const std::vector<ParameterRow> rows = [] {
     std::vector<ParameterRow> some;
     for (ParameterRow row : find_algorithm("simplify")->parameters) {
-      if (row.id == "faces" || row.id == "ratio" || row.id == "force") continue;
+      if (row.id == "faces" || row.id == "ratio" || row.id == "force" || row.id == "topology") continue;
       row.one_of = "";
       some.push_back(std::move(row));
     }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "tests/support/core/random_meshes.h"
+
 namespace ryosen::test {
 
 namespace {
@@ -51,6 +53,27 @@ IndexedMesh outside_of(const std::set<UnitCube>& cells) {
   return mesh;
 }
 
+void add_sphere(IndexedMesh& mesh, const glm::dvec3& middle, double radius) {
+  constexpr std::uint32_t rows = 8, around = 2 * rows;
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const std::uint32_t top = first + (rows - 1) * around, bottom = top + 1;
+  for (std::uint32_t i = 1; i < rows; ++i)
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const double down = std::numbers::pi * i / rows, turn = 2 * std::numbers::pi * j / around;
+      const glm::dvec3 out{std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), std::cos(down)};
+      mesh.positions.push_back(middle + radius * out);
+    }
+  mesh.positions.push_back(middle + glm::dvec3{0, 0, radius});
+  mesh.positions.push_back(middle - glm::dvec3{0, 0, radius});
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + i * around + j % around; };
+  for (std::uint32_t j = 0; j < around; ++j) {
+    add_triangle(mesh, top, at(0, j), at(0, j + 1));
+    for (std::uint32_t i = 0; i + 2 < rows; ++i)
+      add_two_triangles(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+    add_triangle(mesh, bottom, at(rows - 2, j + 1), at(rows - 2, j));
+  }
+}
+
 }  // namespace
 
 IndexedMesh torus_at_places(std::uint32_t around, std::uint32_t across, double radius, double tube) {
@@ -79,27 +102,28 @@ IndexedMesh plate_with_holes(std::uint32_t holes) {
 }
 
 IndexedMesh rows_of_spheres(std::uint32_t count, double apart) {
-  constexpr std::uint32_t rows = 8, around = 2 * rows;
+  IndexedMesh mesh;
+  for (std::uint32_t k = 0; k < count; ++k) add_sphere(mesh, {apart * (k % 10), apart * (k / 10), 0}, 1);
+  return mesh;
+}
+
+IndexedMesh scattered_spheres(std::uint32_t count, std::uint64_t seed) {
+  Dice dice(seed);
   IndexedMesh mesh;
   for (std::uint32_t k = 0; k < count; ++k) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    const glm::dvec3 middle{apart * (k % 10), apart * (k / 10), 0};
-    const std::uint32_t top = first + (rows - 1) * around, bottom = top + 1;
-    for (std::uint32_t i = 1; i < rows; ++i)
-      for (std::uint32_t j = 0; j < around; ++j) {
-        const double down = std::numbers::pi * i / rows, turn = 2 * std::numbers::pi * j / around;
-        mesh.positions.push_back(
-            middle + glm::dvec3{std::sin(down) * std::cos(turn), std::sin(down) * std::sin(turn), std::cos(down)});
-      }
-    mesh.positions.push_back(middle + glm::dvec3{0, 0, 1});
-    mesh.positions.push_back(middle - glm::dvec3{0, 0, 1});
-    const auto at = [&](std::uint32_t i, std::uint32_t j) { return first + i * around + j % around; };
-    for (std::uint32_t j = 0; j < around; ++j) {
-      add_triangle(mesh, top, at(0, j), at(0, j + 1));
-      for (std::uint32_t i = 0; i + 2 < rows; ++i)
-        add_two_triangles(mesh, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-      add_triangle(mesh, bottom, at(rows - 2, j + 1), at(rows - 2, j));
-    }
+    const glm::dvec3 middle = 12.0 * glm::dvec3(dice.unit(), dice.unit(), dice.unit());
+    add_sphere(mesh, middle, 0.4 + 0.2 * dice.below(5));
+  }
+  return mesh;
+}
+
+IndexedMesh torn_torus(std::uint32_t missing, std::uint64_t seed) {
+  Dice dice(seed);
+  IndexedMesh mesh = torus_at_places(20, 10, 2, 0.5);
+  for (std::uint32_t i = 0; i < missing; ++i) {
+    const auto first = mesh.corners.begin() + 3 * dice.below(static_cast<int>(mesh.corners.size() / 3));
+    mesh.corners.erase(first, first + 3);
+    mesh.face_offsets.pop_back();
   }
   return mesh;
 }

@@ -13,6 +13,10 @@ IndexedMesh torus_at_places(std::uint32_t around, std::uint32_t across, double r
 IndexedMesh plate_with_holes(std::uint32_t holes);
 // So many spheres of radius 1 in rows of ten, whose middles are so far from each other.
 IndexedMesh rows_of_spheres(std::uint32_t count, double apart);
+// So many spheres of different sizes at random in a box, some of which meet.
+IndexedMesh scattered_spheres(std::uint32_t count, std::uint64_t seed);
+// A torus without some of its triangles, at random.
+IndexedMesh torn_torus(std::uint32_t missing, std::uint64_t seed);
 // A flat square of triangles every second one of which is turned over.
 IndexedMesh checkered_sheet(std::uint32_t side);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -266,6 +267,12 @@ void CollapseSurface::merge(Vertex gone, Vertex kept, const glm::dvec3& position
   const bool had_tip = (stays.flags | goes.flags) & seam_tip;
   stays.flags |= static_cast<std::uint8_t>(goes.flags & (on_feature | on_locked_boundary));
   if (had_tip) stays.flags = static_cast<std::uint8_t>(is_tip(kept) ? stays.flags | seam_tip : stays.flags & ~seam_tip);
+}
+
+void CollapseSurface::add_copy([[maybe_unused]] Vertex copy, Vertex of) {
+  assert(copy.index == states_.size());
+  ++states_[of.index].merges;
+  states_.push_back(State(states_[of.index]));
 }
 
 void CollapseSurface::move(Vertex v, const glm::dvec3& position) {

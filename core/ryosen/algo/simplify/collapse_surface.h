@@ -151,6 +151,12 @@ class CollapseSurface {
   void merge(Vertex gone, Vertex kept, const glm::dvec3& position);
   // A vertex alone has come to the position.
   void move(Vertex v, const glm::dvec3& position);
+  // A new vertex, the next one by its number, stands for what another one stands for.
+  void add_copy(Vertex copy, Vertex of);
+  // Edges were added, at none of which values differ.
+  void add_edges() {
+    if (!edge_flags_.empty()) edge_flags_.resize(mesh_.edge_slots());
+  }
   // An edge that took the place of another one between the same points.
   void take_over(Edge stays, Edge goes) {
     if (!edge_flags_.empty()) edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);

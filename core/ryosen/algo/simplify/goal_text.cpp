@@ -8,6 +8,7 @@
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/features.h"
 #include "ryosen/algo/simplify/jump_limit.h"
+#include "ryosen/analysis/figures.h"
 #include "ryosen/base/count_text.h"
 #include "ryosen/mesh/copies.h"
 
@@ -49,6 +50,37 @@ Text text_of_lost_shape() {
       " 3 倍も超えます）。"};
 }
 
+// Handles and parts that keep faces.
+Text text_of_topology_left(const Mesh& mesh) {
+  const Figures figures = compute_figures(mesh);
+  const std::uint64_t handles = static_cast<std::uint64_t>(figures.genus.value_or(0)), parts = figures.components;
+  if (handles == 0 && parts < 2) return {};
+  const std::string h = std::to_string(handles), p = std::to_string(parts);
+  if (handles == 0)
+    return {" " + p + " parts are left; topology=change joins closed ones near each other.",
+            "部分が " + p + " 個残っています（topology=change で閉じた部分のうち近いものをつなぎます）。"};
+  if (parts < 2)
+    return count_text(handles, " One handle is left; topology=change closes it.",
+                      " # handles are left; topology=change closes them.",
+                      "ハンドルが # 個残っています（topology=change で閉じます）。");
+  return count_text(handles, " One handle", " # handles", "ハンドル # 個") +
+         Text{" and " + p + " parts are left; topology=change closes and joins them.",
+              "と部分 " + p + " 個が残っています（topology=change で閉じ、つなぎます）。"};
+}
+
+Text text_of_change(const TopologyChange& change) {
+  Text text;
+  if (change.closed_handles > 0)
+    text += count_text(change.closed_handles, " One handle was closed.", " # handles were closed.",
+                       "ハンドルを # 個閉じました。");
+  if (change.joined_parts > 0)
+    text += count_text(change.joined_parts, " One part was joined to another.", " # parts were joined to others.",
+                       "部分を # 個、他の部分につなぎました。");
+  return text;
+}
+
+const Text parts_too_far{"; more would lose the shape: the parts that are left lie too far from each other.",
+                         "（これ以上は形が崩れます。残りの部分は互いに離れすぎています）。"};
 const Text force_goes_on{" force goes on.", "force を指定すると続けます。"};
 
 }  // namespace
@@ -64,22 +96,29 @@ EdgeAgreement count_agreement(const Mesh& mesh) {
   return agreement;
 }
 
-Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const GoalReport& report) {
+Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const GoalReport& report,
+                  const TopologyChange& change) {
   const std::string a = std::to_string(before);
   Text text = Text{"From " + a + " to ", "面 " + a + " 個から "} + count_text(after, "one face", "# faces", "# 個へ");
+  const bool asks = !change.is_allowed && (report.stopped == Stop::shape || report.stopped == Stop::blocked);
+  const Text changed = text_of_change(change), left = asks ? text_of_topology_left(mesh) : Text();
   if (report.stopped == Stop::shape)
-    return text + text_of_lost_shape() + text_of_misoriented_left(mesh) + force_goes_on;
+    return text + (change.has_parts_too_far ? parts_too_far : text_of_lost_shape()) + changed + left +
+           text_of_misoriented_left(mesh) + force_goes_on;
   if (report.stopped == Stop::error) {
     const bool names_seams = report.remaining[static_cast<std::size_t>(EdgeRule::seam)] > 0;
     const Text rules = names_seams ? names_of_holding(report.remaining) : Text();
-    return text + Text{"; more would go beyond the error" + rules.en + ".", "（許容誤差まで" + rules.ja + "）。"};
+    return text + Text{"; more would go beyond the error" + rules.en + ".", "（許容誤差まで" + rules.ja + "）。"} +
+           changed;
   }
   if (report.stopped == Stop::blocked) {
     const Text rules = names_of_holding(report.remaining);
-    return text + Text{"; no edge that is left can collapse" + rules.en + ".",
-                       "（残りの稜線はどれも稜線削除できません" + rules.ja + "）。"};
+    return text +
+           Text{"; no edge that is left can collapse" + rules.en + ".",
+                "（残りの稜線はどれも稜線削除できません" + rules.ja + "）。"} +
+           changed + left;
   }
-  return text + Text{".", "。"};
+  return text + Text{".", "。"} + changed;
 }
 
 Text text_of_misoriented(const EdgeAgreement& agreement) {

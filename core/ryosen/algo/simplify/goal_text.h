@@ -18,8 +18,16 @@ struct EdgeAgreement {
 // O(edges).
 EdgeAgreement count_agreement(const Mesh& mesh);
 
+// What became of the topology of a surface.
+struct TopologyChange {
+  bool is_allowed = false;
+  std::size_t closed_handles = 0, joined_parts = 0;
+  bool has_parts_too_far = false;  // to be joined without losing the shape
+};
+
 // The mesh as it is at the end, and its faces before and after, those set aside included.
-Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const GoalReport& report);
+Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const GoalReport& report,
+                  const TopologyChange& change);
 // Why the mesh was left as it is.
 Text text_of_misoriented(const EdgeAgreement& agreement);
 

@@ -102,6 +102,8 @@ struct SimplifyGoal {
   bool removes_small_parts = false;
   // Edges whose collapse would lose the shape are left (jump_limit.h).
   bool keeps_shape = false;
+  // Where nothing else can collapse, handles are closed and parts joined, without a journal and where faces may meet.
+  bool changes_topology = false;
 };
 
 class Simplifier {
@@ -122,6 +124,10 @@ class Simplifier {
   std::size_t swaps() const { return swaps_; }
   // To where the surface lies nearer to the input.
   std::size_t moves() const { return moves_; }
+  std::size_t closed_handles() const { return closed_handles_; }
+  std::size_t joined_parts() const { return joined_parts_; }
+  // Parts could be joined but for the limit of the shape.
+  bool has_parts_too_far() const { return has_parts_too_far_; }
   // So many faces had come to look against the input, and so many still do.
   std::size_t turned() const { return turned_; }
   std::size_t still_turned() const { return still_turned_; }
@@ -172,6 +178,12 @@ class Simplifier {
   // Moves vertices to where the surface lies nearer to the input, and with effort 2 swaps edges before
   // (simplifier_nearer.cpp). False where it was cancelled.
   bool come_nearer(Progress& progress);
+  // Closes handles and joins parts (simplifier_topology.cpp). False where it was cancelled.
+  bool change_topology(Progress& progress);
+  std::size_t most_changes() const;
+  bool close_handles();
+  bool join_parts();
+  void join(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against);
   // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
   // (simplifier_turned.cpp). False where it was cancelled.
   bool mend_turned(Progress& progress);
@@ -246,7 +258,8 @@ class Simplifier {
   };
   mutable std::map<std::pair<Vertex, Vertex>, HubPair> hub_pairs_;
   std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, moves_ = 0, turned_ = 0, still_turned_ = 0,
-              passed_on_ = 0;
+              passed_on_ = 0, closed_handles_ = 0, joined_parts_ = 0;
+  bool has_parts_too_far_ = false;
   std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
   double error_max_ = 0;
   CollapseSurface::Minds minds_ = CollapseSurface::Minds::input;  // less where nothing else can collapse

@@ -215,11 +215,13 @@ SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, st
           values.flag("no_self_intersections"),
           prepared.crossings > 0,
           values.flag("remove_small"),
-          stops_by_shape(values)};
+          stops_by_shape(values),
+          values.choice("topology") == "change"};
 }
 
 // Why it ended before it reached a number of faces.
-Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal) {
+Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal, const Simplifier& simplifier) {
+  if (simplifier.has_parts_too_far()) return Stop::shape;
   if (remaining[static_cast<std::size_t>(EdgeRule::error)] == 0) return Stop::blocked;
   return goal.keeps_shape ? Stop::shape : Stop::error;
 }
@@ -243,6 +245,11 @@ bool leave_misoriented(const Mesh& mesh, const AlgorithmInput& input, AlgorithmR
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress) {
   const ParameterValues& values = input.values;
   AlgorithmResult result;
+  if (values.choice("topology") == "change" && values.flag("no_self_intersections")) {
+    result.fault = {"topology=change may make faces that meet; it cannot be used with no_self_intersections",
+                    "topology=change では面が交わることがあり、no_self_intersections と同時には使えません"};
+    return result;
+  }
   Descent descent = edit.new_descent();
   Prepared prepared = prepare(edit.mesh(), values, progress, &descent);
   if ((result.refused = prepared.refused)) return result;
@@ -275,15 +282,18 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     }
     report.remaining = count_remaining(work, report.rules);
   }
-  if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal);
+  if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal, simplifier);
   report.is_reached = is_by_number ? after <= wanted : report.stopped == Stop::error;
   report.error_max = simplifier.error_max();
-  result.text = text_of_goal(work, before, after, report);
+  const TopologyChange change{goal.changes_topology, simplifier.closed_handles(), simplifier.joined_parts(),
+                              simplifier.has_parts_too_far()};
+  result.text = text_of_goal(work, before, after, report, change);
   if (prepared.crossings > 0) result.text += crossings_text(prepared.crossings, *crossings);
   const Text dropped = dropped_text(edit.mesh(), seam_mode_of(values));
   result.text += dropped;
-  result.changed = simplifier.collapses() + simplifier.removed_parts() + (prepared.is_triangulated ? 1 : 0) +
-                   (dropped.en.empty() ? 0 : 1);
+  result.changed = simplifier.collapses() + simplifier.removed_parts() + change.closed_handles + change.joined_parts +
+                   (prepared.is_triangulated ? 1 : 0) + (dropped.en.empty() ? 0 : 1);
+  prepared.flat_faces.resize(prepared.flat_faces.empty() ? 0 : work.face_slots());
   if (result.changed > 0 && !prepared.flat_faces.empty()) put_flat_normals(work, prepared.flat_faces, edit.mesh());
   if (result.changed > 0) edit.replace(std::move(work).columns(), attempt->descent());
   return result;
@@ -295,7 +305,8 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   if (prepared.refused) return {nullptr, prepared.refused};
   const CollapseLimits limits = limits_of(prepared.work, input);
   SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
-  goal.keeps_shape = false;  // whoever goes through them sees what is lost
+  goal.changes_topology = false;  // a level has at most as many faces as the one before
+  goal.keeps_shape = false;       // whoever goes through them sees what is lost
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal, progress)) levels.reset();
   return {std::move(levels)};

@@ -10,8 +10,8 @@
 
 namespace ryosen {
 
-// To a number of faces, a share of them, or an error, whichever comes first. Vertices and faces that stay keep their
-// numbers. Cost: O(n) and a constant number of questions per collapse.
+// To a number of faces, a share of them, or an error, whichever comes first; to a number only while the shape stays.
+// Vertices and faces that stay keep their numbers. Cost: O(n) and a constant number of questions per collapse.
 AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& progress);
 
 // All levels of detail of a mesh: the whole sequence of collapses, to be gone through forward and back [Hoppe96].

@@ -62,6 +62,15 @@ std::vector<ParameterRow> simplify_parameters() {
                      "never become more",
                      "三角形メッシュの面を新たに交わらせない（もとから交わる組は隣の面に移ることはあるが、増えない）"},
                     {.kind = ParameterKind::flag, .initial = "off"}),
+      parameter_row({"topology", "Topology", "位相",
+                     "keep leaves handles and parts as they are; change closes handles and joins parts where no edge "
+                     "can collapse, "
+                     "the smallest and nearest first",
+                     "keep はハンドルと部分をそのまま残す。change "
+                     "は稜線削除できなくなったとき、小さいハンドルを閉じ、近い部分をつなぐ"},
+                    {.kind = ParameterKind::choice,
+                     .initial = "keep",
+                     .choices = {{"keep", "Keep", "保つ"}, {"change", "Change", "変える"}}}),
       parameter_row(
           {"force", "Force", "強制",
            "goes on to the number of faces where that loses the shape: where any collapse costs more than 5 % "

@@ -29,14 +29,26 @@ TEST(threads, make_no_difference_to_what_is_made) {
   const Mesh squares = rough_torus(false), triangles = rough_torus(true);
   std::size_t changed = 0;
   const std::vector<unsigned> few{1, 3}, many{1, 2, 3}, counts = is_long_run() ? many : few;
-  for (const char* const line :
-       {"simplify ratio=0.2", "simplify ratio=0.3 effort=0", "simplify ratio=0.2 effort=2",
-        "simplify faces=0 max_turn=30 min_angle=5", "simplify faces=4 triangulate=on",
-        "simplify ratio=0.5 no_self_intersections=on triangulate=on", "simplify error=0.5% triangulate=on",
-        "subdivide scheme=loop", "subdivide scheme=catmull_clark steps=2", "subdivide scheme=midpoint",
-        "subdivide scheme=sqrt3", "subdivide scheme=loop limit=on crease_angle=20", "smooth steps=4",
-        "smooth steps=3 method=implicit weights=uniform", "smooth method=taubin steps=4",
-        "smooth keep_volume=on steps=4", "remesh length=0.12", "remesh length=0.1 adaptive=on", "delaunay"})
+  for (const char* const line : {"simplify ratio=0.2",
+                                 "simplify ratio=0.3 effort=0",
+                                 "simplify ratio=0.2 effort=2",
+                                 "simplify faces=0 max_turn=30 min_angle=5",
+                                 "simplify faces=4 triangulate=on",
+                                 "simplify faces=4 topology=change triangulate=on",
+                                 "simplify ratio=0.5 no_self_intersections=on triangulate=on",
+                                 "simplify error=0.5% triangulate=on",
+                                 "subdivide scheme=loop",
+                                 "subdivide scheme=catmull_clark steps=2",
+                                 "subdivide scheme=midpoint",
+                                 "subdivide scheme=sqrt3",
+                                 "subdivide scheme=loop limit=on crease_angle=20",
+                                 "smooth steps=4",
+                                 "smooth steps=3 method=implicit weights=uniform",
+                                 "smooth method=taubin steps=4",
+                                 "smooth keep_volume=on steps=4",
+                                 "remesh length=0.12",
+                                 "remesh length=0.1 adaptive=on",
+                                 "delaunay"})
     for (const Mesh* const mesh : {&squares, &triangles}) {
       std::optional<MeshColumns> first;
       for (const unsigned threads : counts) {

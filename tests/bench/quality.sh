@@ -1,8 +1,9 @@
 #!/bin/sh
-# Simplified meshes beside each other: Ryosen, meshoptimizer and CGAL (Garland and Heckbert; Lindstrom and Turk) to 50, 10
-# and 1 percent of the faces. Each row: seconds, faces, RMS and largest distance in percent of the input's diagonal,
-# non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by measure_quality, which has
-# nothing of any of them.
+# Simplified meshes beside each other: Ryosen, meshoptimizer and CGAL (Garland and Heckbert; Lindstrom and Turk) to 50,
+# 10, 2 and 0.5 percent of the faces. Each row: seconds, faces, RMS and largest distance in percent of the input's
+# diagonal, non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by
+# measure_quality, which has nothing of any of them. Behind the rows: geometric means of what Ryosen has by what each
+# other has, where both have about as many faces; what is below a millionth of the diagonal counts as that.
 #   tests/bench/quality.sh PROGRAM_FOLDER [MESH...]
 # PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers and measure_quality. Without meshes: the bunny, and where they
 # are there the dragon of ../shared/assets and the 20 largest files below ../shared/meshes. METHODS names some of "ryosen
@@ -33,8 +34,8 @@ row() {
   name=$(basename "$1")
   "$programs/ryosen" convert "$1" -o "$folder/in.off" --triangulate --overwrite -q >/dev/null || return 0
   faces=$("$programs/ryosen" check "$folder/in.off" --json --fail-on none | grep -o '"faces":[0-9]*' | head -1 | cut -d: -f2)
-  for percent in 50 10 1; do
-    goal=$((faces * percent / 100))
+  for percent in 50 10 2 0.5; do
+    goal=$(awk "BEGIN { print int($faces * $percent / 100) }")
     [ "$goal" -ge 4 ] || continue
     for method in $methods; do
       rm -f "$folder/out.off"
@@ -59,4 +60,22 @@ if [ $# = 0 ]; then
       -printf '%s %p\n' | sort -rn | head -20 | cut -d' ' -f2)
   fi
 fi
-for mesh in "$@"; do row "$mesh"; done
+for mesh in "$@"; do row "$mesh"; done | tee "$folder/rows"
+awk '
+  function held(x) { return x > 1e-4 ? x : 1e-4 }
+  $4 ~ /^[0-9.]+$/ { key = $1 " " $2; keys[key] = $2; faces[key, $3] = $5; rms[key, $3] = $6; most[key, $3] = $7 }
+  END {
+    split("ryosen ryosen-2", ours); split("lindstrom-turk garland-heckbert meshoptimizer", others)
+    split("50% 10% 2% 0.5%", goals)
+    for (i = 1; i in ours; ++i) for (j = 1; j in others; ++j) for (g = 1; g in goals; ++g) {
+      n = r = m = 0
+      for (key in keys) {
+        a = faces[key, ours[i]]; b = faces[key, others[j]]
+        if (keys[key] != goals[g] || a == "" || b == "" || a - b > b / 20 || b - a > b / 20) continue
+        ++n
+        r += log(held(rms[key, ours[i]]) / held(rms[key, others[j]]))
+        m += log(held(most[key, ours[i]]) / held(most[key, others[j]]))
+      }
+      if (n > 0) printf "%-10s by %-16s %5s  RMS %.3f  largest %.3f  (%d)\n", ours[i], others[j], goals[g], exp(r / n), exp(m / n), n
+    }
+  }' "$folder/rows"

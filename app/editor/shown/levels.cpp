@@ -15,7 +15,8 @@ std::span<const ParameterRow> level_parameters() {
   static const std::vector<ParameterRow> rows = [] {
     std::vector<ParameterRow> some;
     for (ParameterRow row : find_algorithm("simplify")->parameters) {
-      if (row.id == "faces" || row.id == "ratio" || row.id == "force" || row.id == "topology") continue;
+      if (row.id == "faces" || row.id == "ratio" || row.id == "force" || row.id == "topology" || row.id == "effort")
+        continue;
       row.one_of = "";
       some.push_back(std::move(row));
     }
@@ -35,6 +36,7 @@ std::string ShownLevels::line() const {
   ParameterValues values = values_;
   values.set("faces", std::to_string(faces()), "faces");
   values.set("force", "on", "force");  // the level was seen
+  values.set("effort", "0", "effort");
   return "simplify " + values.line();
 }
 

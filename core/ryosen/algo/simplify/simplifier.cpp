@@ -22,7 +22,7 @@ namespace ryosen {
 namespace {
 
 // Levels from one cost to twice that cost, as a power of two: fewer are faster, more are nearer to the least error.
-constexpr std::array<unsigned, 3> level_bits{0, 1, 6};
+constexpr std::array<unsigned, 3> level_bits{1, 1, 6};
 
 // Without copies, wires and rings.
 bool has_only_triangles(const Mesh& mesh) {

@@ -91,8 +91,9 @@ class LevelQueue {
 
 struct SimplifyGoal {
   std::size_t faces = 0;  // live ones: not more than these
-  // 0 to 2: how many levels of cost there are, and what is done in the end where the input is known and there is
-  // neither a journal nor anything to keep apart: from 1 on vertices move nearer to it, and with 2 edges are swapped.
+  // 0 to 2: what is done in the end where the input is known and there is neither a journal nor anything to keep apart.
+  // From 1 on vertices move nearer to it and faces that look against it are mended; with 2 edges are swapped, and costs
+  // have more levels.
   unsigned effort = 1;
   // Of a mesh of triangles no faces may come to meet. Where some do already, pairs that come from them may go on, as
   // many at most (CrossingGuard::inherit).

@@ -307,6 +307,7 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
   goal.changes_topology = false;  // a level has at most as many faces as the one before
   goal.keeps_shape = false;       // whoever goes through them sees what is lost
+  goal.effort = 0;                // and what they see is what simplify makes of it
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal, progress)) levels.reset();
   return {std::move(levels)};

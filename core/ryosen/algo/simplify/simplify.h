@@ -44,11 +44,10 @@ class DetailLevels {
   std::vector<std::uint32_t> faces_;  // by level
 };
 
-// What simplify() does with these values, as levels of detail: from the mesh, triangulated where that is asked for, to
-// the goal, or as far as it goes, whatever becomes of the shape. The level with as many faces has the bytes of what
-// simplify() makes of that goal, but for what is done when the goal is reached, which levels leave out: vertices move
-// nearer to the input, faces that look against it are mended, with effort 2 edges are swapped, and flat faces get their
-// normals. Null with a clause where it cannot be done, without one where it was cancelled.
+// What simplify() does with these values and effort 0, as levels of detail: from the mesh, triangulated where that is
+// asked for, to the goal, or as far as it goes, whatever becomes of the shape. The level with as many faces has the
+// bytes of what simplify() makes of that goal, but for normals of flat faces, which levels do not have. Null with a
+// clause where it cannot be done, without one where it was cancelled.
 struct BuiltLevels {
   std::unique_ptr<DetailLevels> levels;
   std::optional<Text> refused = {};

@@ -339,7 +339,7 @@ TEST(simplifier, has_levels_with_the_bytes_that_it_makes_itself) {
     return *read_values(find_algorithm("simplify")->parameters, split_words(line)).values->on(input).values;
   };
   Progress unheard;
-  const BuiltLevels built = build_levels(input, {values("faces=0 boundary=locked effort=0")}, unheard);
+  const BuiltLevels built = build_levels(input, {values("faces=0 boundary=locked")}, unheard);
   ASSERT_TRUE(built.levels);
   for (const std::size_t faces : {400u, 250u, 99u}) {
     Mesh mesh = input;

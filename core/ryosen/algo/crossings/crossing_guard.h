@@ -144,7 +144,7 @@ class CrossingGuard {
   // The face of a side of an edge that collapses.
   void remove(Halfedge side) const;
   bool would_meet() const;
-  // Those that change and go, as they are before the step.
+  // The faces that change and go, as they are before the step.
   std::vector<Changed> before() const;
   // Whether more pairs would meet than before.
   bool adds() const;

@@ -14,8 +14,8 @@ namespace ryosen::remesh {
 // stays near one of them that faces its way. CoveredStep judges by it.
 class CoveredPoints {
  public:
-  // Of a mesh of triangles the vertices that may move, and points on edges that are no features or weighed, each at
-  // most `spacing` from the next. O(n).
+  // Covers a mesh of triangles: the vertices that may move, and points on edges that are no features or weighed, each
+  // at most `spacing` from the next. O(n).
   CoveredPoints(const Mesh& mesh, const Features& features, double spacing);
 
   // As many faces as there are: then steps that make none, and that have no face in common, may be judged and done by

@@ -1,4 +1,5 @@
-// What remeshing keeps: edges that are only divided, and points that stay to the bit, but for seams that are weighed.
+// Features are what remeshing keeps: edges that are only divided, and points that stay to the bit, but for seams that
+// are weighed.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct Features {
   std::vector<std::uint8_t> vertices;  // per vertex slot: of their ends, copies, and ends of wires
   bool weighs_seams = false;
 
-  // Those that may come and go along a seam.
+  // Edges and points of seams may come and go along these where they are weighed.
   bool is_weighed(Edge e) const { return weighs_seams && edges[e.index] == seam; }
   bool is_weighed(Vertex v) const { return weighs_seams && vertices[v.index] == seam; }
 };

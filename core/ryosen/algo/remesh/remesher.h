@@ -17,11 +17,11 @@
 
 namespace ryosen::remesh {
 
-// Of triangles. Feature edges are split alone, feature points never move, but points amid seams that are weighed may
-// leave along these (seam_lines.h), into the next one; everything else stays on the surface that the
-// target holds, and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of
-// the length of the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in
-// a fixed order, so the result does not depend on threads; false: cancelled.
+// Remeshes triangles. Feature edges are split alone, feature points never move, but points amid seams that are weighed
+// may leave along these (seam_lines.h), into the next one; everything else stays on the surface that the target holds,
+// and no step is done that the keeper refuses: points of the surface as it was stay within a quarter of the length of
+// the surface as it becomes, but where short edges are removed at last. Each pass goes over the edges in a fixed order,
+// so the result does not depend on threads; false: cancelled.
 class Remesher {
  public:
   // The features, to which it adds its own, and the target are of the mesh as it is; they and the keeper outlive it.
@@ -61,7 +61,7 @@ class Remesher {
 
  private:
   static constexpr double cosine_of_turn = 0.5;  // of 60 degrees
-  // Of the length: how far points that a seam had may be from it as it becomes.
+  // Points that a seam had may be so far from it as it becomes, as a share of the length.
   static constexpr double share_of_seam_reach = 0.1;
   // Of 20 degrees: no pass but the splits makes a narrower triangle of wider ones.
   static constexpr double sliver_sine = 0.34;

@@ -8,7 +8,7 @@
 
 namespace ryosen::remesh {
 
-// Those on both sides of an edge, and those that a swap makes of them.
+// The triangles on both sides of an edge, and those that a swap makes of them.
 struct Remesher::SwappedTriangles {
   std::array<Corners, 2> before, after;
 

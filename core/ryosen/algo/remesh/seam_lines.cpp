@@ -19,8 +19,8 @@ double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::
 
 }  // namespace
 
-// Of each attribute: the values of the two sides at the start must tell the sides apart where those at the end do, and
-// both ends of a side must have one or none.
+// The values of each attribute must tell the two sides apart at the start where they do at the end, and both ends of a
+// side must have one or none.
 bool SeamLines::values_allow(Halfedge h) const {
   const Halfedge o = twin(h);
   for (const CornerAttribute& attribute : corner_attributes(mesh_)) {

@@ -38,7 +38,7 @@ class SeamLines {
   const Mesh& mesh_;
   const Features& features_;
   std::unordered_map<Edge, Places> left_;  // by edge: points that have left the seam where it lies
-  // Of the collapse asked about last.
+  // The collapse asked about last:
   Places places_;
   Edge gone_, longer_, beside_;
 };

@@ -18,7 +18,7 @@ struct EdgeAgreement {
 // O(edges).
 EdgeAgreement count_agreement(const Mesh& mesh);
 
-// What became of the topology of a surface.
+// How the topology of a surface was changed.
 struct TopologyChange {
   bool is_allowed = false;
   std::size_t closed_handles = 0, joined_parts = 0;

@@ -64,7 +64,7 @@ class NearSamples {
 Primitive triangle_primitive(const Mesh& mesh, Face f);
 // The triangles of a mesh without rings whose corners have finite places.
 std::vector<Primitive> plain_triangles(const Mesh& mesh, std::span<const glm::dvec3> places);
-// Of the input, in the scale of the surface. O(n log n).
+// The tree of the input, in the scale of the surface. O(n log n).
 TriangleTree tree_of_input(const Mesh& input, const CollapseSurface& surface);
 
 }  // namespace ryosen

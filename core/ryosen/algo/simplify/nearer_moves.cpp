@@ -14,11 +14,12 @@ namespace {
 // So strongly is a vertex held where samples leave it open, as along a flat part: more would take more steps, less lets
 // it slide away from the shape that it stands for.
 constexpr double held_share = 0.05;
-// Of the way to where the samples at its faces would have it if its neighbours stayed; they follow as well.
+// A step is so many times the way to where the samples at its faces would have it if its neighbours stayed; they follow
+// as well.
 constexpr double stride = 1.2;
 // What the way from the surface to the input counts beside the way back, which alone lets spikes grow between samples.
 constexpr double middles_share = 0.3;
-// Of the length of its edges, squared: less is rounding.
+// The square of a step that is less than this share of the squares of its edges is rounding.
 constexpr double least_square = 1e-12;
 
 class Mover {
@@ -62,7 +63,7 @@ class Mover {
   }
   glm::dvec3 middle_of(Halfedge h) const { return (surface_.place(mesh_.from(h)) + surface_.place(mesh_.to(h))) / 2.0; }
 
-  // In the planes of the pulls, as seen from the vertex.
+  // The lowest place in the planes of the pulls, as seen from the vertex.
   glm::dvec3 step_of(Vertex v) const {
     Quadric pulls;
     const glm::dvec3& here = surface_.place(v);
@@ -98,7 +99,7 @@ class Mover {
     return glm::dot(step, step) > least_square * lengths ? step : glm::dvec3(0.0);
   }
 
-  // Of the samples at the faces around a vertex, and of the middles of its edges.
+  // The squared distances of the samples at the faces around a vertex, and of the middles of its edges, by their areas.
   double squares_around(Vertex v) const {
     double sum = 0;
     const std::span<const glm::dvec3> places = samples_.places();

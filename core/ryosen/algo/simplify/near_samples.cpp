@@ -1,9 +1,14 @@
 #include "ryosen/algo/simplify/near_samples.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/closest.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/live_elements.h"
 
@@ -47,15 +52,11 @@ TriangleTree tree_of_input(const Mesh& input, const CollapseSurface& surface) {
 }
 
 NearSamples::NearSamples(const Mesh& input, const CollapseSurface& surface)
-    : input_(input),
-      surface_(surface),
-      places_(surface.mesh().vertex_slots()),
-      vertex_areas_(input.vertex_slots()),
-      next_(count(), no_index) {
+    : input_(input), surface_(surface), places_(surface.mesh().vertex_slots()), vertex_areas_(input.vertex_slots()) {
   for (const Vertex v : live_vertices(surface.mesh())) places_[v.index] = surface.place(v);
   for (const Face f : live_faces(input_)) {
     if (!is_sampled(f)) continue;
-    const auto area = static_cast<float>(sample(f.index).area / 9);  // a twelfth of the triangle
+    const auto area = static_cast<float>(middle_of(f).area / 9);  // a twelfth of the triangle
     for (const std::uint32_t v : triangle_primitive(input_, f).vertices) vertex_areas_[v] += area;
   }
 }
@@ -67,43 +68,188 @@ bool NearSamples::is_sampled(Face f) const {
                      [&](std::uint32_t v) { return is_finite(input_.position(Vertex(v))); });
 }
 
-NearSamples::Sample NearSamples::sample(std::uint32_t i) const {
+NearSamples::Sample NearSamples::middle_of(Face f) const {
   const auto place = [&](std::uint32_t v) { return surface_.scale().scaled(input_.position(Vertex(v))); };
-  const std::uint32_t faces = input_.face_slots();
-  if (i >= faces) return {place(i - faces), vertex_areas_[i - faces]};
-  const auto& [a, b, c] = triangle_primitive(input_, Face(i)).vertices;
+  const auto& [a, b, c] = triangle_primitive(input_, f).vertices;
   const glm::dvec3 x = place(a), y = place(b), z = place(c);
   return {(x + y + z) / 3.0, glm::length(glm::cross(y - x, z - x)) * 3 / 8};
 }
 
-bool NearSamples::assign(std::span<const Vertex> hints, Progress& progress) {
-  const Mesh& mesh = surface_.mesh();
-  const std::vector<Primitive> triangles = plain_triangles(mesh, places_);
-  const TriangleTree tree(places_, triangles, 1);
-  std::vector<std::uint32_t> triangle_at(hints.empty() ? 0 : mesh.vertex_slots(), no_index);
-  if (!hints.empty())
-    for (std::uint32_t t = 0; t < tree.size(); ++t)
-      for (const std::uint32_t v : tree.corners(t)) triangle_at[v] = t;
-  const std::uint32_t faces = input_.face_slots();
-  const auto hint_of = [&](std::uint32_t i) {
-    if (hints.empty()) return no_index;
-    const Vertex v = i < faces ? input_.from(input_.halfedge(Face(i))) : Vertex(i - faces);
-    return hints[v.index] ? triangle_at[hints[v.index].index] : no_index;
+// Looks for the nearest face: among those around the vertex that a sample's has become, and from one that lies across
+// on among those around its corners, as long as that comes nearer.
+class NearSamples::Search {
+ public:
+  // `tree`: of all triangles, asked in place of the faces around a hub, and of all where it is to be exact.
+  Search(const Mesh& mesh, std::span<const glm::dvec3> places, const TriangleTree& tree, bool is_exact)
+      : mesh_(mesh), places_(places), tree_(tree), is_exact_(is_exact) {}
+
+  static bool is_hub(const Mesh& mesh, Vertex v) {
+    std::size_t valence = 0;
+    for ([[maybe_unused]] const Halfedge h : outgoing(mesh, v))
+      if (++valence > most_asked) return true;
+    return false;
+  }
+
+  void start_at(Vertex v) {
+    by_tree_ = is_exact_ || is_hub(mesh_, v);
+    around_.clear();
+    if (by_tree_) return;
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      const std::optional<Triangle> triangle = triangle_at(h);
+      if (!triangle) continue;
+      const auto& [a, b, c] = triangle->places;
+      const glm::dvec3 normal = glm::cross(b - a, c - a);
+      around_.push_back({*triangle, unit(glm::cross(b - a, normal)), unit(glm::cross(normal, c - a))});
+    }
+    bounds_.resize(around_.size());
+  }
+
+  // None where there is no triangle.
+  std::uint32_t nearest_face(const glm::dvec3& place) {
+    if (by_tree_) return tree_.is_empty() ? no_index : tree_.owner(tree_.nearest(place).triangle);
+    if (around_.empty()) return no_index;
+    double least = std::numeric_limits<double>::infinity();
+    Halfedge nearest;
+    const auto is_nearer = [&](const Triangle& t) {
+      const double square = squared(way_from_triangle(t.places[0], t.places[1], t.places[2], place));
+      if (!(square < least)) return false;
+      least = square;
+      nearest = t.corner;
+      return true;
+    };
+    // That one first in whose sector the place lies.
+    const glm::dvec3 from_vertex = place - around_[0].triangle.places[0];
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < around_.size(); ++i) {
+      const double beside =
+          std::max(glm::dot(around_[i].beside_b, from_vertex), glm::dot(around_[i].beside_c, from_vertex));
+      bounds_[i] = std::max(beside, 0.0);
+      if (bounds_[i] < bounds_[first]) first = i;
+    }
+    is_nearer(around_[first].triangle);
+    for (std::size_t i = 0; i < around_.size(); ++i)
+      if (i != first && bounds_[i] * bounds_[i] < least) is_nearer(around_[i].triangle);
+    if (!nearest) return no_index;
+    const auto ask = [&](Halfedge corner) {
+      const std::optional<Triangle> triangle = triangle_at(corner);
+      return triangle && is_nearer(*triangle);
+    };
+    const double length2 = squared(places_[mesh_.to(nearest).index] - places_[mesh_.from(nearest).index]);
+    bool comes_nearer = ask(twin(mesh_.next(nearest)));  // the first corner is the vertex
+    if (least > far_share * length2) comes_nearer = true;
+    for (int step = 0; comes_nearer && step < most_steps; ++step) {
+      comes_nearer = false;
+      const Halfedge here = nearest;
+      for (const Halfedge corner : {here, mesh_.next(here), mesh_.prev(here)}) {
+        std::size_t asked = 0;
+        for (const Halfedge h : outgoing(mesh_, mesh_.from(corner))) {
+          if (++asked > most_asked) break;
+          if (ask(h)) comes_nearer = true;
+        }
+      }
+    }
+    return mesh_.face(nearest).index;
+  }
+
+ private:
+  static constexpr std::size_t most_asked = 32;
+  static constexpr int most_steps = 32;
+  // A place whose squared distance is more than this share of that of a side may be nearest to any triangle about it.
+  static constexpr double far_share = 0.0025;
+
+  struct Triangle {
+    std::array<glm::dvec3, 3> places;
+    Halfedge corner;
   };
-  std::vector<std::uint32_t> faces_of(count(), no_index);
-  constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
-  for (std::uint32_t first = 0; first < count() && !tree.is_empty(); first += piece) {
-    if (!progress.go_on()) return false;
-    const std::uint32_t here = std::min(piece, count() - first);
-    for_each_part(here, threads_for(count()), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = first + begin; i < first + end; ++i)
-        if (i < faces ? is_sampled(Face(i)) : vertex_areas_[i - faces] > 0)
-          faces_of[i] = tree.owner(tree.nearest(sample(i).place, hint_of(i)).triangle);
+  std::optional<Triangle> triangle_at(Halfedge h) const {
+    if (!mesh_.face(h)) return std::nullopt;
+    const Halfedge next = mesh_.next(h), prev = mesh_.prev(h);
+    if (mesh_.next(next) != prev) return std::nullopt;
+    return Triangle{{places_[mesh_.from(h).index], places_[mesh_.from(next).index], places_[mesh_.from(prev).index]},
+                    h};
+  }
+
+  // Its first corner is the vertex. The other vectors point away from it in its plane, across the sides there, so that
+  // no place is nearer to it than it lies beyond these.
+  struct Sector {
+    Triangle triangle;
+    glm::dvec3 beside_b, beside_c;
+  };
+  static glm::dvec3 unit(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : glm::dvec3(0.0);
+  }
+
+  const Mesh& mesh_;
+  std::span<const glm::dvec3> places_;
+  const TriangleTree& tree_;
+  bool is_exact_, by_tree_ = false;
+  std::vector<Sector> around_;
+  std::vector<double> bounds_;  // how near each may be to the place that is looked for
+};
+
+std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> merged) {
+  const auto vertex_of = [&](Vertex was) {
+    const Vertex v = merged[was.index] ? merged[was.index] : was;
+    return surface_.mesh().is_alive(v) ? v.index : no_index;
+  };
+  const std::uint32_t faces = input_.face_slots(), count = faces + input_.vertex_slots();
+  std::vector<std::uint32_t> slots(count, no_index);  // by number in the input: first its vertex, then its place
+  const auto for_each_sample = [&](const auto& visit) {
+    for_each_part(count, threads_for(count), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+      for (std::uint32_t i = begin; i < end; ++i) visit(i, slots[i]);
     });
+  };
+  for_each_sample([&](std::uint32_t i, std::uint32_t& slot) {
+    if (i >= faces)
+      slot = vertex_areas_[i - faces] > 0 ? vertex_of(Vertex(i - faces)) : no_index;
+    else if (is_sampled(Face(i)))
+      slot = vertex_of(input_.from(input_.halfedge(Face(i))));
+  });
+  std::vector<std::uint32_t> begins(places_.size() + 1);
+  for (const std::uint32_t v : slots)
+    if (v != no_index) ++begins[v];
+  std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), 0u);
+  samples_.resize(begins.back());
+  std::vector<std::uint32_t> ends = begins;
+  for (std::uint32_t& slot : slots)
+    if (slot != no_index) slot = ends[slot]++;
+  for_each_sample([&](std::uint32_t i, std::uint32_t slot) {
+    if (slot == no_index) return;
+    samples_[slot] =
+        i < faces ? middle_of(Face(i))
+                  : Sample{surface_.scale().scaled(input_.position(Vertex(i - faces))), vertex_areas_[i - faces]};
+  });
+  return begins;
+}
+
+bool NearSamples::assign(std::span<const Vertex> merged, bool is_exact, Progress& progress) {
+  const Mesh& mesh = surface_.mesh();
+  const auto vertices = static_cast<std::uint32_t>(places_.size());
+  const std::vector<std::uint32_t> begins = take_samples(merged);
+  bool needs_tree = is_exact;
+  for (std::uint32_t v = 0; v < vertices && !needs_tree; ++v)
+    needs_tree = begins[v] < begins[v + 1] && Search::is_hub(mesh, Vertex(v));
+  const TriangleTree tree = needs_tree ? TriangleTree(places_, plain_triangles(mesh, places_), 1) : TriangleTree();
+  std::vector<std::uint32_t> faces(samples_.size(), no_index);
+  constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
+  for (std::uint32_t first = 0; first < vertices; first += piece) {
+    if (!progress.go_on()) return false;
+    for_each_part(std::min(piece, vertices - first), threads_for(samples_.size()),
+                  [&](unsigned, std::uint32_t begin, std::uint32_t end) {
+                    Search search(mesh, places_, tree, is_exact);
+                    for (std::uint32_t v = first + begin; v < first + end; ++v) {
+                      if (begins[v] == begins[v + 1]) continue;
+                      search.start_at(Vertex(v));
+                      for (std::uint32_t i = begins[v]; i < begins[v + 1]; ++i)
+                        faces[i] = search.nearest_face(samples_[i].place);
+                    }
+                  });
   }
   first_.assign(mesh.face_slots(), no_index);
-  for (std::uint32_t i = 0; i < count(); ++i)
-    if (faces_of[i] != no_index) give(Face(faces_of[i]), i);
+  next_.assign(samples_.size(), no_index);
+  for (std::uint32_t i = 0; i < samples_.size(); ++i)
+    if (faces[i] != no_index) give(Face(faces[i]), i);
   return true;
 }
 

@@ -1,5 +1,5 @@
-// Samples of a surface as it was before it was simplified, each at the nearest face of now: what tells how far both lie
-// from each other.
+// Samples of a surface as it was before it was simplified, each at the nearest face of now about it: what tells how far
+// both lie from each other.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,20 @@ namespace ryosen {
 class NearSamples {
  public:
   // `input`: the mesh as it was, whose vertices have the same numbers. Its triangles at finite places and without rings
-  // are sampled, by numbers of faces for their middles and behind them by numbers of vertices. Both must outlive it.
-  // O(n).
+  // are sampled at their middles and corners. Both must outlive it. O(n).
   NearSamples(const Mesh& input, const CollapseSurface& surface);
 
   struct Sample {
     glm::dvec3 place{0.0};
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
   };
-  Sample sample(std::uint32_t i) const;
+  const Sample& sample(std::uint32_t i) const { return samples_[i]; }
 
-  // Gives each sample to the face that it is nearest to; false where it is cancelled. `hints`: by vertex, one that it
-  // has become, or none; the nearer, the faster. O(n log n).
-  bool assign(std::span<const Vertex> hints, Progress& progress);
+  // Gives each sample to the face that it is nearest to: where it need not be exact, to one to which no other about it
+  // is nearer. False where it is cancelled. `merged`: by vertex, the one that it has become, or none where it is there
+  // still. Samples at vertices that are gone altogether have no face. O(n), and O(n log n) where it is exact or there
+  // are hubs.
+  bool assign(std::span<const Vertex> merged, bool is_exact, Progress& progress);
   template <class Visit>
   void for_each(Face f, const Visit& visit) const {
     for (std::uint32_t i = first_[f.index]; i != no_index; i = next_[i]) visit(i);
@@ -49,13 +50,17 @@ class NearSamples {
   }
 
  private:
-  std::uint32_t count() const { return input_.face_slots() + input_.vertex_slots(); }
+  class Search;
+  // The samples of now by the vertices that theirs have become: those of vertex v begin at begins[v].
+  std::vector<std::uint32_t> take_samples(std::span<const Vertex> merged);
   bool is_sampled(Face f) const;
+  Sample middle_of(Face f) const;
 
   const Mesh& input_;
   const CollapseSurface& surface_;
   std::vector<glm::dvec3> places_;
   std::vector<float> vertex_areas_;   // by vertex of the input
+  std::vector<Sample> samples_;       // near ones are near in memory too
   std::vector<std::uint32_t> first_;  // by face, its first sample
   std::vector<std::uint32_t> next_;   // by sample, the next one of its face
 };

@@ -1,6 +1,7 @@
 #include "ryosen/algo/simplify/nearer_moves.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "ryosen/base/parallel.h"
@@ -30,9 +31,14 @@ class Mover {
         surface_(surface),
         samples_(samples),
         input_(input && !input->is_empty() ? input : nullptr),
-        steps_(mesh_.vertex_slots()) {
-    for (const Vertex v : live_vertices(mesh_))
-      if (surface_.is_amid_surface(v)) movable_.push_back(v);
+        number_(mesh_.vertex_slots(), no_index) {
+    for (const Vertex v : live_vertices(mesh_)) {
+      if (!surface_.is_amid_surface(v)) continue;
+      number_[v.index] = static_cast<std::uint32_t>(movable_.size());
+      movable_.push_back(v);
+    }
+    pulls_.resize(movable_.size());
+    steps_.resize(movable_.size());
     if (input_) targets_.resize(mesh_.edge_slots());
   }
 
@@ -48,10 +54,12 @@ class Mover {
 
   void step() {
     const auto count = static_cast<std::uint32_t>(movable_.size());
+    std::fill(pulls_.begin(), pulls_.end(), Quadric());
     for_each_part(count, threads_for(std::size_t{count} * 16), [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = begin; i < end; ++i) steps_[movable_[i].index] = step_of(movable_[i]);
+      for (const Face f : live_faces(mesh_)) pull_corners(f, begin, end);
+      for (std::uint32_t i = begin; i < end; ++i) steps_[i] = step_of(movable_[i], pulls_[i]);
     });
-    for (const Vertex v : movable_) take(v, steps_[v.index]);
+    for (std::uint32_t i = 0; i < count; ++i) take(movable_[i], steps_[i]);
   }
 
   const NearerMoves& moves() const { return moves_; }
@@ -63,37 +71,52 @@ class Mover {
   }
   glm::dvec3 middle_of(Halfedge h) const { return (surface_.place(mesh_.from(h)) + surface_.place(mesh_.to(h))) / 2.0; }
 
-  // The lowest place in the planes of the pulls, as seen from the vertex.
-  glm::dvec3 step_of(Vertex v) const {
-    Quadric pulls;
-    const glm::dvec3& here = surface_.place(v);
-    double lengths = 0;
-    const auto pull = [&](const glm::dvec3& way, double weight) {
-      if (const double length = glm::length(way); length > 0) pulls.add_plane(way / length, way, weight);
+  // What pulls the corners of a face whose numbers are in the range: its samples, by what they share in their place on
+  // it, and the middles of its sides.
+  void pull_corners(Face f, std::uint32_t begin, std::uint32_t end) {
+    const Halfedge h = mesh_.halfedge(f);
+    const std::array<Halfedge, 3> sides{h, mesh_.next(h), mesh_.prev(h)};
+    if (mesh_.next(sides[1]) != sides[2]) return;
+    const std::array<std::uint32_t, 3> corners{mesh_.from(sides[0]).index, mesh_.from(sides[1]).index,
+                                               mesh_.from(sides[2]).index};
+    std::array<Quadric*, 3> pulls{};
+    for (int k = 0; k < 3; ++k)
+      if (const std::uint32_t i = number_[corners[k]]; begin <= i && i < end) pulls[k] = &pulls_[i];
+    if (!pulls[0] && !pulls[1] && !pulls[2]) return;
+    const std::span<const glm::dvec3> places = samples_.places();
+    const glm::dvec3& a = places[corners[0]];
+    const glm::dvec3 normal = glm::cross(places[corners[1]] - a, places[corners[2]] - a);
+    const double twice_area = glm::length(normal);
+    if (!(twice_area > 0)) return;
+    // By the weights of the corners, along a way that is not 0.
+    const auto pull = [&](const glm::dvec3& direction, const glm::dvec3& way, const glm::dvec3& weights) {
+      for (int k = 0; k < 3; ++k)
+        if (pulls[k] && weights[k] > 0) pulls[k]->add_plane(direction, way, weights[k]);
     };
-    for (const Halfedge corner : outgoing(mesh_, v)) {
-      const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
-      if (mesh_.next(next) != prev) continue;
-      const glm::dvec3 &x = surface_.place(mesh_.from(next)), &y = surface_.place(mesh_.from(prev));
-      const glm::dvec3 normal = glm::cross(x - here, y - here);
-      const double twice_area = glm::length(normal);
-      lengths += glm::dot(x - here, x - here);
-      if (!(twice_area > 0)) continue;
-      const Primitive triangle = Primitive::triangle(v.index, mesh_.from(next).index, mesh_.from(prev).index, 0);
-      samples_.for_each(mesh_.face(corner), [&](std::uint32_t i) {
-        const auto [place, area] = samples_.sample(i);
-        const NearestPlace near = samples_.nearest(triangle, place);
-        const double weight = area * near.barycentric.x;
-        if (!(weight > 0)) return;
-        if (near.distance > rounding)
-          pull(place - near.place, weight);
-        else
-          pulls.add_plane(normal / twice_area, glm::dvec3(0.0), weight);
-      });
-      if (!input_) continue;
-      for (const Halfedge side : {corner, prev})
-        if (const glm::dvec3 way = targets_[edge(side).index] - middle_of(side); glm::length(way) > rounding)
-          pull(way, twice_area / 12 * middles_share);
+    const Primitive triangle = Primitive::triangle(corners[0], corners[1], corners[2], f.index);
+    samples_.for_each(f, [&](std::uint32_t i) {
+      const auto [place, area] = samples_.sample(i);
+      const NearestPlace near = samples_.nearest(triangle, place);
+      if (near.distance > rounding)
+        pull((place - near.place) / near.distance, place - near.place, area * near.barycentric);
+      else
+        pull(normal / twice_area, glm::dvec3(0.0), area * near.barycentric);
+    });
+    if (!input_) return;
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 way = targets_[edge(sides[k]).index] - middle_of(sides[k]);
+      glm::dvec3 weights(twice_area / 12 * middles_share);
+      weights[(k + 2) % 3] = 0;
+      if (const double length = glm::length(way); length > rounding) pull(way / length, way, weights);
+    }
+  }
+
+  // To the lowest place in the planes of the pulls, as seen from the vertex.
+  glm::dvec3 step_of(Vertex v, const Quadric& pulls) const {
+    double lengths = 0;
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      const glm::dvec3 along = surface_.place(mesh_.to(h)) - surface_.place(v);
+      lengths += glm::dot(along, along);
     }
     const glm::dvec3 step = stride * pulls.lowest(glm::dvec3(0.0), held_share);
     return glm::dot(step, step) > least_square * lengths ? step : glm::dvec3(0.0);
@@ -150,19 +173,21 @@ class Mover {
   NearSamples& samples_;
   const TriangleTree* input_;
   std::vector<Vertex> movable_;
-  std::vector<glm::dvec3> steps_;    // by vertex
-  std::vector<glm::dvec3> targets_;  // by edge, of its middle; none without a tree
+  std::vector<std::uint32_t> number_;  // by vertex, in movable_; none of one that is not to move
+  std::vector<Quadric> pulls_;         // by number
+  std::vector<glm::dvec3> steps_;      // by number
+  std::vector<glm::dvec3> targets_;    // by edge, of its middle; none without a tree
   NearerMoves moves_;
 };
 
 }  // namespace
 
-NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> hints,
+NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
                         const TriangleTree* input, Progress& progress) {
   const int rounds = input ? 4 : 1, steps = input ? 3 : 2;
   Mover mover(edit, surface, samples, input);
   for (int round = 0; round < rounds; ++round) {
-    if (!samples.assign(hints, progress)) break;
+    if (!samples.assign(merged, input != nullptr, progress)) break;
     mover.aim();
     for (int step = 0; step < steps; ++step) mover.step();
   }

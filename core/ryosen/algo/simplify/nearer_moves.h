@@ -19,9 +19,9 @@ struct NearerMoves {
 // Moves vertices amid the surface to where the squared distance of the samples of the input from it, summed over their
 // areas, is less: a few steps, in each all at once. Where a tree of the input is given, of the surface from the input
 // too, and more steps. What holds collapses holds moves: nothing goes beyond the error, no face turns too far, loses
-// its area or gets too small an angle. Values stay. The same for any number of threads. `hints` as of
-// NearSamples::assign(). Cost: O(n log n).
-NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> hints,
+// its area or gets too small an angle. Values stay. The same for any number of threads. `merged` as of
+// NearSamples::assign(). Cost: as of that.
+NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
                         const TriangleTree* input, Progress& progress);
 
 }  // namespace ryosen

@@ -21,7 +21,7 @@ bool Simplifier::come_nearer(Progress& progress) {
   NearSamples samples(*input_, surface_);
   const TriangleTree input = goal_.effort == 2 ? tree_of_input(*input_, surface_) : TriangleTree();
   if (goal_.effort == 2) {
-    if (!samples.assign(find_merged(), progress)) return false;
+    if (!samples.assign(find_merged(), true, progress)) return false;
     swaps_ = swap_nearer(*edit_, surface_, samples, input, progress);
     if (swaps_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;
   }

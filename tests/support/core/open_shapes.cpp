@@ -1,6 +1,7 @@
 #include "tests/support/core/open_shapes.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "ryosen/geometry/single_precision.h"
 
@@ -72,6 +73,18 @@ IndexedMesh turned(IndexedMesh list) {
 IndexedMesh as_floats(IndexedMesh list) {
   for (glm::dvec3& p : list.positions) p = to_single(p);
   return list;
+}
+
+IndexedMesh wavy_fan(std::uint32_t spokes) {
+  IndexedMesh fan;
+  fan.positions.emplace_back(0, 0, 0);
+  for (std::uint32_t i = 0; i < spokes; ++i) {
+    const double angle = 2 * std::numbers::pi * i / spokes;
+    fan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.1 * std::sin(7 * angle));
+    fan.corners.insert(fan.corners.end(), {0, 1 + i, 1 + (i + 1) % spokes});
+    fan.face_offsets.push_back(static_cast<std::uint32_t>(fan.corners.size()));
+  }
+  return fan;
 }
 
 }  // namespace ryosen::test

@@ -24,4 +24,7 @@ IndexedMesh turned(IndexedMesh list);
 // With places as a file of floats holds them.
 IndexedMesh as_floats(IndexedMesh list);
 
+// Spokes about one vertex, up and down seven times in a round.
+IndexedMesh wavy_fan(std::uint32_t spokes);
+
 }  // namespace ryosen::test

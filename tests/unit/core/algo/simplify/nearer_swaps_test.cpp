@@ -3,33 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "ryosen/indexed/from_indexed.h"
+#include "tests/support/core/open_shapes.h"
 
 namespace ryosen::test {
 namespace {
 
-// Spokes about one vertex, up and down seven times in a round.
-Mesh wavy_fan(std::uint32_t spokes) {
-  IndexedMesh fan;
-  fan.positions.emplace_back(0, 0, 0);
-  for (std::uint32_t i = 0; i < spokes; ++i) {
-    const double angle = 2 * std::numbers::pi * i / spokes;
-    fan.positions.emplace_back(std::cos(angle), std::sin(angle), 0.1 * std::sin(7 * angle));
-    fan.corners.insert(fan.corners.end(), {0, 1 + i, 1 + (i + 1) % spokes});
-    fan.face_offsets.push_back(static_cast<std::uint32_t>(fan.corners.size()));
-  }
-  return from_indexed(std::move(fan));
-}
-
 // Triangles of the surface before whose distance is computed, for each of its own samples and for each middle of two
 // spokes, on average.
 double triangles_asked_on_average(std::uint32_t spokes) {
-  const Mesh mesh = wavy_fan(spokes);
+  const Mesh mesh = from_indexed(wavy_fan(spokes));
   const CollapseSurface surface(mesh, {});
-  const NearSamples samples(mesh, surface);
+  NearSamples samples(mesh, surface);
+  Progress unheard;
+  EXPECT_TRUE(samples.assign(std::vector<Vertex>(mesh.vertex_slots()), true, unheard));
   const TriangleTree input = tree_of_input(mesh, surface);
   std::size_t asked = 0, count = 0;
   for (std::uint32_t i = 0; i < mesh.face_slots() + mesh.vertex_slots(); ++i, ++count)

@@ -52,6 +52,7 @@ CollapseSurface::CollapseSurface(const Mesh& mesh, const CollapseLimits& limits)
     : mesh_(mesh),
       scale_(mesh.positions()),
       boundary_(limits.boundary),
+      keeps_boundaries_(boundary_ == BoundaryMode::weighted),
       seams_(limits.seams),
       error_(scale_.scaled_length(limits.error)),
       turn_cosine_(std::max(std::cos(limits.turn_rad), least_cosine)),
@@ -186,6 +187,13 @@ Freedom CollapseSurface::freedom(Halfedge h) const {
     }
   }
   if (a && b) return {h, true, std::max(*a, *b), false};
+  // Points amid the surface go to the boundary, not the other way: the short edges of a small hole would cost little
+  // to be drawn out far. That of a hub would move all that is about it, which takes long to ask for each of its edges.
+  if (!a && !b && keeps_boundaries_) {
+    const bool is_from = mesh_.is_boundary(mesh_.from(h)), is_to = mesh_.is_boundary(mesh_.to(h));
+    const Halfedge to_boundary = is_to ? h : twin(h);
+    if (is_from != is_to) return {to_boundary, true, EdgeRule::boundary, !is_hub(mesh_, mesh_.from(to_boundary))};
+  }
   if (a) return {twin(h), true, *a, true};
   if (b) return {h, true, *b, true};
   return {h};

@@ -99,6 +99,10 @@ class CollapseSurface {
   bool holds_seams() const { return seams_ == SeamMode::kept; }
   bool is_feature(Edge e) const { return !edge_flags_.empty() && edge_flags_[e.index] & feature; }
 
+  // Points of a weighted boundary stay on it: edges that lead into the surface go to them, until it is let go.
+  bool keeps_boundaries() const { return keeps_boundaries_; }
+  void let_boundaries_go() { keeps_boundaries_ = false; }
+
   Freedom freedom(Halfedge h) const;
   // The lowest place for this edge, or that of its anchor.
   Placing lowest(const Freedom& freedom) const;
@@ -252,6 +256,7 @@ class CollapseSurface {
   const Mesh& mesh_;
   ScaledPlaces scale_;
   BoundaryMode boundary_;
+  bool keeps_boundaries_;
   SeamMode seams_;
   double error_, turn_cosine_, angle_cosine_;
   ColumnVector<State> states_;            // by vertex

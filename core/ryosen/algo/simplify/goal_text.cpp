@@ -41,7 +41,7 @@ Text text_of_misoriented_left(const Mesh& mesh) {
                     "向きの合わない稜線が # 本あります（orient で直せることがあります）。");
 }
 
-Text text_of_lost_shape() {
+Text text_of_cost() {
   static_assert(JumpLimit::most_times == 3 && JumpLimit::share_of_size == 0.05);
   return {
       "; more would lose the shape: every collapse that is left costs more than 5 % of the size and 3 times as much "
@@ -81,7 +81,14 @@ Text text_of_change(const TopologyChange& change) {
 
 const Text parts_too_far{"; more would lose the shape: the parts that are left lie too far from each other.",
                          "（これ以上は形が崩れます。残りの部分は互いに離れすぎています）。"};
+const Text boundaries_would_grow{"; more would lose the shape: every edge that is left would draw a boundary out.",
+                                 "（これ以上は形が崩れます。残りの稜線を削除すると境界が広がります）。"};
 const Text force_goes_on{" force goes on.", "force を指定すると続けます。"};
+
+Text text_of_shape(const GoalReport& report, const TopologyChange& change) {
+  if (change.has_parts_too_far) return parts_too_far;
+  return report.remaining[static_cast<std::size_t>(EdgeRule::error)] > 0 ? text_of_cost() : boundaries_would_grow;
+}
 
 }  // namespace
 
@@ -103,8 +110,7 @@ Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const
   const bool asks = !change.is_allowed && (report.stopped == Stop::shape || report.stopped == Stop::blocked);
   const Text changed = text_of_change(change), left = asks ? text_of_topology_left(mesh) : Text();
   if (report.stopped == Stop::shape)
-    return text + (change.has_parts_too_far ? parts_too_far : text_of_lost_shape()) + changed + left +
-           text_of_misoriented_left(mesh) + force_goes_on;
+    return text + text_of_shape(report, change) + changed + left + text_of_misoriented_left(mesh) + force_goes_on;
   if (report.stopped == Stop::error) {
     const bool names_seams = report.remaining[static_cast<std::size_t>(EdgeRule::seam)] > 0;
     const Text rules = names_seams ? names_of_holding(report.remaining) : Text();

@@ -101,7 +101,8 @@ bool Simplifier::collapse_all(Progress& progress) {
       if (goal_.removes_small_parts) remove_noted_parts();
       if (!progress.go_on(first_faces - mesh_.live().faces, first_faces - goal_.faces)) return false;
     }
-  } while (!is_at_goal() && minds_less(collapses_ > before) && find_further(progress));
+  } while (!is_at_goal() && ((minds_less(collapses_ > before) && find_further(progress)) ||
+                             (lets_boundaries_go() && find_further(progress))));
   return !progress.is_cancelled();
 }
 
@@ -111,6 +112,14 @@ bool Simplifier::minds_less(bool has_collapsed) {
   using Minds = CollapseSurface::Minds;
   if (minds_ == Minds::nothing) return has_collapsed;
   minds_ = minds_ == Minds::input || has_collapsed ? Minds::lines : Minds::nothing;
+  return true;
+}
+
+// Whether it does so now; then lines are minded again.
+bool Simplifier::lets_boundaries_go() {
+  if (!goal_.lets_boundaries_go || !surface_.keeps_boundaries()) return false;
+  surface_.let_boundaries_go();
+  minds_ = CollapseSurface::Minds::lines;
   return true;
 }
 

@@ -105,6 +105,8 @@ struct SimplifyGoal {
   bool keeps_shape = false;
   // Where nothing else can collapse, handles are closed and parts joined, without a journal and where faces may meet.
   bool changes_topology = false;
+  // Where nothing else can collapse, points of a weighted boundary may leave it.
+  bool lets_boundaries_go = false;
 };
 
 class Simplifier {
@@ -127,6 +129,8 @@ class Simplifier {
   std::size_t moves() const { return moves_; }
   std::size_t closed_handles() const { return closed_handles_; }
   std::size_t joined_parts() const { return joined_parts_; }
+  // Points of a weighted boundary stay on it.
+  bool keeps_boundaries() const { return surface_.keeps_boundaries(); }
   // Parts could be joined but for the limit of the shape.
   bool has_parts_too_far() const { return has_parts_too_far_; }
   // So many faces had come to look against the input, and so many still do.
@@ -165,6 +169,7 @@ class Simplifier {
   bool collapse_all(Progress& progress);
   // Adds the edges that can collapse after all; false where there are none.
   bool minds_less(bool has_collapsed);
+  bool lets_boundaries_go();
   bool find_further(Progress& progress);
   // What may be removed where it is smaller than the error.
   double small_size() const { return surface_.limits_error() ? surface_.error_limit() : error_max_; }

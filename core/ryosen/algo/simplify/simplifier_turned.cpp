@@ -149,7 +149,7 @@ std::vector<glm::dvec3> Simplifier::ways_of(Vertex v, Face f) const {
 // error. Or of those where another face does instead of this one, which may be easier to mend.
 bool Simplifier::move_mends(Vertex v, Face f, bool may_pass_on) {
   constexpr std::array shares{0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.75, 0.9, -0.05, -0.1, -0.25, -0.5};
-  if (!surface_.is_free(v) || is_hub(v)) return false;
+  if (!surface_.is_free(v) || is_hub(v) || (surface_.keeps_boundaries() && mesh_.is_boundary(v))) return false;
   const std::vector<glm::dvec3> ways = may_pass_on ? all_around(corners_of(mesh_, mesh_.halfedge(f))) : ways_of(v, f);
   const glm::dvec3 here = mesh_.position(v);
   const std::array<Halfedge, 3> sides = sides_of(mesh_, f);

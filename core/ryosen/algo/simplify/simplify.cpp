@@ -216,14 +216,16 @@ SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, st
           prepared.crossings > 0,
           values.flag("remove_small"),
           stops_by_shape(values),
-          values.choice("topology") == "change"};
+          values.choice("topology") == "change",
+          values.flag("force")};
 }
 
 // Why it ended before it reached a number of faces.
 Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal, const Simplifier& simplifier) {
   if (simplifier.has_parts_too_far()) return Stop::shape;
-  if (remaining[static_cast<std::size_t>(EdgeRule::error)] == 0) return Stop::blocked;
-  return goal.keeps_shape ? Stop::shape : Stop::error;
+  if (remaining[static_cast<std::size_t>(EdgeRule::error)] > 0) return goal.keeps_shape ? Stop::shape : Stop::error;
+  return simplifier.keeps_boundaries() && remaining[static_cast<std::size_t>(EdgeRule::boundary)] > 0 ? Stop::shape
+                                                                                                      : Stop::blocked;
 }
 
 // Tells what holds the edges of a mesh most of which are misoriented; false for any other.
@@ -307,7 +309,8 @@ BuiltLevels build_levels(const Mesh& mesh, const AlgorithmInput& input, Progress
   SimplifyGoal goal = goal_of(prepared, values, faces_wanted(values, mesh.live().faces));
   goal.changes_topology = false;  // a level has at most as many faces as the one before
   goal.keeps_shape = false;       // whoever goes through them sees what is lost
-  goal.effort = 0;                // and what they see is what simplify makes of it
+  goal.lets_boundaries_go = true;
+  goal.effort = 0;  // and what they see is what simplify makes of it
   auto levels = std::make_unique<DetailLevels>(std::move(prepared.work));
   if (!levels->build(limits, goal, progress)) levels.reset();
   return {std::move(levels)};

@@ -74,9 +74,10 @@ std::vector<ParameterRow> simplify_parameters() {
       parameter_row(
           {"force", "Force", "強制",
            "goes on to the number of faces where that loses the shape: where any collapse costs more than 5 % "
-           "of the diagonal and 3 times as much as at twice as many faces, or most edges are misoriented",
+           "of the diagonal and 3 times as much as at twice as many faces, draws a boundary out, or most edges are "
+           "misoriented",
            "形が崩れても指定の面数まで続ける（どの稜線削除の誤差も対角線の 5 % を超え、面が倍あったときの"
-           " 3 倍を超えるとき、または稜線の過半数の向きが合わないとき）"},
+           " 3 倍を超えるとき、境界が広がるとき、または稜線の過半数の向きが合わないとき）"},
           {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row(
           {"effort", "Effort", "手間",

@@ -47,7 +47,7 @@ void expect_unchanged_where_cancelled(Mesh mesh, int reports, const std::string&
 // What is blocked is refused where its quadrics are lowest, too, by the kernel and its warnings.
 void expect_refused_where_lowest(Mesh mesh, const std::string& name) {
   const Mesh input = mesh;
-  Simplifier simplifier(mesh, {}, {}, nullptr, &input);
+  Simplifier simplifier(mesh, {}, {.lets_boundaries_go = true}, nullptr, &input);
   Progress unheard;
   ASSERT_TRUE(simplifier.run(unheard)) << name;
   const CollapseSurface::Standstill still = simplifier.standstill();

@@ -166,6 +166,7 @@ constexpr RuleLooks rule_looks[] = {
     {EdgeRule::error, 0xFF6F61, 0xB3261E, LineStyle::solid, 2.4f},
     {EdgeRule::selection, 0xB59CFF, 0x5B3FA8, LineStyle::dashed, 2.4f},
     {EdgeRule::self_intersection, 0xFFFFFF, 0x202020, LineStyle::dotted, 2.4f},
+    {EdgeRule::distance, 0xA6761D, 0x7A4B12, LineStyle::dotted, 2.4f},
     {EdgeRule::free, 0x2BD9A0, 0x007A58, LineStyle::solid, 0},
 };
 static_assert(rows_are_in_order(rule_looks, &RuleLooks::rule));

@@ -69,6 +69,22 @@ TEST_F(Simplify, takes_an_error_with_a_percent_sign_as_a_share_whether_it_is_sai
   EXPECT_GT(share["faces_after"], run({bunny_, "--error", "0.02", "--relative"}).line()["faces_after"]);
 }
 
+TEST_F(Simplify, keeps_a_distance_that_distance_confirms) {
+  const std::string sphere = folder_.at("sphere.obj");
+  ASSERT_EQ(run_program({"sphere", "-o", sphere, "--radius", "1"}).exit_code, 0);
+  const ProgramRun kept = run({sphere, "-o", output_, "--max-distance", "0.05", "--triangulate", "--distance"});
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_EQ(kept.line()["stopped"], "distance");
+  EXPECT_GT(kept.line()["remaining"]["distance"], 0);
+  EXPECT_EQ(kept.line()["remaining"]["free"], 0);
+  EXPECT_LE(kept.line()["distance"]["hausdorff"], 0.05);
+  EXPECT_LT(kept.line()["faces_after"], 200);
+  expect_accounts(kept.line(), output_);
+  const ProgramRun both = run({sphere, "--faces", "10", "--max-distance", "5%", "--triangulate"});
+  EXPECT_EQ(both.exit_code, 1) << both.err;
+  EXPECT_EQ(both.line()["stopped"], "distance");
+}
+
 TEST_F(Simplify, ends_with_1_where_it_stops_before) {
   const ProgramRun error = run({bunny_, "--faces", "10", "--error", "0.0001", "--relative"});
   EXPECT_EQ(error.exit_code, 1) << error.err;
@@ -157,6 +173,7 @@ TEST_F(Simplify, refuses_what_it_cannot_do) {
       {{bunny_, "--ratio", "nan"}, 2},
       {{bunny_, "--error", "-0.5"}, 2},
       {{bunny_, "--error", "inf"}, 2},
+      {{bunny_, "--max-distance", "-1%"}, 2},
       {{bunny_, "--faces", "10", "--max-turn", "0"}, 2},
       {{bunny_, "--faces", "10", "--max-turn", "91"}, 2},
       {{bunny_, "--faces", "10", "--min-angle", "61"}, 2},
@@ -169,6 +186,7 @@ TEST_F(Simplify, refuses_what_it_cannot_do) {
       {{empty, "--faces", "10"}, 6},
       {{points, "--faces", "10"}, 6},
       {{asset("cube.obj"), "--faces", "10", "--no-self-intersections"}, 6},
+      {{asset("cube.obj"), "--max-distance", "1%"}, 6},
   };
   for (const Refused& one : all) {
     std::vector<std::string> words = one.words;

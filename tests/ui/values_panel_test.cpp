@@ -98,7 +98,7 @@ TEST_F(ValuesPanel, tells_only_what_a_field_takes_that_does_not_show_it) {
   const auto drawn = [&](std::string_view text) { return test::DrawnText(gui).count(text); };
   EXPECT_EQ(drawn("onoroff"), 0u) << "a check box";
   EXPECT_EQ(drawn("oneoffree"), 0u) << "a list";
-  EXPECT_EQ(drawn("oneofFaces,Ratio,Errormustbegiven"), 1u) << "below all fields, not under each of the three";
+  EXPECT_EQ(drawn("oneofFaces,Ratio,Error,Largestdistancemustbegiven"), 1u) << "below all fields, not under each";
   EXPECT_EQ(drawn("oneoffaces,ratio,error"), 0u);
   EXPECT_EQ(drawn("aratiofrom0to1"), 1u);
 }

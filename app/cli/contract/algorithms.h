@@ -95,10 +95,12 @@ inline constexpr JsonKey goal_keys[] = {
     {"faces_before", "integer", "The faces of the input, as in check.", "入力の面数（check と同じ）。"},
     {"faces_after", "integer", "The same as faces.", "faces と同じ。"},
     {"stopped", "string",
-     "Why it ended: the goal was reached, the error does not allow more, nothing more can be done, more would lose the "
-     "shape, or it was cancelled.",
-     "終了の理由：目標に達した、許容誤差に達した、それ以上できない、それ以上は形が崩れる、中止された。",
-     words("goal error blocked shape cancelled")},
+     "Why it ended: the goal was reached, the error or the distance does not allow more, nothing more can be done, "
+     "more "
+     "would lose the shape, or it was cancelled.",
+     "終了の理由：目標に達した、許容誤差に達した、距離の上限に達した、それ以上できない、それ以上は形が崩れる、"
+     "中止された。",
+     words("goal error distance blocked shape cancelled")},
     {"remaining", "object", "By rule the number of edges that it holds as the first; they add up to edges.",
      "最初に当てはまる規則ごとの稜線の数。合計は edges。", ids_of(Ids::edge_rules)},
     {"error_max", "number or null",

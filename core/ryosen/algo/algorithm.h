@@ -48,12 +48,12 @@ inline void add_left(std::vector<LeftForReason>& left_for, Text reason, std::vec
 }
 
 // Why an algorithm with a goal came to its end.
-enum class Stop { goal, error, blocked, shape, cancelled };
+enum class Stop { goal, error, distance, blocked, shape, cancelled };
 
 // What an algorithm with a goal says of its end.
 struct GoalReport {
   Stop stopped = Stop::goal;
-  bool is_reached = true;                // the goal; an error that is the only goal is one
+  bool is_reached = true;                // the goal; an error or a distance that is the only goal is one
   std::optional<double> error_max = {};  // a distance in units of the mesh
   // By EdgeRule, of the edges of faces, counted on points: the first rule that holds each. Empty unless it was asked
   // for, and where every edge is free.

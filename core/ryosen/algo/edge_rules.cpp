@@ -19,6 +19,8 @@ constexpr EdgeRuleRow edge_rule_rows[] = {
      "変更できる要素に含まれない。"},
     {EdgeRule::self_intersection, "self_intersection", "Self-intersection", "自己交差",
      "Faces would meet that did not.", "面が新たに交わる。"},
+    {EdgeRule::distance, "distance", "Distance", "距離",
+     "The surface might come farther from the input than is allowed.", "入力からの距離が上限を超えるおそれがある。"},
     {EdgeRule::free, "free", "Free", "制約なし", "Nothing holds it: the goal was reached before.",
      "制約なし（先に目標に達した）。"},
 };

@@ -21,6 +21,7 @@ enum class EdgeRule : std::uint8_t {
   error,
   selection,
   self_intersection,
+  distance,
   free
 };
 
@@ -42,9 +43,9 @@ struct StopRow {
   std::string_view id;
 };
 
-inline constexpr std::array stops{StopRow{Stop::goal, "goal"}, StopRow{Stop::error, "error"},
-                                  StopRow{Stop::blocked, "blocked"}, StopRow{Stop::shape, "shape"},
-                                  StopRow{Stop::cancelled, "cancelled"}};
+inline constexpr std::array stops{StopRow{Stop::goal, "goal"},         StopRow{Stop::error, "error"},
+                                  StopRow{Stop::distance, "distance"}, StopRow{Stop::blocked, "blocked"},
+                                  StopRow{Stop::shape, "shape"},       StopRow{Stop::cancelled, "cancelled"}};
 
 static_assert(rows_are_in_order(stops, &StopRow::stop));
 

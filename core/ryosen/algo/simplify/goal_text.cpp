@@ -117,6 +117,8 @@ Text text_of_goal(const Mesh& mesh, std::size_t before, std::size_t after, const
     return text + Text{"; more would go beyond the error" + rules.en + ".", "（許容誤差まで" + rules.ja + "）。"} +
            changed;
   }
+  if (report.stopped == Stop::distance)
+    return text + Text{"; more would go beyond the distance.", "（距離の上限まで）。"} + changed;
   if (report.stopped == Stop::blocked) {
     const Text rules = names_of_holding(report.remaining);
     return text +

@@ -25,12 +25,13 @@ constexpr double least_square = 1e-12;
 
 class Mover {
  public:
-  Mover(Edit& edit, CollapseSurface& surface, NearSamples& samples, const TriangleTree* input)
+  Mover(Edit& edit, CollapseSurface& surface, NearSamples& samples, const TriangleTree* input, DistanceGuard* guard)
       : edit_(edit),
         mesh_(edit.mesh()),
         surface_(surface),
         samples_(samples),
         input_(input && !input->is_empty() ? input : nullptr),
+        guard_(guard),
         number_(mesh_.vertex_slots(), no_index) {
     for (const Vertex v : live_vertices(mesh_)) {
       if (!surface_.is_amid_surface(v)) continue;
@@ -153,11 +154,13 @@ class Mover {
     if (!(error <= surface_.error_limit()) || surface_.move_spoils_face(v, position, Face()) ||
         surface_.move_tilts_face(v, position))
       return;
+    if (guard_ && guard_->move_may_exceed(v, position)) return;
     if (input_) {
       const double was = squares_around(v);
       samples_.put(v, surface_.scale().scaled(position));
       if (!(squares_around(v) < was)) return samples_.put(v, surface_.place(v));
     }
+    if (guard_) guard_->follow();
     edit_.set_position(v, position);
     surface_.move(v, position);
     samples_.put(v, surface_.place(v));
@@ -172,6 +175,7 @@ class Mover {
   CollapseSurface& surface_;
   NearSamples& samples_;
   const TriangleTree* input_;
+  DistanceGuard* guard_;
   std::vector<Vertex> movable_;
   std::vector<std::uint32_t> number_;  // by vertex, in movable_; none of one that is not to move
   std::vector<Quadric> pulls_;         // by number
@@ -183,9 +187,9 @@ class Mover {
 }  // namespace
 
 NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
-                        const TriangleTree* input, Progress& progress) {
+                        const TriangleTree* input, DistanceGuard* guard, Progress& progress) {
   const int rounds = input ? 4 : 1, steps = input ? 3 : 2;
-  Mover mover(edit, surface, samples, input);
+  Mover mover(edit, surface, samples, input, guard);
   for (int round = 0; round < rounds; ++round) {
     if (!samples.assign(merged, input != nullptr, progress)) break;
     mover.aim();

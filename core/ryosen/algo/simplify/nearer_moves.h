@@ -6,6 +6,7 @@
 //   /             \            [Hoppe93], by planes across the distances; step by step.
 #pragma once
 
+#include "ryosen/algo/simplify/distance_guard.h"
 #include "ryosen/algo/simplify/near_samples.h"
 #include "ryosen/mesh/edit.h"
 
@@ -19,9 +20,9 @@ struct NearerMoves {
 // Moves vertices amid the surface to where the squared distance of the samples of the input from it, summed over their
 // areas, is less: a few steps, in each all at once. Where a tree of the input is given, of the surface from the input
 // too, and more steps. What holds collapses holds moves: nothing goes beyond the error, no face turns too far, loses
-// its area or gets too small an angle. Values stay. The same for any number of threads. `merged` as of
-// NearSamples::assign(). Cost: as of that.
+// its area or gets too small an angle, and where there is a guard, nothing is moved whose distance it cannot prove;
+// it follows. Values stay. The same for any number of threads. `merged` as of NearSamples::assign(). Cost: as of that.
 NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
-                        const TriangleTree* input, Progress& progress);
+                        const TriangleTree* input, DistanceGuard* guard, Progress& progress);
 
 }  // namespace ryosen

@@ -20,12 +20,14 @@ constexpr double least_gain = 1e-6;
 // both are exact for polynomials of degree two.
 class NearerSwaps {
  public:
-  NearerSwaps(Edit& edit, const CollapseSurface& surface, NearSamples& samples, const TriangleTree& input)
+  NearerSwaps(Edit& edit, const CollapseSurface& surface, NearSamples& samples, const TriangleTree& input,
+              DistanceGuard* guard)
       : edit_(edit),
         mesh_(edit.mesh()),
         surface_(surface),
         samples_(samples),
         input_(input),
+        guard_(guard),
         square_at_middle_(mesh_.edge_slots(), unknown) {}
 
   // Whether it was swapped.
@@ -34,6 +36,10 @@ class NearerSwaps {
     if (!surface_.may_swap(h)) return false;
     const Quad quad{mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h)), mesh_.from(mesh_.prev(o))};
     if (!comes_nearer(h, quad) || surface_.swap_spoils_face(h) || !SwapEdge{h}.is_legal(mesh_)) return false;
+    if (guard_) {
+      if (guard_->swap_may_exceed(h)) return false;
+      guard_->follow();
+    }
     swap(h, quad);
     return true;
   }
@@ -113,14 +119,15 @@ class NearerSwaps {
   const CollapseSurface& surface_;
   NearSamples& samples_;
   const TriangleTree& input_;
+  DistanceGuard* guard_;
   std::vector<double> square_at_middle_;  // by edge, or unknown
 };
 
 }  // namespace
 
 std::size_t swap_nearer(Edit& edit, const CollapseSurface& surface, NearSamples& samples, const TriangleTree& input,
-                        Progress& progress) {
-  NearerSwaps swaps(edit, surface, samples, input);
+                        DistanceGuard* guard, Progress& progress) {
+  NearerSwaps swaps(edit, surface, samples, input, guard);
   const Mesh& mesh = edit.mesh();
   std::vector<std::uint8_t> is_asked(mesh.edge_slots(), 1);
   std::size_t swapped = 0, swapped_before = 0;

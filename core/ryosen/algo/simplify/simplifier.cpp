@@ -61,6 +61,10 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
   if (goal.no_self_intersections) guard_.emplace(mesh_);
   if (guard_ && goal.has_self_intersections) guard_->inherit();
   if (goal.keeps_shape) jump_.emplace(diagonal_of(surface_), mesh_.live().faces);
+  if (goal.most_distance < std::numeric_limits<double>::infinity()) {
+    distance_guard_.emplace(mesh_, surface_.scale(), goal.most_distance);
+    goal_.removes_small_parts = false;
+  }
   if (!steps) edit_.emplace(mesh, nullptr, descent);
   if (input_ && !steps && !guard_ && goal.effort > 0) merged_into_.resize(mesh_.vertex_slots());
 }
@@ -183,8 +187,8 @@ Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& l
     if (goal_.removes_small_parts) note_small_part(h);
     return Answer::refused;
   }
-  // To see whether faces meet all that move are compared with each other: first without moving those of a hub.
-  if (guard_ && !freedom.is_anchored)
+  // Either guard compares all faces that move with each other: first without moving those of a hub.
+  if ((guard_ || distance_guard_) && !freedom.is_anchored)
     for (Halfedge end : {h, twin(h)})
       if (const Vertex hub = mesh_.from(end); is_hub(hub)) {
         const Placing there = surface_.at_place(freedom, surface_.place(hub), hub);
@@ -207,7 +211,7 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
     queue_.add(edge(h).index, level);
     return Answer::later;
   }
-  if (makes_faces_meet(freedom, placing)) return Answer::refused;
+  if (makes_faces_meet(freedom, placing) || may_exceed_distance(freedom, placing)) return Answer::refused;
   const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
   collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);
   return Answer::done;
@@ -220,6 +224,10 @@ bool Simplifier::is_within_error(Halfedge h, const Placing& placing) const {
 
 bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
   return guard_ && guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
+}
+
+bool Simplifier::may_exceed_distance(const Freedom& freedom, const Placing& placing) const {
+  return distance_guard_ && distance_guard_->collapse_may_exceed(freedom.halfedge, surface_.position_of(placing));
 }
 
 // From the vertex that goes to the one that stays.
@@ -254,6 +262,7 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legali
       if (f) guard_->forget(f);
     guard_->follow(kept);
   }
+  if (distance_guard_) distance_guard_->follow();
   ++collapses_;
   if (jump_) jump_->follow(mesh_.live().faces, error_max_);
   unblock_around(kept, apexes);
@@ -312,7 +321,8 @@ EdgeRule Simplifier::refusal(const Freedom& freedom, const Placing& placing, Edg
   if (none <= EdgeRule::normal || surface_.turns_face(h, placing)) return std::min(none, EdgeRule::normal);
   if (surface_.narrows_face(h, placing.place)) return EdgeRule::angle;
   if (!is_within_error(h, placing)) return EdgeRule::error;
-  return none > EdgeRule::self_intersection && makes_faces_meet(freedom, placing) ? EdgeRule::self_intersection : none;
+  if (none > EdgeRule::self_intersection && makes_faces_meet(freedom, placing)) return EdgeRule::self_intersection;
+  return none > EdgeRule::distance && may_exceed_distance(freedom, placing) ? EdgeRule::distance : none;
 }
 
 EdgeRule Simplifier::rule_of(Edge e) const {

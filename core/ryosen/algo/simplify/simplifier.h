@@ -19,6 +19,7 @@
 
 #include "ryosen/algo/crossings/crossing_guard.h"
 #include "ryosen/algo/simplify/collapse_surface.h"
+#include "ryosen/algo/simplify/distance_guard.h"
 #include "ryosen/algo/simplify/input_sides.h"
 #include "ryosen/algo/simplify/jump_limit.h"
 #include "ryosen/base/progress.h"
@@ -107,6 +108,9 @@ struct SimplifyGoal {
   bool changes_topology = false;
   // Where nothing else can collapse, points of a weighted boundary may leave it.
   bool lets_boundaries_go = false;
+  // In units of the mesh, of triangles where there is a limit: every point of the surface stays that near to the
+  // surface as it was, and every point of that to the surface. No small part goes then.
+  double most_distance = std::numeric_limits<double>::infinity();
 };
 
 class Simplifier {
@@ -138,7 +142,8 @@ class Simplifier {
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
   std::uint64_t looked_at() const {
-    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0);
+    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0) +
+           (distance_guard_ ? distance_guard_->looks() : 0);
   }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
@@ -189,6 +194,7 @@ class Simplifier {
   std::size_t most_changes() const;
   bool close_handles();
   bool join_parts();
+  bool may_exceed_distance(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against) const;
   void join(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against);
   // Swaps edges, moves vertices and collapses further until no face looks against the input or none of that helps
   // (simplifier_turned.cpp). False where it was cancelled.
@@ -225,6 +231,7 @@ class Simplifier {
   // Within the limit that was set, and within that of the shape.
   bool is_within_error(Halfedge h, const Placing& placing) const;
   bool makes_faces_meet(const Freedom& freedom, const Placing& placing) const;
+  bool may_exceed_distance(const Freedom& freedom, const Placing& placing) const;
   void collapse(const Freedom& freedom, const Placing& placing, Legality legality);
   Halfedge directed(const Freedom& freedom, Legality legality);
   void write_collapse(Halfedge h, const Placing& placing, bool is_plain);
@@ -245,6 +252,7 @@ class Simplifier {
   std::vector<Candidate> batch_;  // whose turn it is
   std::optional<CrossingGuard> guard_;
   std::optional<JumpLimit> jump_;
+  mutable std::optional<DistanceGuard> distance_guard_;  // remembers its last proof
   const Mesh* input_;
   std::vector<Vertex> merged_into_;  // by vertex that went, where faces that look against the input are to be mended
   std::optional<InputSides> sides_;

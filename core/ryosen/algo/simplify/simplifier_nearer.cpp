@@ -20,13 +20,14 @@ std::span<const Vertex> Simplifier::find_merged() {
 bool Simplifier::come_nearer(Progress& progress) {
   NearSamples samples(*input_, surface_);
   const TriangleTree input = goal_.effort == 2 ? tree_of_input(*input_, surface_) : TriangleTree();
+  DistanceGuard* const guard = distance_guard_ ? &*distance_guard_ : nullptr;
   if (goal_.effort == 2) {
     if (!samples.assign(find_merged(), true, progress)) return false;
-    swaps_ = swap_nearer(*edit_, surface_, samples, input, progress);
+    swaps_ = swap_nearer(*edit_, surface_, samples, input, guard, progress);
     if (swaps_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;
   }
   const NearerMoves moves =
-      move_nearer(*edit_, surface_, samples, find_merged(), goal_.effort == 2 ? &input : nullptr, progress);
+      move_nearer(*edit_, surface_, samples, find_merged(), goal_.effort == 2 ? &input : nullptr, guard, progress);
   moves_ = moves.moves;
   error_max_ = std::max(error_max_, moves.error_max);
   // What a face that turned too far had refused may be possible now.

@@ -215,6 +215,14 @@ Joint nearest_joint(const CollapseSurface& surface, Face stays, Face goes) {
   return *nearest;
 }
 
+// Where the corners of two triangles come that become one.
+std::array<glm::dvec3, 3> middles_between(const Mesh& mesh, const Sides& sides, const Sides& against) {
+  std::array<glm::dvec3, 3> middles;
+  for (const std::size_t i : {0u, 1u, 2u})
+    middles[i] = 0.5 * mesh.position(mesh.from(sides[i])) + 0.5 * mesh.position(mesh.to(against[i]));
+  return middles;
+}
+
 // Of each part but the largest one the nearest joint to another one; the nearest first. O(n log n).
 std::vector<Joint> find_joints(const CollapseSurface& surface, double largest) {
   const Mesh& mesh = surface.mesh();
@@ -286,11 +294,14 @@ bool Simplifier::close_handles() {
     if (std::any_of(sides.begin(), sides.end(), [&](Halfedge h) { return is_changed[mesh_.from(h).index]; }) ||
         !leads_around(mesh_, sides))
       continue;
+    if (distance_guard_ && distance_guard_->filling_may_exceed(sides)) continue;
     if (closed_handles_ == before) largest = std::min(largest, 2 * size);
     error_max_ = std::max(error_max_, size);
     for (const Halfedge h : sides) is_changed[mesh_.from(h).index] = 1;
     const std::array<Vertex, 3> copies = cut_along(*edit_, sides);
     for (const std::size_t i : {0u, 1u, 2u}) surface_.add_copy(copies[i], mesh_.from(sides[i]));
+    if (distance_guard_)
+      distance_guard_->follow_filling({mesh_.face(twin(sides[0])), mesh_.face(mesh_.halfedge(copies[0]))});
     is_changed.resize(mesh_.vertex_slots(), 1);
     ++closed_handles_;
   }
@@ -311,8 +322,10 @@ bool Simplifier::join_parts() {
     has_parts_too_far_ = jump_ && joint.size > jump_->limit();
     if (has_parts_too_far_) break;
     if (std::any_of(joint.sides.begin(), joint.sides.end(), is_gone) ||
-        std::any_of(joint.against.begin(), joint.against.end(), is_gone) || !joined.join(joint.parts))
+        std::any_of(joint.against.begin(), joint.against.end(), is_gone) ||
+        may_exceed_distance(joint.sides, joint.against) || !joined.join(joint.parts))
       continue;
+    if (distance_guard_) distance_guard_->follow();
     error_max_ = std::max(error_max_, joint.size);
     join(joint.sides, joint.against);
     for (const Halfedge h : joint.sides) is_changed[mesh_.from(h).index] = 1;
@@ -321,9 +334,14 @@ bool Simplifier::join_parts() {
   return joined_parts_ > before;
 }
 
+bool Simplifier::may_exceed_distance(const Sides& sides, const Sides& against) const {
+  return distance_guard_ && distance_guard_->joining_may_exceed(sides, against, middles_between(mesh_, sides, against));
+}
+
 // against[i] ends where sides[i] begins, and both become one edge.
 void Simplifier::join(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against) {
   const std::array<Face, 2> gone{mesh_.face(sides[0]), mesh_.face(against[0])};
+  const std::array<glm::dvec3, 3> middles = middles_between(mesh_, sides, against);
   std::array<Vertex, 3> kept, going;
   for (const std::size_t i : {0u, 1u, 2u}) {
     kept[i] = mesh_.from(sides[i]);
@@ -345,10 +363,9 @@ void Simplifier::join(const std::array<Halfedge, 3>& sides, const std::array<Hal
   }
   for (const Face f : gone) edit_->drop(f);
   for (const std::size_t i : {0u, 1u, 2u}) {
-    const glm::dvec3 middle = 0.5 * mesh_.position(kept[i]) + 0.5 * mesh_.position(going[i]);
-    edit_->set_position(kept[i], middle);
+    edit_->set_position(kept[i], middles[i]);
     edit_->remove(going[i]);
-    surface_.merge(going[i], kept[i], middle);
+    surface_.merge(going[i], kept[i], middles[i]);
   }
 }
 

@@ -120,6 +120,10 @@ bool Simplifier::swap_mends(Halfedge h) {
   const auto at = [&](Halfedge corner) { return mesh_.position(mesh_.from(corner)); };
   const glm::dvec3 a = at(h), b = at(twin(h)), c = at(mesh_.prev(h)), d = at(mesh_.prev(twin(h)));
   if (is_turned({c, a, d}) || is_turned({d, b, c}) || !SwapEdge{h}.is_legal(mesh_)) return false;
+  if (distance_guard_) {
+    if (distance_guard_->swap_may_exceed(h)) return false;
+    distance_guard_->follow();
+  }
   SwapEdge{h}.apply(*edit_);
   ++swaps_;
   return true;
@@ -168,12 +172,17 @@ bool Simplifier::move_mends(Vertex v, Face f, bool may_pass_on) {
       const glm::dvec3 position = here + share * way;
       const double error = surface_.error_of_move(v, position);
       if (!(error <= least) || surface_.move_spoils_face(v, position, f) || (may_pass_on && turns_this(position)) ||
-          turned_around(v, position, most + 1) > most)
+          turned_around(v, position, most + 1) > most ||
+          (distance_guard_ && distance_guard_->move_may_exceed(v, position)))
         continue;
       least = error;
       best = position;
     }
   if (!best) return false;
+  if (distance_guard_) {
+    if (distance_guard_->move_may_exceed(v, *best)) return false;  // proves it again, after others
+    distance_guard_->follow();
+  }
   if (has_vertex_values_) RingValues(surface_, v, surface_.scale().scaled(*best)).write_vertex(*edit_, v);
   edit_->set_position(v, *best);
   surface_.move(v, *best);

@@ -7,6 +7,7 @@
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/preparation.h"
+#include "ryosen/algo/proposals.h"
 #include "ryosen/algo/seams/flat_normals.h"
 #include "ryosen/algo/seams/seam_mode.h"
 #include "ryosen/algo/simplify/goal_text.h"
@@ -27,9 +28,9 @@ namespace {
 
 bool has_face_goal(const ParameterValues& values) { return values.has("faces") || values.has("ratio"); }
 
-// A number of faces alone says nothing of the shape; whoever states an error has said what it may cost.
+// A number of faces alone says nothing of the shape; whoever states an error or a distance has said what it may cost.
 bool stops_by_shape(const ParameterValues& values) {
-  return has_face_goal(values) && !values.has("error") && !values.flag("force");
+  return has_face_goal(values) && !values.has("error") && !values.has("max_distance") && !values.flag("force");
 }
 
 // Of all faces as they are when polygons are cut, those set aside included; without a number or a share, none are
@@ -51,10 +52,11 @@ double diagonal(const Mesh& mesh) {
   return box.is_empty() ? 0 : scale.restored_length(glm::length(box.highest - box.lowest));
 }
 
-double error_of(const Mesh& mesh, const ParameterValues& values) {
-  if (!values.has("error")) return std::numeric_limits<double>::infinity();
-  const bool is_share = values.flag("relative") && !values.was_share("error");
-  return values.length("error") * (is_share ? diagonal(mesh) : 1);
+// Of "error" or "max_distance", in units of the mesh; infinite without a value.
+double limit_of(const Mesh& mesh, const ParameterValues& values, std::string_view id) {
+  if (!values.has(id)) return std::numeric_limits<double>::infinity();
+  const bool is_share = values.flag("relative") && !values.was_share(id);
+  return values.length(id) * (is_share ? diagonal(mesh) : 1);
 }
 
 // By vertex: not 0 where it is locked, or where others are selected.
@@ -83,12 +85,27 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
                     : boundary == "locked" ? BoundaryMode::locked
                                            : BoundaryMode::weighted;
   limits.seams = seam_mode_of(values);
-  limits.error = error_of(mesh, values);
+  limits.error = limit_of(mesh, values, "error");
   limits.turn_rad = values.angle_rad("max_turn");
   limits.smallest_angle_rad = values.angle_rad("min_angle");
   limits.fixed = fixed_vertices(mesh, values);
   limits.on_lines = input.on_lines;
   return limits;
+}
+
+std::optional<Text> why_distance_cannot_be_kept(const Mesh& mesh) {
+  for (const Face f : live_faces(mesh))
+    if (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f))
+      return Text{
+          name_of(mesh, f) + " is no triangle, so that its distance cannot be kept; with triangulate it is cut first",
+          name_of(mesh, f) + " が三角形でないため、距離を保てません（triangulate を指定すると先に三角形に分割します）"};
+  return std::nullopt;
+}
+
+Text why_cut_is_too_far(double distance) {
+  const std::string far = to_three_digits(1.005 * distance);  // not rounded down
+  return {"polygons cut into triangles lie up to " + far + " from what they were; give a max_distance above that",
+          "多角形を三角形に分割すると面が最大 " + far + " ずれます（max_distance をそれより大きくしてください）"};
 }
 
 std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh) {
@@ -126,10 +143,18 @@ Text crossings_text(std::size_t before, std::size_t after) {
 struct Prepared {
   Mesh work;  // a copy, so that what is cancelled leaves no trace
   bool is_triangulated = false;
+  double distance_of_cut = 0;  // of its triangles from the polygons as they are measured; 0 where it does not matter
   std::optional<Text> refused = {};
   std::vector<std::uint8_t> flat_faces = {};  // whose normals were taken off
   std::size_t crossings = 0;                  // where no further ones may come
 };
+
+// At most; 0 where there is nothing to measure.
+double distance_between(const Mesh& a, const Mesh& b, Progress& progress) {
+  if (!has_surface(a) || !has_surface(b)) return 0;
+  const auto distance = surface_distance(a, b, {}, progress);
+  return distance ? distance->hausdorff : 0;
+}
 
 void triangulate(Prepared& prepared, Descent* descent) {
   const bool is_asked = !prepared.flat_faces.empty() || (descent && descent->is_recording());
@@ -142,14 +167,21 @@ void triangulate(Prepared& prepared, Descent* descent) {
 }
 
 Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& progress, Descent* descent = nullptr) {
-  if (mesh.live().faces == 0) return {{}, false, Text{"there are no faces to simplify", "簡略化する面がありません"}};
+  if (mesh.live().faces == 0)
+    return {.work = {}, .refused = Text{"there are no faces to simplify", "簡略化する面がありません"}};
   Prepared prepared{mesh, values.flag("triangulate") && Triangulate{}.check(mesh).legal()};
   prepared.flat_faces = prepare_seams(prepared.work, seam_mode_of(values));
   Edit batch(prepared.work, nullptr);
   share_equal_values(batch);
   batch.commit();
   if (prepared.is_triangulated) triangulate(prepared, descent);
-  if (!values.flag("no_self_intersections")) return prepared;
+  if (values.has("max_distance")) {
+    prepared.refused = why_distance_cannot_be_kept(prepared.work);
+    if (prepared.is_triangulated) prepared.distance_of_cut = distance_between(mesh, prepared.work, progress);
+    if (prepared.distance_of_cut > limit_of(mesh, values, "max_distance"))
+      prepared.refused = why_cut_is_too_far(prepared.distance_of_cut);
+  }
+  if (prepared.refused || !values.flag("no_self_intersections")) return prepared;
   prepared.refused = why_faces_cannot_be_kept_apart(prepared.work);
   if (!prepared.refused) prepared.crossings = count_crossings(prepared.work, progress).value_or(0);  // cancelled
   return prepared;
@@ -217,15 +249,18 @@ SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, st
           values.flag("remove_small"),
           stops_by_shape(values),
           values.choice("topology") == "change",
-          values.flag("force")};
+          values.flag("force"),
+          limit_of(prepared.work, values, "max_distance") - prepared.distance_of_cut};
 }
 
 // Why it ended before it reached a number of faces.
 Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal, const Simplifier& simplifier) {
   if (simplifier.has_parts_too_far()) return Stop::shape;
-  if (remaining[static_cast<std::size_t>(EdgeRule::error)] > 0) return goal.keeps_shape ? Stop::shape : Stop::error;
-  return simplifier.keeps_boundaries() && remaining[static_cast<std::size_t>(EdgeRule::boundary)] > 0 ? Stop::shape
-                                                                                                      : Stop::blocked;
+  const auto held_by = [&](EdgeRule rule) { return remaining[static_cast<std::size_t>(rule)]; };
+  const std::size_t error = held_by(EdgeRule::error), distance = held_by(EdgeRule::distance);
+  if (distance > error) return Stop::distance;
+  if (error > 0) return goal.keeps_shape ? Stop::shape : Stop::error;
+  return simplifier.keeps_boundaries() && held_by(EdgeRule::boundary) > 0 ? Stop::shape : Stop::blocked;
 }
 
 // Tells what holds the edges of a mesh most of which are misoriented; false for any other.
@@ -285,7 +320,8 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     report.remaining = count_remaining(work, report.rules);
   }
   if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal, simplifier);
-  report.is_reached = is_by_number ? after <= wanted : report.stopped == Stop::error;
+  report.is_reached =
+      is_by_number ? after <= wanted : report.stopped == Stop::error || report.stopped == Stop::distance;
   report.error_max = simplifier.error_max();
   const TopologyChange change{goal.changes_topology, simplifier.closed_handles(), simplifier.joined_parts(),
                               simplifier.has_parts_too_far()};

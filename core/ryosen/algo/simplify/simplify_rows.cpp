@@ -6,7 +6,7 @@ namespace ryosen {
 
 namespace {
 
-constexpr std::string_view goals = "faces, ratio, error";
+constexpr std::string_view goals = "faces, ratio, error, max_distance";
 
 std::vector<ParameterRow> simplify_parameters() {
   return {
@@ -21,9 +21,16 @@ std::vector<ParameterRow> simplify_parameters() {
            "a vertex comes no farther from its planes as the root of the mean square; one may lie farther",
            "頂点と、それが代表する面の平面との距離（二乗平均平方根。平面の一つ一つはこれより遠いこともある）の上限"},
           {.kind = ParameterKind::length, .one_of = goals}),
+      parameter_row(
+          {"max_distance", "Largest distance", "最大の距離",
+           "it is proved that no point of either surface comes farther from the other one; of triangles, and no small "
+           "part goes",
+           "結果と入力のどちらの面のどの点も、他方の面からこれより遠くならないことを証明しながら減らす（三角形のみ。"
+           "小さな部分は取り除かない）"},
+          {.kind = ParameterKind::length, .one_of = goals}),
       parameter_row({"relative", "Relative", "相対値",
-                     "the error is a share of the diagonal of the mesh's bounding box, as one with % is anyway",
-                     "誤差をメッシュの境界箱の対角線に対する割合とする（% 付きの値は常にそうなる）"},
+                     "error and distance are shares of the diagonal of the mesh's bounding box, as with % anyway",
+                     "誤差と距離をメッシュの境界箱の対角線に対する割合とする（% 付きの値は常にそうなる）"},
                     {.kind = ParameterKind::flag, .initial = "off"}),
       parameter_row(
           {"boundary", "Boundary", "境界", "weighted keeps its line, free does not, locked keeps its every vertex",

@@ -1,0 +1,202 @@
+// Simplification within a distance: what it promises, judged by dense samples, slow distances and surface_distance().
+#include "ryosen/algo/simplify/distance_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "ryosen/algo/simplify/simplify.h"
+#include "ryosen/analysis/measure/distance.h"
+#include "ryosen/base/number_text.h"
+#include "ryosen/io/formats.h"
+#include "ryosen/mesh/live_elements.h"
+#include "tests/support/core/kept_distance.h"
+#include "tests/support/core/shapes.h"
+#include "tests/support/core/simplified.h"
+
+namespace ryosen::test {
+namespace {
+
+Mesh bumpy_torus() {
+  return shaken(cut_in_triangles(made_by("torus radius=1 tube=0.4 segments=16 tube_segments=8")), 0.01, 11);
+}
+
+double rolling_hills(std::uint32_t x, std::uint32_t y) { return std::sin(0.7 * x) + std::cos(0.5 * y); }
+
+std::string within_distance(double most) { return "max_distance=" + std::to_string(most); }
+
+TEST(distance_guard, leaves_few_faces) {
+  const auto faces_within = [](Mesh mesh, const std::string& values) {
+    simplified(mesh, values);
+    return mesh.live().faces;
+  };
+  Mesh box = cut_in_triangles(made_by("cube size=2"));
+  Journal journal;
+  run_algorithm(box, journal, "subdivide scheme=midpoint steps=3");
+  EXPECT_LE(faces_within(box, "max_distance=0.00001"), 20u) << "flat sides are 12 faces";
+  EXPECT_LE(faces_within(sheet(16, [](std::uint32_t, std::uint32_t) { return 1.0; }), "max_distance=0.00001"), 8u);
+  EXPECT_LE(faces_within(cut_in_triangles(made_by("sphere radius=1")), "max_distance=5%"), 60u);
+  EXPECT_LE(faces_within(bumpy_torus(), "max_distance=2%"), 120u);
+  EXPECT_LE(faces_within(doubled(sheet(12, rolling_hills), {0, 0, 0.15}), "max_distance=5"), 16u);
+}
+
+TEST(distance_guard, keeps_random_meshes_within_the_distance) {
+  std::size_t changed = 0;
+  for (std::uint64_t seed = 1; seed <= 60 && !testing::Test::HasFailure(); ++seed) {
+    const SeededMesh seeded = seeded_mesh(seed);
+    const Mesh before = cut_in_triangles(make_mesh(seeded.faces, seeded.points));
+    if (!has_surface(before)) continue;
+    const double most = (seed % 3 == 0 ? 0.3 : 0.05) * size_of_surface(before);
+    if (!(most > 0)) continue;
+    Mesh mesh = before;
+    const AlgorithmResult result = simplified(mesh, within_distance(most));
+    if (result.refused || result.changed == 0) continue;
+    ++changed;
+    expect_kept_within(before, mesh, most, "seed " + std::to_string(seed));
+  }
+  EXPECT_GT(changed, 10u);
+}
+
+TEST(distance_guard, stops_at_what_comes_first) {
+  const Mesh before = sheet(16, rolling_hills);
+  Mesh by_number = before, by_distance = before, by_both = before, by_error = before;
+  const AlgorithmResult number = simplified(by_number, "faces=300 max_distance=1"),
+                        alone = simplified(by_distance, "max_distance=0.05"),
+                        both = simplified(by_both, "faces=4 max_distance=0.05"),
+                        error = simplified(by_error, "error=0.0001 max_distance=5");
+  EXPECT_EQ(number.goal_report->stopped, Stop::goal);
+  EXPECT_LE(by_number.live().faces, 300u);
+  EXPECT_EQ(alone.goal_report->stopped, Stop::distance);
+  EXPECT_TRUE(alone.goal_report->is_reached) << "it is the only goal";
+  EXPECT_NE(alone.text.en.find("; more would go beyond the distance."), std::string::npos) << alone.text.en;
+  EXPECT_GT(count_of(alone, EdgeRule::distance), 0u);
+  EXPECT_EQ(both.goal_report->stopped, Stop::distance);
+  EXPECT_FALSE(both.goal_report->is_reached);
+  EXPECT_EQ(by_both.columns(), by_distance.columns());
+  EXPECT_EQ(error.goal_report->stopped, Stop::error);
+}
+
+TEST(distance_guard, takes_shares_of_the_diagonal) {
+  const Mesh before = sheet(16, rolling_hills);
+  Mesh percent = before, share = before, units = before;
+  simplified(percent, "max_distance=0.5%");
+  simplified(share, "max_distance=0.005 relative=on");
+  simplified(units, "max_distance=0.005");
+  EXPECT_EQ(percent.columns(), share.columns());
+  EXPECT_LT(percent.live().faces, units.live().faces);
+}
+
+TEST(distance_guard, does_nothing_within_no_distance) {
+  Mesh mesh = sheet(8, rolling_hills);
+  const AlgorithmResult result = simplified(mesh, "max_distance=0");
+  EXPECT_EQ(result.changed, 0u);
+  EXPECT_EQ(result.goal_report->stopped, Stop::distance);
+}
+
+TEST(distance_guard, is_kept_by_every_effort_and_beside_other_limits) {
+  const Mesh before = bumpy_torus();
+  const double most = 0.06;
+  for (const char* const further : {" effort=0", " effort=2", " no_self_intersections=on", " remove_small=on",
+                                    " boundary=free max_turn=40", " seams=drop min_angle=5"}) {
+    Mesh mesh = before;
+    const AlgorithmResult result = simplified(mesh, within_distance(most) + further);
+    ASSERT_FALSE(result.refused) << further;
+    EXPECT_LT(mesh.live().faces, before.live().faces / 2) << further;
+    expect_kept_within(before, mesh, most, further);
+  }
+}
+
+TEST(distance_guard, is_measured_from_polygons_as_they_are_drawn) {
+  Mesh squares = made_by("torus radius=1 tube=0.4 segments=24 tube_segments=12"), refused = squares;
+  const Mesh before = squares;
+  const AlgorithmResult without = simplified(refused, "max_distance=2%");
+  ASSERT_TRUE(without.refused);
+  EXPECT_NE(without.refused->en.find("triangulate"), std::string::npos) << without.refused->en;
+  EXPECT_EQ(refused.columns(), before.columns());
+  ASSERT_FALSE(simplified(squares, "max_distance=0.05 triangulate=on").refused);
+  EXPECT_LT(squares.live().faces, 300u);
+  expect_kept_within(before, squares, 0.05, "squares");
+}
+
+// A saddle is cut along its other diagonal where an edge is on the first one, and then lies elsewhere.
+TEST(distance_guard, is_refused_where_cutting_polygons_alone_exceeds_it) {
+  std::size_t refused = 0;
+  for (const std::vector<std::uint32_t>& on_diagonal : {std::vector<std::uint32_t>{0, 2, 4}, {1, 3, 4}}) {
+    IndexedMesh source = indexed({{0, 1, 2, 3}, on_diagonal}, 5);
+    source.positions = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}, {0.5, 0.5, 5}};
+    const Mesh before = from_indexed(source);
+    for (const double most : {1e-9, 0.01, 0.1, 2.0, 5.0}) {
+      Mesh mesh = before;
+      const AlgorithmResult result = simplified(mesh, "triangulate=on max_distance=" + format_double(most));
+      if (!result.refused) {
+        expect_kept_within(before, mesh, most, format_double(most));
+        continue;
+      }
+      ++refused;
+      EXPECT_LT(most, 1);
+      EXPECT_NE(result.refused->en.find("give a max_distance above that"), std::string::npos) << result.refused->en;
+      EXPECT_EQ(mesh.columns(), before.columns());
+    }
+  }
+  EXPECT_EQ(refused, 3u);
+}
+
+TEST(distance_guard, leaves_out_what_has_no_place) {
+  Mesh before = sheet(12, wave);
+  Edit edit(before, nullptr);
+  edit.set_position(Vertex(40), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  edit.commit();
+  Mesh mesh = before;
+  simplified(mesh, "max_distance=0.3");
+  EXPECT_LT(mesh.live().faces, before.live().faces / 2);
+  expect_kept_within(before, mesh, 0.3, "without a place");
+}
+
+TEST(distance_guard, holds_on_every_level_of_detail) {
+  const Mesh before = sheet(12, rolling_hills);
+  const ParameterValues values =
+      *read_values(find_algorithm("simplify")->parameters, split_words("max_distance=0.2")).values->on(before).values;
+  Progress unheard;
+  const BuiltLevels built = build_levels(before, {values}, unheard);
+  ASSERT_TRUE(built.levels);
+  ASSERT_GT(built.levels->last(), 50u);
+  for (std::size_t level = 0; level <= built.levels->last(); level += 40) {
+    built.levels->go_to(level);
+    expect_kept_within(before, built.levels->mesh(), 0.2, std::to_string(level));
+  }
+}
+
+TEST(distance_guard, costs_about_the_same_for_each_face_of_larger_meshes) {
+  const auto looks = [](std::uint32_t side) {
+    Mesh mesh = sheet(side, [&](std::uint32_t x, std::uint32_t y) {
+      return 0.05 * side * (std::sin(6.0 * x / side) + std::cos(5.0 * y / side));
+    });
+    SimplifyGoal goal;
+    goal.most_distance = 0.01 * side;
+    Simplifier simplifier(mesh, {}, goal);
+    Progress unheard;
+    simplifier.run(unheard);
+    return static_cast<double>(simplifier.looked_at()) / (2.0 * side * side);
+  };
+  const double small = looks(8), middle = looks(16), large = looks(32);
+  EXPECT_LT(middle, 1.5 * small);
+  EXPECT_LT(large, 1.5 * middle);
+}
+
+TEST(distance_guard, keeps_meshes_of_others_within_the_distance) {
+  const std::filesystem::path folder = std::filesystem::path(RYOSEN_SHARED_DIR) / "meshes/cgal/data/meshes";
+  for (const char* const name : {"anchor.off", "eight.off"}) {
+    const auto file = read_mesh_file(folder / name);
+    if (!file) continue;
+    const Mesh before = cut_in_triangles(from_indexed(file->mesh));
+    Mesh mesh = before;
+    const double most = 0.02 * size_of_surface(before);
+    if (simplified(mesh, within_distance(most)).refused) continue;
+    EXPECT_LT(mesh.live().faces, before.live().faces) << name;
+    expect_kept_within(before, mesh, most, name);
+  }
+}
+
+}  // namespace
+}  // namespace ryosen::test

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "ryosen/algo/features.h"
 #include "ryosen/base/parallel.h"
@@ -26,6 +27,8 @@ constexpr double length_share = 1e-9;
 
 // Of the weight: less than this of squares is that of a place where all planes meet, but for rounding.
 constexpr double flat_share = 1e-13;
+// The same of the squares of values, most of which are taken off again.
+constexpr double value_share = 1e-14;
 
 // What decides the order. The mean square times the root of the weight lies between the sum of squares, by which horns
 // and legs of small faces go before a dent in a wide flank, and the mean, by which every small part is kept at the cost
@@ -74,6 +77,7 @@ CollapseSurface::CollapseSurface(const Mesh& mesh, const CollapseLimits& limits)
   find_large_faces();
   find_features();
   sum_planes();
+  if (auto found = AttributeError::of(*this, limits.colour_weight)) values_.emplace(std::move(*found));
 }
 
 void CollapseSurface::find_features() {
@@ -205,8 +209,9 @@ Placing CollapseSurface::at_place(const Freedom& freedom, const glm::dvec3& plac
   // A place that rounding brings to an end is that of the end to the bit.
   if (!at) at = place == pa ? a : place == pb ? b : Vertex();
   const Quadric &qa = states_[a.index].quadric, &qb = states_[b.index].quadric;
-  const double squares = qa.at(place) + qb.at(place);
-  return {place, squares, cost_of(squares, qa.weight + qb.weight, along), at};
+  const double squares = qa.at(place) + qb.at(place),
+               of_values = values_ ? values_->of_edge(freedom.halfedge).at(place) : 0;
+  return {place, squares, cost_of(squares + of_values, qa.weight + qb.weight, along), at};
 }
 
 Placing CollapseSurface::lowest(const Freedom& freedom) const {
@@ -215,11 +220,24 @@ Placing CollapseSurface::lowest(const Freedom& freedom) const {
   if (freedom.is_anchored) return at_place(freedom, pb, b);
   const glm::dvec3 middle = 0.5 * (pa + pb), along = pa - pb;
   const Quadric sum = states_[a.index].quadric + states_[b.index].quadric;
+  if (values_) return lowest_with_values(freedom, sum);
   const glm::dvec3 place = sum.lowest(middle);
   const double squares = sum.at(place);
   if (squares <= flat_share * sum.weight && place != middle) return lowest_on_flat(freedom, sum, place);
   if (place == pa || place == pb) return at_place(freedom, place);
   return {place, squares, cost_of(squares, sum.weight, along)};
+}
+
+Placing CollapseSurface::lowest_with_values(const Freedom& freedom, const Quadric& distances) const {
+  const glm::dvec3 &pa = states_[mesh_.from(freedom.halfedge).index].place,
+                   &pb = states_[mesh_.to(freedom.halfedge).index].place, middle = 0.5 * (pa + pb);
+  const Quadric of_values = values_->of_edge(freedom.halfedge), sum = distances + of_values;
+  const glm::dvec3 place = sum.lowest(sum.lowest(middle));  // the second time without what the first one held back
+  const double rounding = flat_share * (sum.xx + sum.yy + sum.zz) + value_share * of_values.weight;
+  if (sum.at(place) <= rounding && place != middle) return lowest_on_flat(freedom, sum, place);
+  if (place == pa || place == pb) return at_place(freedom, place);
+  const double squares = distances.at(place);
+  return {place, squares, cost_of(squares + of_values.at(place), distances.weight, pa - pb)};
 }
 
 // Where all planes meet within rounding: an end that is in all of them, so that flat and straight parts keep their
@@ -272,6 +290,7 @@ void CollapseSurface::merge(Vertex gone, Vertex kept, const glm::dvec3& position
   stays.normal += goes.normal;
   stays.place = scale_.scaled(position);
   ++stays.merges;
+  if (values_) values_->merge(gone, kept);
   const bool had_tip = (stays.flags | goes.flags) & seam_tip;
   stays.flags |= static_cast<std::uint8_t>(goes.flags & (on_feature | on_locked_boundary));
   if (had_tip) stays.flags = static_cast<std::uint8_t>(is_tip(kept) ? stays.flags | seam_tip : stays.flags & ~seam_tip);
@@ -281,6 +300,7 @@ void CollapseSurface::add_copy([[maybe_unused]] Vertex copy, Vertex of) {
   assert(copy.index == states_.size());
   ++states_[of.index].merges;
   states_.push_back(State(states_[of.index]));
+  if (values_) values_->add_copy(of);
 }
 
 void CollapseSurface::move(Vertex v, const glm::dvec3& position) {

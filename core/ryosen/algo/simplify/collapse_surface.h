@@ -15,6 +15,7 @@
 
 #include "ryosen/algo/edge_rules.h"
 #include "ryosen/algo/seams/seam_mode.h"
+#include "ryosen/algo/simplify/attribute_error.h"
 #include "ryosen/algo/simplify/quadric.h"
 #include "ryosen/base/column_memory.h"
 #include "ryosen/geometry/box.h"
@@ -68,6 +69,7 @@ struct CollapseLimits {
   double turn_rad = 1.5707963267948966;                    // a collapse turns a normal by less; at most a quarter turn
   double smallest_angle_rad = 0;          // no face gets a smaller one, or one smaller than it had where that was less
   std::vector<std::uint8_t> fixed = {};   // by vertex slot: not 0, it stays; empty: none has to
+  double colour_weight = 0;               // of colours and texture in the order of collapses (attribute_error.h)
   std::span<const Vertex> on_lines = {};  // something beside the mesh hangs on them, so that they stay, too
 };
 
@@ -116,7 +118,9 @@ class CollapseSurface {
   double error_limit() const { return error_; }
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
-  // The same, nor any line that it lies on: of a boundary, a seam, or a border of a material or group.
+  // Whether it stands for others or has moved.
+  bool has_changed(Vertex v) const { return states_[v.index].merges > 0; }
+  // The same as is_free(), nor any line that it lies on: of a boundary, a seam, or a border of a material or group.
   bool is_amid_surface(Vertex v) const;
   bool limits_error() const { return error_ < std::numeric_limits<double>::infinity(); }
   // What a face is to look along beside its own normal, which is no rule: where collapses that spoil this come last,
@@ -165,6 +169,9 @@ class CollapseSurface {
   void take_over(Edge stays, Edge goes) {
     if (!edge_flags_.empty()) edge_flags_[stays.index] |= static_cast<std::uint8_t>(edge_flags_[goes.index] & feature);
   }
+
+  // The squares that colours and texture add to those of an edge; null where none takes part.
+  AttributeError* values() { return values_ ? &*values_ : nullptr; }
 
   // What the ends of an edge have become: where it is the same as before, so are their places and what they stand for.
   struct History {
@@ -235,6 +242,7 @@ class CollapseSurface {
   glm::dvec3 area_vector(Face f) const;
   // The same, corner by corner.
   glm::dvec3 summed_area_vector(Face f, Vertex a, Vertex b, const glm::dvec3& place) const;
+  Placing lowest_with_values(const Freedom& freedom, const Quadric& distances) const;
   Placing lowest_on_flat(const Freedom& freedom, const Quadric& sum, const glm::dvec3& place) const;
   std::optional<EdgeRule> hold(Vertex v, bool along_feature) const;
   bool turns_too_far(const glm::dvec3& before, const glm::dvec3& after) const;
@@ -261,6 +269,7 @@ class CollapseSurface {
   double error_, turn_cosine_, angle_cosine_;
   ColumnVector<State> states_;            // by vertex
   std::vector<std::uint8_t> edge_flags_;  // none where there is no seam
+  std::optional<AttributeError> values_;
   std::unordered_map<Face, LargeFace> large_faces_;
   mutable std::uint64_t looked_at_ = 0;
   mutable bool is_still_ = false;

@@ -75,6 +75,13 @@ NearSamples::Sample NearSamples::middle_of(Face f) const {
   return {(x + y + z) / 3.0, glm::length(glm::cross(y - x, z - x)) * 3 / 8};
 }
 
+std::array<Vertex, 3> NearSamples::corners(std::uint32_t i) const {
+  const std::uint32_t number = numbers_[i], faces = input_.face_slots();
+  if (number >= faces) return {Vertex(number - faces), Vertex(number - faces), Vertex(number - faces)};
+  const auto& [a, b, c] = triangle_primitive(input_, Face(number)).vertices;
+  return {Vertex(a), Vertex(b), Vertex(c)};
+}
+
 // Looks for the nearest face: among those around the vertex that a sample's has become, and from one that lies across
 // on among those around its corners, as long as that comes nearer.
 class NearSamples::Search {
@@ -211,11 +218,13 @@ std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> mer
     if (v != no_index) ++begins[v];
   std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), 0u);
   samples_.resize(begins.back());
+  numbers_.resize(begins.back());
   std::vector<std::uint32_t> ends = begins;
   for (std::uint32_t& slot : slots)
     if (slot != no_index) slot = ends[slot]++;
   for_each_sample([&](std::uint32_t i, std::uint32_t slot) {
     if (slot == no_index) return;
+    numbers_[slot] = i;
     samples_[slot] =
         i < faces ? middle_of(Face(i))
                   : Sample{surface_.scale().scaled(input_.position(Vertex(i - faces))), vertex_areas_[i - faces]};

@@ -25,6 +25,8 @@ class NearSamples {
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
   };
   const Sample& sample(std::uint32_t i) const { return samples_[i]; }
+  // The vertices of the input in whose middle it is: those of a triangle, or three times the same one.
+  std::array<Vertex, 3> corners(std::uint32_t i) const;
 
   // Gives each sample to the face that it is nearest to: where it need not be exact, to one to which no other about it
   // is nearer. False where it is cancelled. `merged`: by vertex, the one that it has become, or none where it is there
@@ -59,10 +61,11 @@ class NearSamples {
   const Mesh& input_;
   const CollapseSurface& surface_;
   std::vector<glm::dvec3> places_;
-  std::vector<float> vertex_areas_;   // by vertex of the input
-  std::vector<Sample> samples_;       // near ones are near in memory too
-  std::vector<std::uint32_t> first_;  // by face, its first sample
-  std::vector<std::uint32_t> next_;   // by sample, the next one of its face
+  std::vector<float> vertex_areas_;     // by vertex of the input
+  std::vector<Sample> samples_;         // near ones are near in memory too
+  std::vector<std::uint32_t> numbers_;  // by sample: its face in the input, or behind all faces its vertex
+  std::vector<std::uint32_t> first_;    // by face, its first sample
+  std::vector<std::uint32_t> next_;     // by sample, the next one of its face
 };
 
 // A plain triangle, its owner the face.

@@ -15,6 +15,8 @@ namespace {
 // So strongly is a vertex held where samples leave it open, as along a flat part: more would take more steps, less lets
 // it slide away from the shape that it stands for.
 constexpr double held_share = 0.05;
+// The same where values count fully, which would slide with it.
+constexpr double held_share_of_values = 0.5;
 // A step is so many times the way to where the samples at its faces would have it if its neighbours stayed; they follow
 // as well.
 constexpr double stride = 1.2;
@@ -32,6 +34,9 @@ class Mover {
         samples_(samples),
         input_(input && !input->is_empty() ? input : nullptr),
         guard_(guard),
+        held_share_(surface.values() ? std::clamp(surface.values()->weight() * held_share_of_values, held_share,
+                                                  held_share_of_values)
+                                     : held_share),
         number_(mesh_.vertex_slots(), no_index) {
     for (const Vertex v : live_vertices(mesh_)) {
       if (!surface_.is_amid_surface(v)) continue;
@@ -119,7 +124,7 @@ class Mover {
       const glm::dvec3 along = surface_.place(mesh_.to(h)) - surface_.place(v);
       lengths += glm::dot(along, along);
     }
-    const glm::dvec3 step = stride * pulls.lowest(glm::dvec3(0.0), held_share);
+    const glm::dvec3 step = stride * pulls.lowest(glm::dvec3(0.0), held_share_);
     return glm::dot(step, step) > least_square * lengths ? step : glm::dvec3(0.0);
   }
 
@@ -163,6 +168,7 @@ class Mover {
     if (guard_) guard_->follow();
     edit_.set_position(v, position);
     surface_.move(v, position);
+    if (const AttributeError* const fit = surface_.values()) fit->write_colours(edit_, v, surface_.place(v));
     samples_.put(v, surface_.place(v));
     ++moves_.moves;
     moves_.error_max = std::max(moves_.error_max, error);
@@ -176,6 +182,7 @@ class Mover {
   NearSamples& samples_;
   const TriangleTree* input_;
   DistanceGuard* guard_;
+  double held_share_;
   std::vector<Vertex> movable_;
   std::vector<std::uint32_t> number_;  // by vertex, in movable_; none of one that is not to move
   std::vector<Quadric> pulls_;         // by number

@@ -21,7 +21,8 @@ struct NearerMoves {
 // areas, is less: a few steps, in each all at once. Where a tree of the input is given, of the surface from the input
 // too, and more steps. What holds collapses holds moves: nothing goes beyond the error, no face turns too far, loses
 // its area or gets too small an angle, and where there is a guard, nothing is moved whose distance it cannot prove;
-// it follows. Values stay. The same for any number of threads. `merged` as of NearSamples::assign(). Cost: as of that.
+// it follows. Colours that take part in the error go along; other values stay. The same for any number of threads.
+// `merged` as of NearSamples::assign(). Cost: as of that.
 NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
                         const TriangleTree* input, DistanceGuard* guard, Progress& progress);
 

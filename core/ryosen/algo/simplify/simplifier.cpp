@@ -271,7 +271,10 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legali
 void Simplifier::write_collapse(Halfedge h, const Placing& placing, bool is_plain) {
   const Vertex gone = mesh_.from(h), kept = mesh_.to(h);
   const glm::dvec3 position = surface_.position_of(placing);
+  AttributeError* const values = surface_.values();
+  const AttributeError::Charts charts = values ? values->charts_around(h) : AttributeError::Charts();
   carry_values(h, placing);
+  if (values) values->follow(charts, h);
   if (!merged_into_.empty()) merged_into_[gone.index] = kept;
   if (!is_plain) return collapse_by_kernel(h, placing, position);
   const double along = placing.at == gone || !has_vertex_values_ ? 0
@@ -293,6 +296,7 @@ void Simplifier::carry_values(Halfedge h, const Placing& placing) {
   constexpr double whole[] = {1};
   values.write_vertex(*edit_, kept);
   edit_->blend(mesh_.from(h), {&kept, 1}, whole);
+  if (const AttributeError* const fit = surface_.values()) fit->write_colours(*edit_, h, placing.place);
 }
 
 void Simplifier::collapse_by_kernel(Halfedge h, const Placing& placing, const glm::dvec3& position) {

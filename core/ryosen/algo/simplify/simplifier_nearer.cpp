@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ryosen/algo/simplify/fitted_colours.h"
 #include "ryosen/algo/simplify/nearer_moves.h"
 #include "ryosen/algo/simplify/nearer_swaps.h"
 #include "ryosen/algo/simplify/simplifier.h"
@@ -21,7 +22,7 @@ bool Simplifier::come_nearer(Progress& progress) {
   NearSamples samples(*input_, surface_);
   const TriangleTree input = goal_.effort == 2 ? tree_of_input(*input_, surface_) : TriangleTree();
   DistanceGuard* const guard = distance_guard_ ? &*distance_guard_ : nullptr;
-  if (goal_.effort == 2) {
+  if (goal_.effort == 2 && !surface_.values()) {  // swaps know nothing of colours and would lose them
     if (!samples.assign(find_merged(), true, progress)) return false;
     swaps_ = swap_nearer(*edit_, surface_, samples, input, guard, progress);
     if (swaps_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;
@@ -29,6 +30,7 @@ bool Simplifier::come_nearer(Progress& progress) {
   const NearerMoves moves =
       move_nearer(*edit_, surface_, samples, find_merged(), goal_.effort == 2 ? &input : nullptr, guard, progress);
   moves_ = moves.moves;
+  if (surface_.values()) fit_colours(*edit_, surface_, samples, *input_);
   error_max_ = std::max(error_max_, moves.error_max);
   // What a face that turned too far had refused may be possible now.
   if (moves_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;

@@ -88,6 +88,7 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
   limits.error = limit_of(mesh, values, "error");
   limits.turn_rad = values.angle_rad("max_turn");
   limits.smallest_angle_rad = values.angle_rad("min_angle");
+  limits.colour_weight = values.number("colour_weight");
   limits.fixed = fixed_vertices(mesh, values);
   limits.on_lines = input.on_lines;
   return limits;

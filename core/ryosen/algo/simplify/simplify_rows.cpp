@@ -51,6 +51,15 @@ std::vector<ParameterRow> simplify_parameters() {
                      "no triangle gets a smaller angle, or one smaller than it has where that is less",
                      "三角形の角をこれより小さくしない（もとから小さい角は、さらに小さくしない）"},
                     {.kind = ParameterKind::angle, .initial = "0", .largest = 60}),
+      parameter_row(
+          {"colour_weight", "Colour weight", "色の重み",
+           "more keeps colours and texture better and the shape less: with 1 a change of a colour from 0 to 1 "
+           "counts as much as a distance of 2 % of the mesh's longest side, and a shift of the texture as much "
+           "as a distance as long; 0 leaves both out",
+           "大きいほど色とテクスチャを保ち、形の誤差が増える（1 では色の 0 から 1 "
+           "への変化をメッシュの最大辺の 2 % の距離と、テクスチャのずれを同じ長さの距離と同等に数える。0 "
+           "では数えない）"},
+          {.kind = ParameterKind::number, .initial = "0.005", .smallest = 0, .largest = 100}),
       parameter_row({"select", "Only these", "対象", "only vertices of these elements change; else all",
                      "これらの要素の頂点だけを変える（省くとすべて）"},
                     {.kind = ParameterKind::elements, .is_worked_on = true}),

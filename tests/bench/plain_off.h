@@ -15,10 +15,11 @@ namespace plain {
 struct Triangles {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::array<double, 3>> colours = {};  // by point, from 0 to 1; of a COFF alone
 };
 
-// Leaves out faces of another number of corners, and what stands behind the places of vertices. Ends the program where
-// the file is no OFF.
+// Leaves out faces of another number of corners, and what is behind the places and colours of vertices. Ends the
+// program where the file is no OFF.
 inline Triangles read_off(const char* path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
@@ -46,8 +47,12 @@ inline Triangles read_off(const char* path) {
   const auto end_line = [&] {
     while (*at != '\n' && *at != '\0') ++at;
   };
-  for (auto& p : mesh.points) {
-    for (double& x : p) x = number();
+  const bool has_colours = text.compare(0, header, "C") == 0;
+  if (has_colours) mesh.colours.resize(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    for (double& x : mesh.points[i]) x = number();
+    if (has_colours)
+      for (double& x : mesh.colours[i]) x = number();
     end_line();
   }
   for (std::size_t f = 0; f < faces; ++f) {
@@ -66,8 +71,15 @@ inline Triangles read_off(const char* path) {
 inline void write_off(const char* path, const Triangles& mesh) {
   std::FILE* const file = std::fopen(path, "w");
   if (!file) std::exit(5);
-  std::fprintf(file, "OFF\n%zu %zu 0\n", mesh.points.size(), mesh.faces.size());
-  for (const auto& p : mesh.points) std::fprintf(file, "%.17g %.17g %.17g\n", p[0], p[1], p[2]);
+  const bool has_colours = !mesh.colours.empty();
+  std::fprintf(file, "%sOFF\n%zu %zu 0\n", has_colours ? "C" : "", mesh.points.size(), mesh.faces.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const auto& p = mesh.points[i];
+    std::fprintf(file, "%.17g %.17g %.17g", p[0], p[1], p[2]);
+    if (has_colours)
+      std::fprintf(file, " %.9g %.9g %.9g 1", mesh.colours[i][0], mesh.colours[i][1], mesh.colours[i][2]);
+    std::fprintf(file, "\n");
+  }
   for (const auto& f : mesh.faces) std::fprintf(file, "3 %u %u %u\n", f[0], f[1], f[2]);
   std::fclose(file);
 }

@@ -8,7 +8,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 ensure_packages $build_packages $test_packages $peer_packages libbenchmark-dev libmeshoptimizer-dev libeigen3-dev
 [ $# = 0 ] || export RYOSEN_DRAGON=$1
 cmake -S "$root" -B "$root/build/release" -G Ninja -DCMAKE_BUILD_TYPE=Release -DRYOSEN_BENCH=ON >&2
-targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_hull bench_simplify write_torus measure_quality simplify_ours simplify_peers ryosen"
+targets="bench_core bench_forms bench_editor bench_large bench_peers bench_surfaces bench_files bench_check bench_growth bench_hull bench_simplify write_torus measure_quality measure_values simplify_ours simplify_peers ryosen"
 # shellcheck disable=SC2086
 cmake --build "$root/build/release" --target $targets >&2
 "$root/build/release/bin/bench_peers"

@@ -9,6 +9,7 @@
 
 #include "ryosen/algo/features.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/closest.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
@@ -37,6 +38,10 @@ constexpr double value_share = 1e-14;
 double cost_of(double squares, double weight, const glm::dvec3& along) {
   return weight > 0 ? (squares + length_share * weight * glm::dot(along, along)) / std::sqrt(weight) : 0;
 }
+
+// The square of a gap counts as a mean square of so much of it. Over 21 meshes the largest distance is by 8 percent
+// less than without, and by more than with three times or a third of this; the mean one is no larger.
+constexpr double share_of_gap = 0.3;
 
 // A face that turns by less than a right angle does so by more than rounding.
 constexpr double least_cosine = 1e-9;
@@ -265,6 +270,35 @@ std::array<Placing, 3> CollapseSurface::others(const Freedom& freedom) const {
 double CollapseSurface::error_of(Halfedge h, const Placing& placing) const {
   const double weight = states_[mesh_.from(h).index].quadric.weight + states_[mesh_.to(h).index].quadric.weight;
   return weight > 0 ? std::sqrt(placing.squares / weight) : 0;
+}
+
+double CollapseSurface::cost_of_gap(Halfedge h, const Placing& placing) const {
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
+  const glm::dvec3& there = placing.place;
+  // The squares of the distances of both ends from the new faces, and at a boundary of their place from those of now:
+  // amid the surface planes tell that well enough.
+  std::array<double, 2> squares{place(ends[0]) == there ? 0 : unknown, place(ends[1]) == there ? 0 : unknown};
+  const bool is_at_boundary = mesh_.is_boundary(ends[0]) || mesh_.is_boundary(ends[1]);
+  double square_of_place = squares[0] > 0 && squares[1] > 0 && is_at_boundary ? unknown : 0;
+  for (const Halfedge end : {h, twin(h)}) {
+    if (is_hub(mesh_, mesh_.from(end))) return 0;
+    for (const Halfedge corner : outgoing(mesh_, mesh_.from(end))) {
+      if (mesh_.is_outside(corner)) continue;
+      if (mesh_.next(mesh_.next(corner)) != mesh_.prev(corner)) return 0;
+      const Vertex x = mesh_.to(corner), y = mesh_.from(mesh_.prev(corner));
+      const auto add = [&](double& least, const glm::dvec3& p, const glm::dvec3& third) {
+        if (least > 0) least = std::min(least, squared(way_from_triangle(third, place(x), place(y), p)));
+      };
+      add(square_of_place, there, place(mesh_.from(end)));
+      if (x == ends[0] || x == ends[1] || y == ends[0] || y == ends[1]) continue;  // it goes
+      for (const int i : {0, 1}) add(squares[i], place(ends[i]), there);
+    }
+  }
+  const double largest = std::max({squares[0], squares[1], square_of_place});
+  if (!(largest < unknown)) return 0;
+  const double weight = states_[ends[0].index].quadric.weight + states_[ends[1].index].quadric.weight;
+  return cost_of(share_of_gap * largest * weight, weight, glm::dvec3(0.0));
 }
 
 bool CollapseSurface::may_swap(Halfedge h) const {

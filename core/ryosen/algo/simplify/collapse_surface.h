@@ -116,6 +116,9 @@ class CollapseSurface {
   // A distance in scaled units: the root of the mean squared distance from the planes of both ends.
   double error_of(Halfedge h, const Placing& placing) const;
   double error_limit() const { return error_; }
+  // A cost by how far the ends come to lie from the new faces, or these from those of now: planes do not tell where a
+  // part ends. 0 where that would take long, at a hub or a polygon.
+  double cost_of_gap(Halfedge h, const Placing& placing) const;
   // Whether nothing keeps the vertex in its place.
   bool is_free(Vertex v) const { return !hold(v, true); }
   // Whether it stands for others or has moved.

@@ -207,10 +207,11 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
   if (!is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
       surface_.narrows_face(h, placing.place))
     return Answer::refused;
-  if (const auto level = queue_.level_of(placing.cost); level > queue_.current()) {
-    queue_.add(edge(h).index, level);
-    return Answer::later;
-  }
+  for (const double cost : {placing.cost, surface_.cost_of_gap(h, placing)})
+    if (const auto level = queue_.level_of(cost); level > queue_.current()) {
+      queue_.add(edge(h).index, level);
+      return Answer::later;
+    }
   if (makes_faces_meet(freedom, placing) || may_exceed_distance(freedom, placing)) return Answer::refused;
   const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
   collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);

@@ -94,7 +94,7 @@ TEST(near_samples, stand_for_the_area_and_are_at_the_nearest_face) {
       EXPECT_EQ(exact.at_nearest, exact.samples) << shape << divisor;
       EXPECT_EQ(exact.samples, mesh.live().faces + mesh.live().vertices) << shape << divisor;
       EXPECT_EQ(near.samples, exact.samples) << shape << divisor;
-      EXPECT_GE(near.at_nearest, 0.85 * near.samples) << shape << divisor;  // collapses by chance make needles
+      EXPECT_GE(20 * near.at_nearest, 17 * near.samples) << shape << divisor;  // collapses by chance make needles
       EXPECT_NEAR(exact.area, scaled_area(mesh), 1e-5) << shape << divisor;
     }
 }
@@ -105,7 +105,7 @@ TEST(near_samples, of_a_hub_are_at_the_nearest_face) {
     const Collapsed collapsed(fan, spokes * 4 / 5, spokes);
     const Compared near = compare(collapsed, false);
     EXPECT_EQ(near.samples, fan.live().faces + fan.live().vertices) << spokes;
-    EXPECT_GE(near.at_nearest, 0.9 * near.samples) << spokes;
+    EXPECT_GE(10 * near.at_nearest, 9 * near.samples) << spokes;
   }
 }
 

@@ -175,6 +175,7 @@ class CollapseSurface {
 
   // The squares that colours and texture add to those of an edge; null where none takes part.
   AttributeError* values() { return values_ ? &*values_ : nullptr; }
+  const AttributeError* values() const { return values_ ? &*values_ : nullptr; }
 
   // What the ends of an edge have become: where it is the same as before, so are their places and what they stand for.
   struct History {

@@ -217,17 +217,20 @@ std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> mer
   for (const std::uint32_t v : slots)
     if (v != no_index) ++begins[v];
   std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), 0u);
-  samples_.resize(begins.back());
-  numbers_.resize(begins.back());
+  sample_places_.resize(begins.back());
+  sample_areas_.resize(begins.back());
+  if (surface_.values()) numbers_.resize(begins.back());
   std::vector<std::uint32_t> ends = begins;
   for (std::uint32_t& slot : slots)
     if (slot != no_index) slot = ends[slot]++;
   for_each_sample([&](std::uint32_t i, std::uint32_t slot) {
     if (slot == no_index) return;
-    numbers_[slot] = i;
-    samples_[slot] =
+    if (!numbers_.empty()) numbers_[slot] = i;
+    const auto [place, area] =
         i < faces ? middle_of(Face(i))
                   : Sample{surface_.scale().scaled(input_.position(Vertex(i - faces))), vertex_areas_[i - faces]};
+    sample_places_[slot] = place;
+    sample_areas_[slot] = static_cast<float>(area);
   });
   return begins;
 }
@@ -240,25 +243,24 @@ bool NearSamples::assign(std::span<const Vertex> merged, bool is_exact, Progress
   for (std::uint32_t v = 0; v < vertices && !needs_tree; ++v)
     needs_tree = begins[v] < begins[v + 1] && Search::is_hub(mesh, Vertex(v));
   const TriangleTree tree = needs_tree ? TriangleTree(places_, plain_triangles(mesh, places_), 1) : TriangleTree();
-  std::vector<std::uint32_t> faces(samples_.size(), no_index);
-  constexpr std::uint32_t piece = 1 << 16;  // between two looks at whether it is cancelled
+  next_.assign(sample_places_.size(), no_index);  // first the faces
+  constexpr std::uint32_t piece = 1 << 16;        // between two looks at whether it is cancelled
   for (std::uint32_t first = 0; first < vertices; first += piece) {
     if (!progress.go_on()) return false;
-    for_each_part(std::min(piece, vertices - first), threads_for(samples_.size()),
+    for_each_part(std::min(piece, vertices - first), threads_for(next_.size()),
                   [&](unsigned, std::uint32_t begin, std::uint32_t end) {
                     Search search(mesh, places_, tree, is_exact);
                     for (std::uint32_t v = first + begin; v < first + end; ++v) {
                       if (begins[v] == begins[v + 1]) continue;
                       search.start_at(Vertex(v));
                       for (std::uint32_t i = begins[v]; i < begins[v + 1]; ++i)
-                        faces[i] = search.nearest_face(samples_[i].place);
+                        next_[i] = search.nearest_face(sample_places_[i]);
                     }
                   });
   }
   first_.assign(mesh.face_slots(), no_index);
-  next_.assign(samples_.size(), no_index);
-  for (std::uint32_t i = 0; i < samples_.size(); ++i)
-    if (faces[i] != no_index) give(Face(faces[i]), i);
+  for (std::uint32_t i = 0; i < next_.size(); ++i)
+    if (next_[i] != no_index) give(Face(next_[i]), i);
   return true;
 }
 

@@ -24,8 +24,9 @@ class NearSamples {
     glm::dvec3 place{0.0};
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
   };
-  const Sample& sample(std::uint32_t i) const { return samples_[i]; }
-  // The vertices of the input in whose middle it is: those of a triangle, or three times the same one.
+  Sample sample(std::uint32_t i) const { return {sample_places_[i], sample_areas_[i]}; }
+  // The vertices of the input in whose middle it is: those of a triangle, or three times the same one. Known where
+  // values take part in the error.
   std::array<Vertex, 3> corners(std::uint32_t i) const;
 
   // Gives each sample to the face that it is nearest to: where it need not be exact, to one to which no other about it
@@ -61,9 +62,10 @@ class NearSamples {
   const Mesh& input_;
   const CollapseSurface& surface_;
   std::vector<glm::dvec3> places_;
-  std::vector<float> vertex_areas_;     // by vertex of the input
-  std::vector<Sample> samples_;         // near ones are near in memory too
-  std::vector<std::uint32_t> numbers_;  // by sample: its face in the input, or behind all faces its vertex
+  std::vector<float> vertex_areas_;        // by vertex of the input
+  std::vector<glm::dvec3> sample_places_;  // near ones are near in memory too
+  std::vector<float> sample_areas_;
+  std::vector<std::uint32_t> numbers_;  // for corners(): by sample its face in the input, or behind all its vertex
   std::vector<std::uint32_t> first_;    // by face, its first sample
   std::vector<std::uint32_t> next_;     // by sample, the next one of its face
 };

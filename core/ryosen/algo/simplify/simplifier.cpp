@@ -86,6 +86,7 @@ bool Simplifier::run(Progress& progress) {
   fill_queue();
   if (!collapse_all(progress)) return false;
   if (goal_.changes_topology && !is_at_goal() && !change_topology(progress)) return false;
+  if (is_at_goal()) queue_.clear();
   if (!merged_into_.empty() && collapses_ > 0 && !come_nearer(progress)) return false;
   const bool may_mend = !merged_into_.empty() && has_triangles_alone_ && !has_corner_values_;
   if (may_mend && is_at_goal() && !mend_turned(progress)) return false;

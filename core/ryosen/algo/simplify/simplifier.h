@@ -70,6 +70,12 @@ class LevelQueue {
     ++place_;
     return true;
   }
+  // Takes all numbers off.
+  void clear() {
+    for (std::vector<std::uint32_t>& level : levels_) std::vector<std::uint32_t>().swap(level);
+    current_ = 0;
+    place_ = static_cast<std::size_t>(-1);
+  }
   std::uint32_t number() const { return levels_[current_][place_]; }
   // The number so many steps ahead on the same level, or the last one.
   std::uint32_t ahead(std::size_t steps) const {

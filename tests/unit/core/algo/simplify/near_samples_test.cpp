@@ -56,7 +56,7 @@ Compared compare(const Collapsed& shape, bool is_exact) {
   Compared compared;
   for (const Face f : live_faces(shape.mesh))
     samples.for_each(f, [&](std::uint32_t i) {
-      const auto& [place, area] = samples.sample(i);
+      const auto [place, area] = samples.sample(i);
       double least = std::numeric_limits<double>::infinity();
       for (const Face g : live_faces(shape.mesh)) least = std::min(least, distance_to(shape.mesh, samples, g, place));
       ++compared.samples;

@@ -46,7 +46,7 @@ bool NearProof::prove(const TriangleCorners& triangle, std::span<const NearTarge
   targets_ = targets;
   limits_ = limits;
   level_ = std::min(std::max(smallest_bound, limits.start), limits.most);
-  pieces_ = 0;
+  pieces_ = depth_ = deepest_ = 0;
   active_.clear();
   used_.clear();
   inner_.assign(inner.begin(), inner.end());
@@ -60,6 +60,8 @@ bool NearProof::prove(const TriangleCorners& triangle, std::span<const NearTarge
 }
 
 bool NearProof::prove(const Polygon& polygon, Active among, const Origin& origin) {
+  if (depth_ == most_depth) return false;
+  deepest_ = std::max(deepest_, ++depth_);
   Box box;
   for (std::size_t i = 0; i < polygon.count; ++i) box.add(polygon.corners[i]);
   const std::size_t begin = active_.size();
@@ -73,6 +75,7 @@ bool NearProof::prove(const Polygon& polygon, Active among, const Origin& origin
   const bool is_near = prove_near(polygon, {begin, active_.size(), inner_begin, inner_.size()}, origin);
   active_.resize(begin);
   inner_.resize(inner_begin);
+  --depth_;
   return is_near;
 }
 
@@ -129,10 +132,11 @@ bool NearProof::prove_around(const Polygon& polygon, const glm::dvec3& middle, A
   return true;
 }
 
-// Parts it from the middle of the longest side to the corner across.
+// Parts it from the middle of the longest side to the corner across. Gives up where that side is one of rounding.
 bool NearProof::prove_halves(const Polygon& polygon, Active active) {
   const std::size_t n = polygon.count;
   const std::size_t longest = polygon.longest_side();
+  if (!(polygon.side_length(longest) > smallest_bound)) return false;
   const glm::dvec3 middle = 0.5 * polygon.corners[longest] + 0.5 * polygon.corners[(longest + 1) % n];
   const std::size_t across = longest + 1 + n / 2;
   Polygon first, second;

@@ -36,6 +36,9 @@ class NearProof {
     double start = 0;        // where the bound begins
   };
 
+  // Polygons are parted no deeper than this, so that the stack stays small. Proofs that succeed need about 100.
+  static constexpr std::size_t most_depth = 128;
+
   // Whether no point of a triangle is farther from what counts than limits.most. Conservative: false where it gave up.
   // All distances are rounded, by about 1e-16 of the largest coordinate.
   // `inner`: places of vertices around which there are targets.
@@ -52,6 +55,8 @@ class NearProof {
   std::span<const std::uint32_t> used() const { return used_; }
   // So many distances from triangles were computed so far.
   std::uint64_t looks() const { return looks_; }
+  // The depth of the deepest polygon of the last proof.
+  std::size_t deepest() const { return deepest_; }
 
  private:
   static constexpr std::size_t most_corners = 8;
@@ -103,7 +108,7 @@ class NearProof {
   std::span<const NearTarget> targets_;
   Limits limits_;
   double level_ = 0;
-  std::size_t pieces_ = 0;
+  std::size_t pieces_ = 0, depth_ = 0, deepest_ = 0;
   glm::dvec3 normal_{0.0};             // of the triangle, of length 1
   std::vector<std::uint32_t> active_;  // a stack: the targets near the polygon that is being proved
   std::vector<glm::dvec3> inner_;      // another one

@@ -6,28 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/core/farthest_sample.h"
 #include "tests/support/core/random_meshes.h"
-#include "tests/support/core/slow_distance.h"
 
 namespace ryosen::test {
 namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-
-// From the targets, and what their bounds add.
-double farthest_sample_with_bounds(const TriangleCorners& triangle, const std::vector<NearTarget>& targets, int k) {
-  double most = 0;
-  for (int i = 0; i <= k; ++i)
-    for (int j = 0; i + j <= k; ++j) {
-      const double a = double(i) / k, b = double(j) / k;
-      const glm::dvec3 p = a * triangle[0] + b * triangle[1] + (1 - a - b) * triangle[2];
-      double least = no_limit;
-      for (const NearTarget& target : targets)
-        least = std::min(least, static_cast<double>(slow_distance(p, SlowTriangle(target.corners))) + target.bound);
-      most = std::max(most, least);
-    }
-  return most;
-}
 
 TriangleCorners corners_at_random(Dice& dice, double height) {
   TriangleCorners corners;
@@ -53,7 +38,7 @@ TEST(near_overlay, says_nothing_that_samples_deny) {
       const double most = dice.one_in(3) ? no_limit : 0.4, bound = overlay.bound(triangle, targets, most);
       if (bound > most) continue;
       ++bounded;
-      EXPECT_LE(farthest_sample_with_bounds(triangle, targets, 10), bound + 1e-13) << i;
+      EXPECT_LE(farthest_sample(triangle, targets, 10), bound + 1e-13) << i;
     }
     EXPECT_GT(bounded, 50u) << height;
   }
@@ -73,8 +58,8 @@ TEST(near_overlay, is_the_distance_from_a_sheet_before_the_triangle) {
       NearOverlay overlay;
       const double bound = overlay.bound(triangle, fan, no_limit);
       EXPECT_LE(bound, peak + 1e-12) << n;
-      EXPECT_GE(bound, farthest_sample_with_bounds(triangle, fan, 20) - 1e-12) << n;
-      EXPECT_LE(bound, 1.2 * farthest_sample_with_bounds(triangle, fan, 20) + 1e-12) << n << " " << peak;
+      EXPECT_GE(bound, farthest_sample(triangle, fan, 20) - 1e-12) << n;
+      EXPECT_LE(bound, 1.2 * farthest_sample(triangle, fan, 20) + 1e-12) << n << " " << peak;
       EXPECT_GT(overlay.bound(triangle, fan, 0.3 * bound), 0.3 * bound);
     }
 }

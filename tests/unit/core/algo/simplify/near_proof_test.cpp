@@ -3,23 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "tests/support/core/farthest_sample.h"
 #include "tests/support/core/random_meshes.h"
-#include "tests/support/core/slow_distance.h"
 
 namespace ryosen::test {
 namespace {
-
-double farthest_sample(const TriangleCorners& triangle, const std::vector<NearTarget>& targets, int k) {
-  std::vector<SlowTriangle> surface;
-  for (const NearTarget& target : targets) surface.push_back(target.corners);
-  long double most = 0;
-  for (int i = 0; i <= k; ++i)
-    for (int j = 0; i + j <= k; ++j) {
-      const double a = double(i) / k, b = double(j) / k;
-      most = std::max(most, slow_distance(a * triangle[0] + b * triangle[1] + (1 - a - b) * triangle[2], surface));
-    }
-  return static_cast<double>(most);
-}
 
 TriangleCorners triangle_at_random(Dice& dice, double height) {
   TriangleCorners corners;
@@ -30,10 +20,11 @@ TriangleCorners triangle_at_random(Dice& dice, double height) {
 TEST(near_proof, says_nothing_that_samples_deny) {
   Dice dice(5);
   NearProof proof;
-  std::size_t proved = 0;
+  std::size_t proved = 0, proved_by_bounds = 0;
   for (int i = 0; i < 2000; ++i) {
     std::vector<NearTarget> targets;
-    for (int k = dice.below(6) + 1; k > 0; --k) targets.push_back(target_of(triangle_at_random(dice, 0.2), 0));
+    for (int k = dice.below(6) + 1; k > 0; --k)
+      targets.push_back(target_of(triangle_at_random(dice, 0.2), dice.one_in(2) ? 0 : 0.2 * dice.unit()));
     const TriangleCorners triangle = triangle_at_random(dice, 0.2);
     std::vector<glm::dvec3> inner;
     for (const NearTarget& target : targets) inner.push_back(target.corners[0]);
@@ -41,10 +32,15 @@ TEST(near_proof, says_nothing_that_samples_deny) {
     ++proved;
     EXPECT_LE(proof.bound(), 0.3);
     EXPECT_LE(farthest_sample(triangle, targets, 12), proof.bound() + 1e-14) << i;
-    for (const std::uint32_t target : proof.used()) EXPECT_LT(target, targets.size());
+    for (const std::uint32_t target : proof.used()) {
+      ASSERT_LT(target, targets.size());
+      EXPECT_LE(targets[target].bound, proof.bound());
+      proved_by_bounds += targets[target].bound > 0;
+    }
   }
   EXPECT_GT(proved, 150u);
   EXPECT_LT(proved, 1950u);
+  EXPECT_GT(proved_by_bounds, 100u);
 }
 
 // A triangle over a fan of triangles with a peak.
@@ -86,6 +82,24 @@ TEST(near_proof, sees_a_gap_between_corners) {
                                          target_of({glm::dvec3{6, -3, 0}, {6, 3, 0}, {right, 3, 0}}, 0)};
     EXPECT_EQ(proof.prove(triangle, sheets, {}, {0.1, 256}), gap < 0.2) << gap;
   }
+}
+
+// Two sheets, each near one of two neighbouring numbers: nothing between them is left to part.
+TEST(near_proof, is_no_deeper_than_its_limit_however_many_pieces_it_may_have) {
+  const TriangleCorners triangle{glm::dvec3{0, 0, 0}, {4, 0, 0}, {0, 1, 0}};
+  NearProof proof;
+  for (const double middle : {2.0, 1.0, 1.5, 1.75, 3.0})
+    for (const std::size_t pieces : {std::size_t{64}, std::size_t{4096}, std::size_t{1'000'000}}) {
+      constexpr double most = 0.125;
+      const double left = middle - most, right = std::nextafter(middle, 4.0) + most;
+      const std::vector<NearTarget> sheets{target_of({glm::dvec3{-1, -3, 0}, {left, -3, 0}, {-1, 3, 0}}, 0),
+                                           target_of({glm::dvec3{left, -3, 0}, {left, 3, 0}, {-1, 3, 0}}, 0),
+                                           target_of({glm::dvec3{right, -3, 0}, {6, -3, 0}, {right, 3, 0}}, 0),
+                                           target_of({glm::dvec3{6, -3, 0}, {6, 3, 0}, {right, 3, 0}}, 0)};
+      EXPECT_FALSE(proof.prove(triangle, sheets, {}, {most, pieces})) << middle;
+      EXPECT_LE(proof.deepest(), NearProof::most_depth);
+      EXPECT_GT(proof.deepest(), 30u) << "else it gave up for another reason";
+    }
 }
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace ryosen {
 
 namespace {
 
-// More faces are not moved together, as those around a hub: each is compared with all others.
-constexpr std::size_t most_changed = 128;
 constexpr std::size_t most_pieces = 256;
 
 bool are_finite(const TriangleCorners& corners) {
@@ -71,6 +69,7 @@ TriangleCorners DistanceGuard::corners_of_input(std::uint32_t triangle) const {
 
 void DistanceGuard::mark(Face f) {
   marks_[f.index] = step_;
+  ++marked_;
   old_.push_back(f);
   const TriangleCorners corners = corners_of(f);
   if (are_finite(corners)) old_targets_.push_back(target_of(corners, bounds_[f.index]));

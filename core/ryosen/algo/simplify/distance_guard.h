@@ -24,6 +24,9 @@ class DistanceGuard {
   // measured. The mesh and the scale outlive it. O(n).
   DistanceGuard(const Mesh& mesh, const ScaledPlaces& scale, double most);
 
+  // Returns whether the collapse moves a vertex with more faces than are proved together, which is always refused.
+  bool moves_hub(Halfedge h, const glm::dvec3& position) const;
+
   // Each tells whether it cannot be proved that the surfaces stay that near after a change, and is conservative. Cost:
   // nearly constant for each listed triangle. The first: if from(h) became to(h) there.
   bool collapse_may_exceed(Halfedge h, const glm::dvec3& position);
@@ -42,10 +45,13 @@ class DistanceGuard {
   bool joining_may_exceed(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against,
                           const std::array<glm::dvec3, 3>& places);
 
-  // So many distances from triangles were computed so far.
-  std::uint64_t looks() const { return proof_.looks() + overlay_.looks(); }
+  // So many faces were looked at and distances from triangles computed so far.
+  std::uint64_t looks() const { return proof_.looks() + overlay_.looks() + marked_; }
 
  private:
+  // More faces are not moved together: each is compared with all others.
+  static constexpr std::size_t most_changed = 128;
+
   // A triangle of the input at a face, in the list of either.
   struct Entry {
     std::uint32_t triangle, face;  // no triangle: it is proved without that face by now
@@ -74,6 +80,9 @@ class DistanceGuard {
   void mark(Face f);
   void add_target(Face f, const TriangleCorners& corners);
   void add_changed(Face f, const TriangleCorners& corners);
+  // Whether more faces meet at a vertex than are moved together. Counts no further than that.
+  bool is_hub(Vertex v) const;
+  bool moves_hub(std::span<const Moved> moved) const;
   // The faces around these vertices, but those that were marked before, as they are with the vertices moved.
   void move_together(std::span<const Moved> moved);
   void find_listed();
@@ -108,6 +117,7 @@ class DistanceGuard {
   std::vector<std::uint32_t> input_marks_;                // by listed triangle
   std::vector<std::uint32_t> point_marks_, inner_marks_;  // by vertex that is looked at, that is an inner place
   std::uint32_t step_ = 0;
+  std::uint64_t marked_ = 0;  // so many faces so far
   std::vector<Face> old_;
   std::vector<Changed> changed_;
   std::vector<NearTarget> targets_;                                      // that input may be near

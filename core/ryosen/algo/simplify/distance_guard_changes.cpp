@@ -1,4 +1,5 @@
 // What changes by each kind of change that a DistanceGuard is asked about.
+#include <algorithm>
 #include <bit>
 
 #include "ryosen/algo/simplify/distance_guard.h"
@@ -6,6 +7,23 @@
 #include "ryosen/mesh/circulate.h"
 
 namespace ryosen {
+
+bool DistanceGuard::is_hub(Vertex v) const {
+  std::size_t faces = 0;
+  for (const Halfedge out : outgoing(mesh_, v))
+    if (mesh_.face(out) && ++faces > most_changed) return true;
+  return false;
+}
+
+bool DistanceGuard::moves_hub(std::span<const Moved> moved) const {
+  return std::any_of(moved.begin(), moved.end(), [&](const Moved& move) {
+    return mesh_.position(move.vertex) != move.position && is_hub(move.vertex);
+  });
+}
+
+bool DistanceGuard::moves_hub(Halfedge h, const glm::dvec3& position) const {
+  return moves_hub(std::array{Moved{mesh_.from(h), position}, Moved{mesh_.to(h), position}});
+}
 
 void DistanceGuard::move_together(std::span<const Moved> moved) {
   const auto place_of = [&](Vertex v) {
@@ -37,9 +55,9 @@ std::uint64_t DistanceGuard::key_of(Halfedge h, const glm::dvec3& position) cons
 }
 
 bool DistanceGuard::collapse_may_exceed(Halfedge h, const glm::dvec3& position) {
-  if (!is_finite(position)) return true;
-  begin();
   const std::array<Moved, 2> ends{Moved{mesh_.from(h), position}, Moved{mesh_.to(h), position}};
+  if (!is_finite(position) || moves_hub(ends)) return true;
+  begin();
   for (const Halfedge side : {h, twin(h)})
     if (const Face f = mesh_.face(side)) mark(f);
   new_inner_ = {scale_.scaled(position)};
@@ -59,10 +77,10 @@ bool DistanceGuard::collapse_may_exceed(Halfedge h, const glm::dvec3& position) 
 }
 
 bool DistanceGuard::move_may_exceed(Vertex v, const glm::dvec3& position) {
-  if (!is_finite(position)) return true;
+  const Moved moved{v, position};
+  if (!is_finite(position) || moves_hub({&moved, 1})) return true;
   begin();
   new_inner_ = {scale_.scaled(position)};
-  const Moved moved{v, position};
   move_together({&moved, 1});
   return may_exceed();
 }
@@ -81,6 +99,7 @@ bool DistanceGuard::swap_may_exceed(Halfedge h) {
 
 // Nothing goes, so that the input stays as near as it was.
 bool DistanceGuard::filling_may_exceed(const std::array<Halfedge, 3>& sides) {
+  if (std::any_of(sides.begin(), sides.end(), [&](Halfedge side) { return is_hub(mesh_.from(side)); })) return true;
   begin();
   for (const Halfedge side : sides) {
     const Vertex v = mesh_.from(side);
@@ -107,13 +126,14 @@ void DistanceGuard::follow_filling(const std::array<Face, 2>& added) {
 
 bool DistanceGuard::joining_may_exceed(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against,
                                        const std::array<glm::dvec3, 3>& places) {
-  begin();
   std::array<Moved, 6> moved;
   for (std::size_t i = 0; i < 3; ++i) {
     moved[2 * i] = {mesh_.from(sides[i]), places[i]};
     moved[2 * i + 1] = {mesh_.to(against[i]), places[i]};
-    new_inner_.push_back(scale_.scaled(places[i]));
   }
+  if (moves_hub(moved)) return true;
+  begin();
+  for (const glm::dvec3& place : places) new_inner_.push_back(scale_.scaled(place));
   mark(mesh_.face(sides[0]));
   mark(mesh_.face(against[0]));
   move_together(moved);

@@ -205,8 +205,9 @@ Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& l
 
 Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& placing, Legality legality) {
   const Halfedge h = freedom.halfedge;
-  if (!is_within_error(h, placing) || surface_.turns_face(h, placing, minds_) ||
-      surface_.narrows_face(h, placing.place))
+  if (!is_within_error(h, placing) ||
+      (distance_guard_ && distance_guard_->moves_hub(h, surface_.position_of(placing))) ||
+      surface_.turns_face(h, placing, minds_) || surface_.narrows_face(h, placing.place))
     return Answer::refused;
   for (const double cost : {placing.cost, surface_.cost_of_gap(h, placing)})
     if (const auto level = queue_.level_of(cost); level > queue_.current()) {

@@ -194,6 +194,16 @@ TEST(simplifier, keeping_two_hubs_free_of_crossings_grows_no_faster_than_n_log_n
   EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
 }
 
+// A hub that moves would mark and prove every face around it, again for each of its spokes.
+TEST(simplifier, keeping_two_hubs_within_a_distance_grows_no_faster_than_n_log_n) {
+  for (const double most : {0.0005, 0.01}) {
+    const auto work_on = [&](std::uint32_t n) { return work(rough_cones(n), {}, {.most_distance = most}); };
+    const double one = work_on(1000), two = work_on(2000), four = work_on(4000);
+    EXPECT_LT(two, 2.4 * one) << one << " " << two << " " << four;
+    EXPECT_LT(four, 2.4 * two) << one << " " << two << " " << four;
+  }
+}
+
 TEST(simplifier, is_as_sound_at_hubs_and_large_faces_as_elsewhere) {
   for (const double height : {0.0, 0.5}) go_all_the_way(circle(200, height), "a fan");
   go_all_the_way(circle(300, std::nullopt), "one face");

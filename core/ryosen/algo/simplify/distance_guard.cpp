@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -43,12 +44,14 @@ DistanceGuard::DistanceGuard(const Mesh& mesh, const ScaledPlaces& scale, double
       marks_(mesh.face_slots()) {
   for (const Vertex v : live_vertices(mesh)) places_[v.index] = scale.scaled(mesh.position(v));
   for (const Face f : live_faces(mesh)) {
-    if (!are_finite(ryosen::corners_of(mesh, mesh.halfedge(f)))) continue;
+    const bool is_plain = is_triangle(mesh, mesh.halfedge(f)) && !mesh.has_rings(f);
+    assert(is_plain);
+    if (!is_plain || !are_finite(ryosen::corners_of(mesh, mesh.halfedge(f)))) continue;
     std::array<std::uint32_t, 3>& triangle = triangles_.emplace_back();
     std::size_t i = 0;
     for (const Vertex v : vertices_around(mesh, f)) triangle[i++] = v.index;
     first_of_triangle_.push_back(no_index);
-    list(static_cast<std::uint32_t>(triangles_.size() - 1), f);
+    list_at(f, static_cast<std::uint32_t>(triangles_.size() - 1));
   }
   input_marks_.resize(triangles_.size());
   point_marks_.resize(places_.size());
@@ -67,7 +70,7 @@ TriangleCorners DistanceGuard::corners_of_input(std::uint32_t triangle) const {
   return {places_[a], places_[b], places_[c]};
 }
 
-void DistanceGuard::mark(Face f) {
+void DistanceGuard::mark_changing(Face f) {
   marks_[f.index] = step_;
   ++marked_;
   old_.push_back(f);
@@ -87,7 +90,7 @@ void DistanceGuard::add_changed(Face f, const TriangleCorners& corners) {
   add_target(f, corners);
 }
 
-void DistanceGuard::begin() {
+void DistanceGuard::begin_question() {
   if (++step_ == 0) {
     std::fill(marks_.begin(), marks_.end(), 0);
     std::fill(input_marks_.begin(), input_marks_.end(), 0);
@@ -105,7 +108,7 @@ void DistanceGuard::find_listed() {
   for (const Face f : old_)
     for (std::uint32_t e = first_of_face_[f.index]; e != no_index; e = entries_[e].next_of_face) {
       const std::uint32_t triangle = entries_[e].triangle;
-      if (triangle == no_index || std::exchange(input_marks_[triangle], step_) == step_) continue;
+      if (std::exchange(input_marks_[triangle], step_) == step_) continue;
       listed_.push_back({triangle});
       if (triangle == last_far_) std::swap(listed_.front(), listed_.back());
     }
@@ -147,7 +150,7 @@ bool DistanceGuard::is_input_plainly_far() {
   return false;
 }
 
-// The faces at which a triangle of the input is listed and that stay.
+// Adds the faces at which a triangle of the input is listed and that stay.
 void DistanceGuard::add_others(std::uint32_t triangle) {
   for (std::uint32_t e = first_of_triangle_[triangle]; e != no_index; e = entries_[e].next_of_triangle)
     if (const Face f(entries_[e].face);
@@ -176,7 +179,7 @@ bool DistanceGuard::prove_faces() {
   return std::all_of(changed_.begin(), changed_.end(), [&](Changed& changed) { return prove_face(changed); });
 }
 
-// First by the faces before, which are few, and last by all that is known.
+// Tries the faces before first, which are few, and all that is known last.
 bool DistanceGuard::prove_face(Changed& changed) {
   changed.bound = overlay_.bound(changed.corners, old_targets_, most_);
   if (changed.bound <= most_) return true;
@@ -203,37 +206,40 @@ bool DistanceGuard::may_exceed() {
 }
 
 void DistanceGuard::follow() {
-  for (const Listed& listed : listed_) drop_list(listed);
-  for (const Face f : old_)
-    for (std::uint32_t e = std::exchange(first_of_face_[f.index], no_index); e != no_index;) {
-      const std::uint32_t next = std::exchange(entries_[e].next_of_face, free_entry_);
-      free_entry_ = std::exchange(e, next);
-    }
+  for (const Listed& listed : listed_) take_out_of_lists(listed);
   for (const Listed& listed : listed_)
     for (std::size_t i = listed.begin; i < listed.end; ++i)
-      if (near_faces_[i]) list(listed.triangle, near_faces_[i]);
+      if (near_faces_[i]) list_at(near_faces_[i], listed.triangle);
   for (const Changed& changed : changed_) bounds_[changed.face.index] = changed.bound;
 }
 
-void DistanceGuard::drop_list(const Listed& listed) {
+void DistanceGuard::take_out_of_lists(const Listed& listed) {
   const auto begin = near_faces_.begin() + static_cast<std::ptrdiff_t>(listed.begin),
              end = near_faces_.begin() + static_cast<std::ptrdiff_t>(listed.end);
   for (std::uint32_t e = std::exchange(first_of_triangle_[listed.triangle], no_index); e != no_index;) {
     Entry& entry = entries_[e];
     const std::uint32_t next = entry.next_of_triangle;
-    if (!is_marked(entry.face)) {
-      if (const auto again = std::find(begin, end, Face(entry.face)); again != end) {
-        *again = Face();
-        entry.next_of_triangle = std::exchange(first_of_triangle_[listed.triangle], e);
-      } else {
-        entry.triangle = no_index;
-      }
+    const auto again = is_marked(entry.face) ? end : std::find(begin, end, Face(entry.face));
+    if (again != end) {
+      *again = Face();
+      entry.next_of_triangle = std::exchange(first_of_triangle_[listed.triangle], e);
+    } else {
+      drop(e);
     }
     e = next;
   }
 }
 
-void DistanceGuard::list(std::uint32_t triangle, Face face) {
+void DistanceGuard::drop(std::uint32_t entry) {
+  const std::uint32_t face = entries_[entry].face, next = entries_[entry].next_of_face,
+                      previous = entries_[entry].previous_of_face;
+  (previous == no_index ? first_of_face_[face] : entries_[previous].next_of_face) = next;
+  if (next != no_index) entries_[next].previous_of_face = previous;
+  entries_[entry].next_of_face = std::exchange(free_entry_, entry);
+  --used_entries_;
+}
+
+void DistanceGuard::list_at(Face face, std::uint32_t triangle) {
   std::uint32_t e = free_entry_;
   if (e == no_index) {
     e = static_cast<std::uint32_t>(entries_.size());
@@ -241,8 +247,10 @@ void DistanceGuard::list(std::uint32_t triangle, Face face) {
   } else {
     free_entry_ = entries_[e].next_of_face;
   }
-  entries_[e] = {triangle, face.index, first_of_face_[face.index], first_of_triangle_[triangle]};
-  first_of_face_[face.index] = first_of_triangle_[triangle] = e;
+  const std::uint32_t next = std::exchange(first_of_face_[face.index], e);
+  if (next != no_index) entries_[next].previous_of_face = e;
+  entries_[e] = {triangle, face.index, next, no_index, std::exchange(first_of_triangle_[triangle], e)};
+  ++used_entries_;
 }
 
 }  // namespace ryosen

@@ -20,33 +20,36 @@ namespace ryosen {
 
 class DistanceGuard {
  public:
-  // Guards a mesh of triangles as it is; `most` in units of the mesh. Faces with a corner that is not finite are not
-  // measured. The mesh and the scale outlive it. O(n).
+  // Guards a mesh as it is, all faces of which are triangles without rings; `most` in units of the mesh. Faces with a
+  // corner that is not finite are not measured. The mesh and the scale outlive it. O(n).
   DistanceGuard(const Mesh& mesh, const ScaledPlaces& scale, double most);
 
   // Returns whether the collapse moves a vertex with more faces than are proved together, which is always refused.
   bool moves_hub(Halfedge h, const glm::dvec3& position) const;
 
-  // Each tells whether it cannot be proved that the surfaces stay that near after a change, and is conservative. Cost:
-  // nearly constant for each listed triangle. The first: if from(h) became to(h) there.
+  // Returns whether the collapse that puts both ends of h there might exceed the distance: no proof was found. So do
+  // the other questions. A question about a vertex with more than 128 faces that moves is refused at once. Cost: that
+  // of the triangles listed at the faces that change, which are more where the distance is large against the faces.
   bool collapse_may_exceed(Halfedge h, const glm::dvec3& position);
   bool move_may_exceed(Vertex v, const glm::dvec3& position);
-  // Of an edge between two triangles, as SwapEdge turns it.
+  // The edge lies between two triangles and is turned as by SwapEdge.
   bool swap_may_exceed(Halfedge h);
-  // The change that was asked for last is done.
+  // Takes over the change of the last question, which is about to be made.
   void follow();
 
-  // If triangles were added on a cycle of edges that is no face, with their corners where those of the cycle are.
+  // Two triangles would be added on a cycle of edges that is no face, with their corners where those of the cycle are.
   bool filling_may_exceed(const std::array<Halfedge, 3>& sides);
-  // The filling that was asked for last is done, by these faces.
+  // Takes over the filling of the last question, which these faces have made.
   void follow_filling(const std::array<Face, 2>& added);
-  // If two triangles went whose sides run against each other, as pairs of them become one edge: against[i] ends where
+  // Two triangles would go whose sides run against each other, as pairs of these become one edge: against[i] ends where
   // sides[i] begins, and both ends come to that place.
   bool joining_may_exceed(const std::array<Halfedge, 3>& sides, const std::array<Halfedge, 3>& against,
                           const std::array<glm::dvec3, 3>& places);
 
   // So many faces were looked at and distances from triangles computed so far.
   std::uint64_t looks() const { return proof_.looks() + overlay_.looks() + marked_; }
+  // So many pairs of a triangle of the input and a face at which it is listed.
+  std::size_t entries() const { return used_entries_; }
 
  private:
   // More faces are not moved together: each is compared with all others.
@@ -54,8 +57,8 @@ class DistanceGuard {
 
   // A triangle of the input at a face, in the list of either.
   struct Entry {
-    std::uint32_t triangle, face;  // no triangle: it is proved without that face by now
-    std::uint32_t next_of_face, next_of_triangle;
+    std::uint32_t triangle, face;
+    std::uint32_t next_of_face, previous_of_face, next_of_triangle;
   };
   struct Changed {
     Face face;
@@ -75,9 +78,9 @@ class DistanceGuard {
   TriangleCorners corners_of(Face f) const;
   TriangleCorners corners_of_input(std::uint32_t triangle) const;
   bool is_marked(std::uint32_t face) const { return marks_[face] == step_; }
-  // Begins to ask about a change; then what changes is told.
-  void begin();
-  void mark(Face f);
+  // Begins a question about a change; what changes is told next.
+  void begin_question();
+  void mark_changing(Face f);
   void add_target(Face f, const TriangleCorners& corners);
   void add_changed(Face f, const TriangleCorners& corners);
   // Whether more faces meet at a vertex than are moved together. Counts no further than that.
@@ -95,12 +98,13 @@ class DistanceGuard {
   bool prove_input();
   bool prove_faces();
   bool prove_face(Changed& changed);
-  // Of what a question depends on, nearly.
+  // Hashes nearly all that the answer to a question depends on.
   std::uint64_t key_of(Halfedge h, const glm::dvec3& position) const;
   void add_others(std::uint32_t triangle);
-  void list(std::uint32_t triangle, Face face);
-  // Drops what a triangle is listed at, but for faces that stay and by which it is near again.
-  void drop_list(const Listed& listed);
+  void list_at(Face face, std::uint32_t triangle);
+  // Takes a triangle out of the lists of faces, but for faces that stay and by which it is near again.
+  void take_out_of_lists(const Listed& listed);
+  void drop(std::uint32_t entry);
 
   const Mesh& mesh_;
   const ScaledPlaces& scale_;
@@ -109,6 +113,7 @@ class DistanceGuard {
   std::vector<std::array<std::uint32_t, 3>> triangles_;  // of the input
   std::vector<Entry> entries_;
   std::uint32_t free_entry_ = no_index;
+  std::size_t used_entries_ = 0;
   std::vector<std::uint32_t> first_of_face_, first_of_triangle_;  // entries
   std::vector<double> bounds_;                                    // by face
 

@@ -1,4 +1,4 @@
-// What changes by each kind of change that a DistanceGuard is asked about.
+// Each kind of change that a DistanceGuard is asked about marks the faces that change and tells the new ones.
 #include <algorithm>
 #include <bit>
 
@@ -37,7 +37,7 @@ void DistanceGuard::move_together(std::span<const Moved> moved) {
     for (const Halfedge out : outgoing(mesh_, vertex)) {
       const Face f = mesh_.face(out);
       if (!f || is_marked(f.index)) continue;
-      mark(f);
+      mark_changing(f);
       add_changed(f, {place_of(vertex), place_of(mesh_.to(out)), place_of(mesh_.from(mesh_.prev(out)))});
     }
   }
@@ -57,9 +57,9 @@ std::uint64_t DistanceGuard::key_of(Halfedge h, const glm::dvec3& position) cons
 bool DistanceGuard::collapse_may_exceed(Halfedge h, const glm::dvec3& position) {
   const std::array<Moved, 2> ends{Moved{mesh_.from(h), position}, Moved{mesh_.to(h), position}};
   if (!is_finite(position) || moves_hub(ends)) return true;
-  begin();
+  begin_question();
   for (const Halfedge side : {h, twin(h)})
-    if (const Face f = mesh_.face(side)) mark(f);
+    if (const Face f = mesh_.face(side)) mark_changing(f);
   new_inner_ = {scale_.scaled(position)};
   move_together(ends);
   // What went may be near what lies beside it.
@@ -79,19 +79,19 @@ bool DistanceGuard::collapse_may_exceed(Halfedge h, const glm::dvec3& position) 
 bool DistanceGuard::move_may_exceed(Vertex v, const glm::dvec3& position) {
   const Moved moved{v, position};
   if (!is_finite(position) || moves_hub({&moved, 1})) return true;
-  begin();
+  begin_question();
   new_inner_ = {scale_.scaled(position)};
   move_together({&moved, 1});
   return may_exceed();
 }
 
 bool DistanceGuard::swap_may_exceed(Halfedge h) {
-  begin();
+  begin_question();
   const auto at = [&](Halfedge corner) { return scale_.scaled(mesh_.position(mesh_.from(corner))); };
   const glm::dvec3 a = at(h), b = at(twin(h)), c = at(mesh_.prev(h)), d = at(mesh_.prev(twin(h)));
   const Face left = mesh_.face(h), right = mesh_.face(twin(h));
-  mark(left);
-  mark(right);
+  mark_changing(left);
+  mark_changing(right);
   add_changed(left, {d, c, a});
   add_changed(right, {c, d, b});
   return may_exceed();
@@ -100,12 +100,12 @@ bool DistanceGuard::swap_may_exceed(Halfedge h) {
 // Nothing goes, so that the input stays as near as it was.
 bool DistanceGuard::filling_may_exceed(const std::array<Halfedge, 3>& sides) {
   if (std::any_of(sides.begin(), sides.end(), [&](Halfedge side) { return is_hub(mesh_.from(side)); })) return true;
-  begin();
+  begin_question();
   for (const Halfedge side : sides) {
     const Vertex v = mesh_.from(side);
     old_inner_.push_back(scale_.scaled(mesh_.position(v)));
     for (const Face f : faces_around(mesh_, v))
-      if (f && !is_marked(f.index)) mark(f);
+      if (f && !is_marked(f.index)) mark_changing(f);
   }
   find_listed();
   changed_.push_back({Face(), {old_inner_[0], old_inner_[1], old_inner_[2]}});
@@ -132,10 +132,10 @@ bool DistanceGuard::joining_may_exceed(const std::array<Halfedge, 3>& sides, con
     moved[2 * i + 1] = {mesh_.to(against[i]), places[i]};
   }
   if (moves_hub(moved)) return true;
-  begin();
+  begin_question();
   for (const glm::dvec3& place : places) new_inner_.push_back(scale_.scaled(place));
-  mark(mesh_.face(sides[0]));
-  mark(mesh_.face(against[0]));
+  mark_changing(mesh_.face(sides[0]));
+  mark_changing(mesh_.face(against[0]));
   move_together(moved);
   return may_exceed();
 }

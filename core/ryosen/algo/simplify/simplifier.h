@@ -114,8 +114,8 @@ struct SimplifyGoal {
   bool changes_topology = false;
   // Where nothing else can collapse, points of a weighted boundary may leave it.
   bool lets_boundaries_go = false;
-  // In units of the mesh, of triangles where there is a limit: every point of the surface stays that near to the
-  // surface as it was, and every point of that to the surface. No small part goes then.
+  // In units of the mesh: every point of the surface stays that near to the surface as it was, and every point of that
+  // to the surface. Where there is a limit, all faces must be triangles without rings, and no small part goes.
   double most_distance = std::numeric_limits<double>::infinity();
 };
 

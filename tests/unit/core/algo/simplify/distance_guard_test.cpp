@@ -184,6 +184,36 @@ TEST(distance_guard, costs_about_the_same_for_each_face_of_larger_meshes) {
   EXPECT_LT(large, 1.5 * middle);
 }
 
+// Pairs that are proved otherwise by now are dropped, also from faces that did not change since.
+TEST(distance_guard, lists_few_faces_for_each_triangle_after_many_collapses) {
+  const Mesh inputs[] = {sheet(16, [](std::uint32_t, std::uint32_t) { return 1.0; }), sheet(16, rolling_hills),
+                         shaken(sheet(16, rolling_hills), 0.1, 3), bumpy_torus(),
+                         cut_in_triangles(made_by("sphere radius=1"))};
+  for (const Mesh& input : inputs) {
+    Mesh mesh = input;
+    const ScaledPlaces scale(input.positions());
+    DistanceGuard guard(mesh, scale, 0.05 * size_of_surface(input));
+    const std::size_t faces = input.live().faces;
+    EXPECT_EQ(guard.entries(), faces) << "each at itself";
+    std::size_t collapsed = 0;
+    for (int round = 0; round < 4; ++round)
+      for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+        const CollapseEdge collapse{halfedge(Edge(e))};
+        if (!mesh.is_alive(Edge(e)) || !collapse.is_legal(mesh)) continue;
+        const glm::dvec3 place = mesh.position(mesh.to(halfedge(Edge(e))));
+        if (guard.collapse_may_exceed(halfedge(Edge(e)), place)) continue;
+        guard.follow();
+        Edit edit(mesh, nullptr);
+        collapse.apply(edit);
+        edit.commit();
+        ++collapsed;
+      }
+    EXPECT_GT(collapsed, faces / 10);
+    EXPECT_GE(guard.entries(), faces) << "each is near something";
+    EXPECT_LT(guard.entries(), 4 * faces);
+  }
+}
+
 TEST(distance_guard, keeps_meshes_of_others_within_the_distance) {
   const std::filesystem::path folder = std::filesystem::path(RYOSEN_SHARED_DIR) / "meshes/cgal/data/meshes";
   for (const char* const name : {"anchor.off", "eight.off"}) {

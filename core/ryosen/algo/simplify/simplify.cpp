@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "ryosen/algo/edge_rules.h"
@@ -103,7 +104,14 @@ std::optional<Text> why_distance_cannot_be_kept(const Mesh& mesh) {
   return std::nullopt;
 }
 
-Text why_cut_is_too_far(double distance) {
+// The mesh is the one before the cut.
+Text why_cut_is_too_far(const Mesh& mesh, double distance) {
+  for (const Vertex v : live_vertices(mesh))
+    if (std::isinf(distance) && !is_finite(mesh.position(v)))
+      return {name_of(mesh, v) +
+                  " has no finite position, so that its faces are measured only when they are cut; run "
+                  "give_places first",
+              name_of(mesh, v) + " の座標が有限でなく、切る前の面を測れません（先に give_places を実行してください）"};
   const std::string far = to_three_digits(1.005 * distance);  // not rounded down
   return {"polygons cut into triangles lie up to " + far + " from what they were; give a max_distance above that",
           "多角形を三角形に分割すると面が最大 " + far + " ずれます（max_distance をそれより大きくしてください）"};
@@ -150,9 +158,10 @@ struct Prepared {
   std::size_t crossings = 0;                  // where no further ones may come
 };
 
-// At most; 0 where there is nothing to measure.
+// A bound of the distance; 0 where neither has a surface, infinite where one alone has.
 double distance_between(const Mesh& a, const Mesh& b, Progress& progress) {
-  if (!has_surface(a) || !has_surface(b)) return 0;
+  const bool has_a = has_surface(a), has_b = has_surface(b);
+  if (!has_a || !has_b) return has_a == has_b ? 0 : std::numeric_limits<double>::infinity();
   const auto distance = surface_distance(a, b, {}, progress);
   return distance ? distance->hausdorff : 0;
 }
@@ -180,7 +189,7 @@ Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& prog
     prepared.refused = why_distance_cannot_be_kept(prepared.work);
     if (prepared.is_triangulated) prepared.distance_of_cut = distance_between(mesh, prepared.work, progress);
     if (prepared.distance_of_cut > limit_of(mesh, values, "max_distance"))
-      prepared.refused = why_cut_is_too_far(prepared.distance_of_cut);
+      prepared.refused = why_cut_is_too_far(mesh, prepared.distance_of_cut);
   }
   if (prepared.refused || !values.flag("no_self_intersections")) return prepared;
   prepared.refused = why_faces_cannot_be_kept_apart(prepared.work);

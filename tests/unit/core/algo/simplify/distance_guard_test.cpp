@@ -11,6 +11,7 @@
 #include "ryosen/base/number_text.h"
 #include "ryosen/io/formats.h"
 #include "ryosen/mesh/live_elements.h"
+#include "tests/support/core/holed_shapes.h"
 #include "tests/support/core/kept_distance.h"
 #include "tests/support/core/shapes.h"
 #include "tests/support/core/simplified.h"
@@ -140,6 +141,48 @@ TEST(distance_guard, is_refused_where_cutting_polygons_alone_exceeds_it) {
     }
   }
   EXPECT_EQ(refused, 3u);
+}
+
+// A polygon with a corner at no place is not measured, but triangles that it is cut into may be.
+TEST(distance_guard, is_refused_where_polygons_are_measured_only_when_they_are_cut) {
+  for (const std::uint32_t n : {5u, 6u, 7u, 8u, 9u}) {
+    IndexedMesh source = indexed({{}}, n);
+    source.corners.resize(n);
+    std::iota(source.corners.begin(), source.corners.end(), 0u);
+    source.face_offsets = {0, n};
+    for (std::uint32_t i = 0; i < n; ++i) source.positions[i] = {std::cos(6.283 * i / n), std::sin(6.283 * i / n), 0.0};
+    Mesh mesh = from_indexed(source);
+    Edit edit(mesh, nullptr);
+    edit.set_position(Vertex(2), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    edit.commit();
+    const Mesh before = mesh;
+    const AlgorithmResult result = simplified(mesh, "triangulate=on max_distance=5");
+    ASSERT_TRUE(result.refused) << n;
+    EXPECT_EQ(result.refused->en.substr(0, 3), "v2 ") << result.refused->en;
+    EXPECT_NE(result.refused->en.find("give_places"), std::string::npos) << result.refused->en;
+    EXPECT_EQ(mesh.columns(), before.columns());
+  }
+}
+
+TEST(distance_guard, keeps_small_parts) {
+  for (const double size : {0.0001, 0.001, 0.003, 0.01, 0.03}) {
+    IndexedMesh source = rows_of_spheres(1, 2.2);
+    const auto first = static_cast<std::uint32_t>(source.positions.size());
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+      source.positions.push_back(glm::dvec3(5, 0, 0) + size * p);
+    for (const std::array<std::uint32_t, 3>& face :
+         {std::array{0u, 2u, 1u}, {0u, 1u, 3u}, {1u, 2u, 3u}, {2u, 0u, 3u}}) {
+      for (const std::uint32_t corner : face) source.corners.push_back(first + corner);
+      source.face_offsets.push_back(static_cast<std::uint32_t>(source.corners.size()));
+    }
+    const Mesh before = from_indexed(source);
+    Mesh removed = before, kept = before;
+    simplified(removed, "faces=4 error=0.1 remove_small=on");
+    simplified(kept, "faces=4 error=0.1 max_distance=0.1 remove_small=on");
+    EXPECT_EQ(compute_figures(removed).components, 1u) << size;
+    EXPECT_EQ(compute_figures(kept).components, 2u) << size;
+    expect_kept_within(before, kept, 0.1, std::to_string(size));
+  }
 }
 
 TEST(distance_guard, leaves_out_what_has_no_place) {

@@ -25,14 +25,16 @@ double NearOverlay::bound(const TriangleCorners& triangle, std::span<const NearT
   parts_.assign(1, whole);
   glm::dvec3 normal = area_normal(triangle);
   if (const double length = glm::length(normal); length > 0) normal /= length;
+  const Box box = target_of(triangle, 0).box;
   for (const NearTarget& target : targets) {
+    if (are_apart(box, target.box, most)) continue;
     const Halves halves = halves_before(target, normal);
     if (!is_apart(whole, halves) && !take_out(target, halves, most)) return nowhere_near;
   }
   return prove_rest(targets, most) ? bound_ : nowhere_near;
 }
 
-// None of them has anything within where the target is seen from its edge.
+// The halves have nothing within where the target is seen from its edge.
 NearOverlay::Halves NearOverlay::halves_before(const NearTarget& target, const glm::dvec3& normal) {
   const double area = glm::dot(area_normal(target.corners), normal);
   Halves halves;

@@ -16,6 +16,13 @@ constexpr unsigned most_cuts = 3;
 // So many are not all compared with a polygon that is not small.
 constexpr std::size_t many_targets = 12;
 
+// A point is at least so far from what a target counts for: from its box, less what rounding may add, and the bound.
+double least_distance(const glm::dvec3& p, const NearTarget& target) {
+  constexpr double rounding = 1e-12;
+  const glm::dvec3 way = glm::max(glm::max(target.box.lowest - p, p - target.box.highest), glm::dvec3(0.0));
+  return (1 - rounding) * glm::length(way) + target.bound;
+}
+
 }  // namespace
 
 bool are_apart(const Box& a, const Box& b, double gap) {
@@ -94,7 +101,7 @@ bool NearProof::prove_near(const Polygon& polygon, Active active, const Origin& 
   }
   if (best.covered == 0) return false;
   if (best.covered == polygon.count) {
-    use(best.target);
+    note_used(best.target);
     return true;
   }
   if (const auto middle = find_inner(polygon, active)) return prove_around(polygon, *middle, active);
@@ -149,7 +156,7 @@ bool NearProof::prove_halves(const Polygon& polygon, Active active) {
 
 // Proves one polygon for each run of corners that are not near the best target.
 bool NearProof::prove_rest(const Polygon& polygon, const Best& best, Active active, const Origin& origin) {
-  use(best.target);
+  note_used(best.target);
   const double bound = targets_[best.target].bound, level = level_, slack = level - bound;
   const std::size_t n = polygon.count;
   const auto is_near = [&](std::size_t i) { return best.distances[i % n] + bound <= level; };
@@ -173,13 +180,15 @@ bool NearProof::nearest_covers(const Polygon& polygon, Active active) {
   for (std::size_t i = 0; i < polygon.count; ++i) middle += polygon.corners[i] / static_cast<double>(polygon.count);
   double least = level_;
   std::uint32_t nearest = no_index;
-  for (std::size_t k = active.begin; k < active.end; ++k)
-    if (const double far = distance(middle, active_[k]) + targets_[active_[k]].bound; far <= least)
-      least = far, nearest = active_[k];
+  for (std::size_t k = active.begin; k < active.end; ++k) {
+    const NearTarget& target = targets_[active_[k]];
+    if (least_distance(middle, target) > least) continue;
+    if (const double far = distance(middle, active_[k]) + target.bound; far <= least) least = far, nearest = active_[k];
+  }
   if (nearest == no_index) return false;
   for (std::size_t i = 0; i < polygon.count; ++i)
     if (!(distance(polygon.corners[i], nearest) + targets_[nearest].bound <= level_)) return false;
-  use(nearest);
+  note_used(nearest);
   return true;
 }
 
@@ -193,7 +202,9 @@ NearProof::Best NearProof::find_best(const Polygon& polygon, Active active, std:
     Distances distances{};
     std::size_t covered = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
-      distances[i] = distance(polygon.corners[i], target);
+      const double lowest = least_distance(polygon.corners[i], targets_[target]);
+      const bool is_plainly_far = lowest > level_ && lowest >= least[i];
+      distances[i] = is_plainly_far ? lowest - bound : distance(polygon.corners[i], target);
       least[i] = std::min(least[i], distances[i] + bound);
       if (distances[i] + bound <= level_) ++covered;
     }
@@ -256,7 +267,7 @@ glm::dvec3 NearProof::last_near(const glm::dvec3& a, const glm::dvec3& b, std::u
   return a;
 }
 
-void NearProof::use(std::uint32_t target) {
+void NearProof::note_used(std::uint32_t target) {
   if (std::find(used_.begin(), used_.end(), target) == used_.end()) used_.push_back(target);
 }
 

@@ -103,7 +103,7 @@ class NearProof {
   double distance(const glm::dvec3& p, std::uint32_t target);
   // The last point from a to b, or one shortly before, that is near the target.
   glm::dvec3 last_near(const glm::dvec3& a, const glm::dvec3& b, std::uint32_t target, double slack);
-  void use(std::uint32_t target);
+  void note_used(std::uint32_t target);
 
   std::span<const NearTarget> targets_;
   Limits limits_;

@@ -96,8 +96,7 @@ inline constexpr JsonKey goal_keys[] = {
     {"faces_after", "integer", "The same as faces.", "faces と同じ。"},
     {"stopped", "string",
      "Why it ended: the goal was reached, the error or the distance does not allow more, nothing more can be done, "
-     "more "
-     "would lose the shape, or it was cancelled.",
+     "more would lose the shape, or it was cancelled.",
      "終了の理由：目標に達した、許容誤差に達した、距離の上限に達した、それ以上できない、それ以上は形が崩れる、"
      "中止された。",
      words("goal error distance blocked shape cancelled")},

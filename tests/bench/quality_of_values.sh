@@ -5,8 +5,8 @@
 # where it keeps the places of vertices (attributes) and where it updates them (update). Rows of texture: faces, median
 # and 99th percentile of how much the texture is stretched. Everything is measured by measure_values.
 #   tests/bench/quality_of_values.sh PROGRAM_FOLDER [PACKAGE_FOLDER [MESH]]
-# PROGRAM_FOLDER holds ryosen, simplify_ours and measure_values; PACKAGE_FOLDER is that of npm's meshoptimizer, without
-# which Ryosen is measured alone.
+# PROGRAM_FOLDER holds ryosen, simplify_ours and measure_values; PACKAGE_FOLDER is that of meshoptimizer's JavaScript
+# package, without which Ryosen is measured alone.
 set -eu
 programs=$1
 package=${2-}

@@ -9,6 +9,13 @@
 
 namespace ryosen {
 
+namespace {
+
+// Swaps know nothing of colours and texture: where these weigh more than this, swaps lose more of them than they gain.
+constexpr double most_weight_of_swaps = 0.1;
+
+}  // namespace
+
 std::span<const Vertex> Simplifier::find_merged() {
   for (std::uint32_t i = 0; i < merged_into_.size(); ++i) {
     Vertex v(i);
@@ -22,7 +29,8 @@ bool Simplifier::come_nearer(Progress& progress) {
   NearSamples samples(*input_, surface_);
   const TriangleTree input = goal_.effort == 2 ? tree_of_input(*input_, surface_) : TriangleTree();
   DistanceGuard* const guard = distance_guard_ ? &*distance_guard_ : nullptr;
-  if (goal_.effort == 2 && !surface_.values()) {  // swaps know nothing of colours and would lose them
+  const AttributeError* const values = surface_.values();
+  if (goal_.effort == 2 && !(values && values->weight() > most_weight_of_swaps)) {
     if (!samples.assign(find_merged(), true, progress)) return false;
     swaps_ = swap_nearer(*edit_, surface_, samples, input, guard, progress);
     if (swaps_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;

@@ -57,7 +57,7 @@ std::vector<ParameterRow> simplify_parameters() {
            "counts as much as a distance of 2 % of the mesh's longest side, and a shift of the texture as much "
            "as a distance as long; 0 leaves both out",
            "大きいほど色とテクスチャを保ち、形の誤差が増える（1 では色の 0 から 1 "
-           "への変化をメッシュの最大辺の 2 % の距離と、テクスチャのずれを同じ長さの距離と同等に数える。0 "
+           "への変化をメッシュの最大寸法の 2 % の距離と、テクスチャのずれを同じ長さの距離と同等に数える。0 "
            "では数えない）"},
           {.kind = ParameterKind::number, .initial = "0.005", .smallest = 0, .largest = 100}),
       parameter_row({"select", "Only these", "対象", "only vertices of these elements change; else all",

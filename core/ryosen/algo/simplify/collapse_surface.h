@@ -101,9 +101,9 @@ class CollapseSurface {
   bool holds_seams() const { return seams_ == SeamMode::kept; }
   bool is_feature(Edge e) const { return !edge_flags_.empty() && edge_flags_[e.index] & feature; }
 
-  // Points of a weighted boundary stay on it: edges that lead into the surface go to them, until it is let go.
+  // Points of a weighted boundary stay on it: edges that lead into the surface go to them, as long as they are kept.
   bool keeps_boundaries() const { return keeps_boundaries_; }
-  void let_boundaries_go() { keeps_boundaries_ = false; }
+  void keep_boundaries(bool keeps) { keeps_boundaries_ = keeps; }
 
   Freedom freedom(Halfedge h) const;
   // The lowest place for this edge, or that of its anchor.

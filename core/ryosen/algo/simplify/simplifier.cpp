@@ -123,9 +123,22 @@ bool Simplifier::minds_less(bool has_collapsed) {
 // Whether it does so now; then lines are minded again.
 bool Simplifier::lets_boundaries_go() {
   if (!goal_.lets_boundaries_go || !surface_.keeps_boundaries()) return false;
-  surface_.let_boundaries_go();
+  surface_.keep_boundaries(false);
   minds_ = CollapseSurface::Minds::lines;
   return true;
+}
+
+bool Simplifier::has_edges_held_by_boundaries(Progress& progress) {
+  if (!surface_.keeps_boundaries()) return false;
+  surface_.keep_boundaries(false);
+  bool has_free = false;
+  {
+    const CollapseSurface::Standstill still(surface_);
+    for (std::uint32_t i = 0; i < mesh_.edge_slots() && !has_free && (i % 256 > 0 || progress.go_on()); ++i)
+      has_free = can_collapse(Edge(i));
+  }
+  surface_.keep_boundaries(true);
+  return has_free;
 }
 
 bool Simplifier::find_further(Progress& progress) {
@@ -133,10 +146,7 @@ bool Simplifier::find_further(Progress& progress) {
   const CollapseSurface::Standstill still(surface_);
   for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) {
     if (i % 256 == 0 && !progress.go_on()) return false;
-    const Edge e(i);
-    if (!mesh_.is_alive(e) || mesh_.is_wire(e) || !surface_.freedom(halfedge(e)).is_possible ||
-        rule_of(e) != EdgeRule::free)
-      continue;
+    if (!can_collapse(Edge(i))) continue;
     is_blocked_[i] = 0;
     queue_.add(i, 0);
     found = true;

@@ -139,8 +139,8 @@ class Simplifier {
   std::size_t moves() const { return moves_; }
   std::size_t closed_handles() const { return closed_handles_; }
   std::size_t joined_parts() const { return joined_parts_; }
-  // Points of a weighted boundary stay on it.
-  bool keeps_boundaries() const { return surface_.keeps_boundaries(); }
+  // Whether an edge could collapse if points of a weighted boundary left it. Cost: that of asking every edge.
+  bool has_edges_held_by_boundaries(Progress& progress);
   // Parts could be joined but for the limit of the shape.
   bool has_parts_too_far() const { return has_parts_too_far_; }
   // So many faces had come to look against the input, and so many still do.
@@ -181,6 +181,10 @@ class Simplifier {
   // Adds the edges that can collapse after all; false where there are none.
   bool minds_less(bool has_collapsed);
   bool lets_boundaries_go();
+  bool can_collapse(Edge e) const {
+    return mesh_.is_alive(e) && !mesh_.is_wire(e) && surface_.freedom(halfedge(e)).is_possible &&
+           rule_of(e) == EdgeRule::free;
+  }
   bool find_further(Progress& progress);
   // What may be removed where it is smaller than the error.
   double small_size() const { return surface_.limits_error() ? surface_.error_limit() : error_max_; }

@@ -211,7 +211,7 @@ class Attempt {
   bool run(Progress& progress) { return simplifier_.run(progress); }
   Mesh& work() { return work_; }
   const Descent& descent() const { return descent_; }
-  const Simplifier& simplifier() const { return simplifier_; }
+  Simplifier& simplifier() { return simplifier_; }
 
  private:
   Mesh work_;
@@ -264,13 +264,14 @@ SimplifyGoal goal_of(const Prepared& prepared, const ParameterValues& values, st
 }
 
 // Why it ended before it reached a number of faces.
-Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal, const Simplifier& simplifier) {
+Stop stop_before(const std::vector<std::size_t>& remaining, const SimplifyGoal& goal, Simplifier& simplifier,
+                 Progress& progress) {
   if (simplifier.has_parts_too_far()) return Stop::shape;
   const auto held_by = [&](EdgeRule rule) { return remaining[static_cast<std::size_t>(rule)]; };
   const std::size_t error = held_by(EdgeRule::error), distance = held_by(EdgeRule::distance);
   if (distance > error) return Stop::distance;
   if (error > 0) return goal.keeps_shape ? Stop::shape : Stop::error;
-  return simplifier.keeps_boundaries() && held_by(EdgeRule::boundary) > 0 ? Stop::shape : Stop::blocked;
+  return simplifier.has_edges_held_by_boundaries(progress) ? Stop::shape : Stop::blocked;
 }
 
 // Tells what holds the edges of a mesh most of which are misoriented; false for any other.
@@ -313,7 +314,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     return result;
   }
   Mesh& work = attempt->work();
-  const Simplifier& simplifier = attempt->simplifier();
+  Simplifier& simplifier = attempt->simplifier();
   const std::optional<std::size_t> crossings = prepared.crossings > 0 ? count_crossings(work, progress) : 0;
   if (!crossings) {
     report = {Stop::cancelled, false};
@@ -329,7 +330,7 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
     }
     report.remaining = count_remaining(work, report.rules);
   }
-  if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal, simplifier);
+  if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal, simplifier, progress);
   report.is_reached =
       is_by_number ? after <= wanted : report.stopped == Stop::error || report.stopped == Stop::distance;
   report.error_max = simplifier.error_max();

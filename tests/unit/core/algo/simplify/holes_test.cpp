@@ -97,5 +97,26 @@ TEST(SimplifyHoles, do_not_grow) {
       }
 }
 
+// Beyond that it stops, says so and goes on by force; where nothing else holds an edge than the structure, it says
+// that.
+TEST(SimplifyHoles, end_it_where_they_would_grow) {
+  for (const Pattern& pattern : patterns)
+    for (const char* const effort : {" effort=0", " effort=1"}) {
+      Mesh held = holed_sheet(pattern.is_hole), forced = held, locked = held;
+      const AlgorithmResult stopped = simplified(held, std::string("faces=4") + effort);
+      const AlgorithmResult further = simplified(forced, std::string("faces=4 force=on") + effort);
+      EXPECT_EQ(further.goal_report->stopped == Stop::blocked, !further.goal_report->is_reached) << pattern.name;
+      if (forced.live().faces < held.live().faces) {
+        EXPECT_EQ(stopped.goal_report->stopped, Stop::shape) << pattern.name << effort;
+        EXPECT_NE(stopped.text.en.find("force goes on"), std::string::npos) << stopped.text.en;
+      }
+      const AlgorithmResult at_rim = simplified(locked, std::string("faces=4 boundary=locked") + effort);
+      EXPECT_EQ(at_rim.text.en.find("draw a boundary out"), std::string::npos) << at_rim.text.en;
+    }
+  Mesh mesh = holed_sheet(patterns[1].is_hole);
+  const AlgorithmResult result = simplified(mesh, "faces=4 effort=0");
+  EXPECT_NE(result.text.en.find("draw a boundary out"), std::string::npos) << result.text.en;
+}
+
 }  // namespace
 }  // namespace ryosen::test

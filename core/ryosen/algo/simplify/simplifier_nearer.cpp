@@ -38,7 +38,8 @@ bool Simplifier::come_nearer(Progress& progress) {
   const NearerMoves moves =
       move_nearer(*edit_, surface_, samples, find_merged(), goal_.effort == 2 ? &input : nullptr, guard, progress);
   moves_ = moves.moves;
-  if (surface_.values()) fit_colours(*edit_, surface_, samples, *input_);
+  if (progress.is_cancelled()) return false;  // samples may have no faces
+  if (values) fit_colours(*edit_, surface_, samples, *input_);
   error_max_ = std::max(error_max_, moves.error_max);
   // What a face that turned too far had refused may be possible now.
   if (moves_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;

@@ -316,21 +316,17 @@ AlgorithmResult simplify(Edit& edit, const AlgorithmInput& input, Progress& prog
   Mesh& work = attempt->work();
   Simplifier& simplifier = attempt->simplifier();
   const std::optional<std::size_t> crossings = prepared.crossings > 0 ? count_crossings(work, progress) : 0;
-  if (!crossings) {
-    report = {Stop::cancelled, false};
-    return result;
-  }
   const std::size_t after = work.live().faces + input.quarantined;
   const bool is_by_number = has_face_goal(values);
   if (input.wants.edge_rules || !is_by_number || after > wanted) {
     report.rules = find_remaining(work, simplifier, progress);
-    if (progress.is_cancelled()) {
-      report = {Stop::cancelled, false};
-      return result;
-    }
     report.remaining = count_remaining(work, report.rules);
   }
   if (!is_by_number || after > wanted) report.stopped = stop_before(report.remaining, goal, simplifier, progress);
+  if (progress.is_cancelled()) {
+    report = {Stop::cancelled, false};
+    return result;
+  }
   report.is_reached =
       is_by_number ? after <= wanted : report.stopped == Stop::error || report.stopped == Stop::distance;
   report.error_max = simplifier.error_max();

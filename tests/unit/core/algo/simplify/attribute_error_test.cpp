@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "ryosen/algo/algorithm_table.h"
 #include "ryosen/base/parallel.h"
 #include "ryosen/mesh/live_elements.h"
 #include "ryosen/mesh/triangle_corners.h"
@@ -146,6 +147,33 @@ TEST(AttributeError, undo_and_threads_give_the_same_bytes) {
       EXPECT_EQ(made.columns(), mesh.columns());
     }
   }
+}
+
+TEST(AttributeError, cancelling_anywhere_leaves_the_mesh_as_it_is) {
+  Mesh sheet_of_waves = sheet(24, wave), seamed = valued_sheet(20, 0.5);
+  for (Mesh* const mesh : {&sheet_of_waves, &seamed})
+    paint(*mesh, [](const glm::dvec3& p) { return glm::dvec4(0.5 + 0.5 * std::sin(2 * p.x), 0.5, 0, 1); });
+  const AlgorithmRow& row = *find_algorithm("simplify");
+  for (const Mesh* const input : {&sheet_of_waves, &seamed})
+    for (const char* const words :
+         {"faces=90", "faces=90 effort=2", "faces=90 colour_weight=1 effort=2", "faces=2", "faces=90 effort=0"}) {
+      SCOPED_TRACE(words);
+      bool was_cancelled = true;
+      for (int reports = 0; was_cancelled; ++reports) {
+        Mesh mesh = *input;
+        Journal journal;
+        int left = reports;
+        Progress cancelling([&](double) { return left-- > 0; }, Progress::Clock::duration::zero());
+        Edit edit(mesh, &journal);
+        const AlgorithmResult result =
+            row.run(edit, {*read_values(row.parameters, split_words(words)).values->on(mesh).values}, cancelling);
+        was_cancelled = cancelling.is_cancelled();
+        if (!was_cancelled) continue;
+        ASSERT_EQ(result.goal_report->stopped, Stop::cancelled) << reports;
+        ASSERT_EQ(result.changed, 0u) << reports;
+        ASSERT_EQ(mesh.columns(), input->columns()) << reports;
+      }
+    }
 }
 
 // A colour that is missing, or one that is no number, has no say and stays one that is none.

@@ -58,15 +58,15 @@ Simplifier::Simplifier(Mesh& mesh, const CollapseLimits& limits, const SimplifyG
       has_corner_values_(has_attributes(mesh_, ElementKind::corner)),
       has_vertex_values_(has_attributes(mesh_, ElementKind::vertex)),
       has_triangles_alone_(has_only_triangles(mesh_)) {
-  if (goal.no_self_intersections) guard_.emplace(mesh_);
-  if (guard_ && goal.has_self_intersections) guard_->inherit();
+  if (goal.no_self_intersections) crossing_guard_.emplace(mesh_);
+  if (crossing_guard_ && goal.has_self_intersections) crossing_guard_->inherit();
   if (goal.keeps_shape) jump_.emplace(diagonal_of(surface_), mesh_.live().faces);
   if (goal.most_distance < std::numeric_limits<double>::infinity()) {
     distance_guard_.emplace(mesh_, surface_.scale(), goal.most_distance);
     goal_.removes_small_parts = false;
   }
   if (!steps) edit_.emplace(mesh, nullptr, descent);
-  if (input_ && !steps && !guard_ && goal.effort > 0) merged_into_.resize(mesh_.vertex_slots());
+  if (input_ && !steps && !crossing_guard_ && goal.effort > 0) merged_into_.resize(mesh_.vertex_slots());
 }
 
 void Simplifier::fill_queue() {
@@ -199,7 +199,7 @@ Simplifier::Answer Simplifier::try_edge(const Freedom& freedom, const Placing& l
     return Answer::refused;
   }
   // Either guard compares all faces that move with each other: first without moving those of a hub.
-  if ((guard_ || distance_guard_) && !freedom.is_anchored)
+  if ((crossing_guard_ || distance_guard_) && !freedom.is_anchored)
     for (Halfedge end : {h, twin(h)})
       if (const Vertex hub = mesh_.from(end); is_hub(hub)) {
         const Placing there = surface_.at_place(freedom, surface_.place(hub), hub);
@@ -219,11 +219,12 @@ Simplifier::Answer Simplifier::try_place(const Freedom& freedom, const Placing& 
       (distance_guard_ && distance_guard_->moves_hub(h, surface_.position_of(placing))) ||
       surface_.turns_face(h, placing, minds_) || surface_.narrows_face(h, placing.place))
     return Answer::refused;
-  for (const double cost : {placing.cost, surface_.cost_of_gap(h, placing)})
-    if (const auto level = queue_.level_of(cost); level > queue_.current()) {
-      queue_.add(edge(h).index, level);
-      return Answer::later;
-    }
+  const auto waits = [&](double cost) {
+    const auto level = queue_.level_of(cost);
+    if (level > queue_.current()) queue_.add(edge(h).index, level);
+    return level > queue_.current();
+  };
+  if (waits(placing.cost) || waits(surface_.cost_of_gap(h, placing))) return Answer::later;
   if (makes_faces_meet(freedom, placing) || may_exceed_distance(freedom, placing)) return Answer::refused;
   const bool is_plain = legality != Legality::by_kernel && !has_corner_values_;
   collapse(freedom, placing, is_plain ? legality : Legality::by_kernel);
@@ -236,7 +237,7 @@ bool Simplifier::is_within_error(Halfedge h, const Placing& placing) const {
 }
 
 bool Simplifier::makes_faces_meet(const Freedom& freedom, const Placing& placing) const {
-  return guard_ && guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
+  return crossing_guard_ && crossing_guard_->would_meet(freedom.halfedge, surface_.position_of(placing));
 }
 
 bool Simplifier::may_exceed_distance(const Freedom& freedom, const Placing& placing) const {
@@ -270,10 +271,10 @@ void Simplifier::collapse(const Freedom& freedom, const Placing& placing, Legali
     edit_.reset();
   }
   surface_.merge(gone, kept, mesh_.position(kept));
-  if (guard_) {
+  if (crossing_guard_) {
     for (Face f : sides)
-      if (f) guard_->forget(f);
-    guard_->follow(kept);
+      if (f) crossing_guard_->forget(f);
+    crossing_guard_->follow(kept);
   }
   if (distance_guard_) distance_guard_->follow();
   ++collapses_;

@@ -148,8 +148,8 @@ class Simplifier {
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
   std::uint64_t looked_at() const {
-    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) + (guard_ ? guard_->looks() : 0) +
-           (distance_guard_ ? distance_guard_->looks() : 0);
+    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) +
+           (crossing_guard_ ? crossing_guard_->looks() : 0) + (distance_guard_ ? distance_guard_->looks() : 0);
   }
   // The largest error of all collapses, in units of the mesh.
   double error_max() const { return surface_.scale().restored_length(error_max_); }
@@ -260,7 +260,7 @@ class Simplifier {
   CollapseSurface surface_;
   LevelQueue queue_;
   std::vector<Candidate> batch_;  // whose turn it is
-  std::optional<CrossingGuard> guard_;
+  std::optional<CrossingGuard> crossing_guard_;
   std::optional<JumpLimit> jump_;
   mutable std::optional<DistanceGuard> distance_guard_;  // remembers its last proof
   const Mesh* input_;

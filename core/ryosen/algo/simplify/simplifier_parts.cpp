@@ -105,7 +105,7 @@ void Simplifier::remove_part(std::span<const Vertex> part) {
   for (Vertex v : part)
     for (Halfedge h : outgoing(mesh_, v)) {
       if (const Face f = mesh_.face(h); f && mesh_.is_alive(f)) {
-        if (guard_) guard_->forget(f);
+        if (crossing_guard_) crossing_guard_->forget(f);
         edit_->drop(f);
       }
       if (h < twin(h)) edges.push_back(edge(h));

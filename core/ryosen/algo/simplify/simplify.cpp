@@ -53,7 +53,7 @@ double diagonal(const Mesh& mesh) {
   return box.is_empty() ? 0 : scale.restored_length(glm::length(box.highest - box.lowest));
 }
 
-// Of "error" or "max_distance", in units of the mesh; infinite without a value.
+// The value of "error" or "max_distance", in units of the mesh; infinite without one.
 double limit_of(const Mesh& mesh, const ParameterValues& values, std::string_view id) {
   if (!values.has(id)) return std::numeric_limits<double>::infinity();
   const bool is_share = values.flag("relative") && !values.was_share(id);
@@ -95,14 +95,19 @@ CollapseLimits limits_of(const Mesh& mesh, const AlgorithmInput& input) {
   return limits;
 }
 
-std::optional<Text> why_distance_cannot_be_kept(const Mesh& mesh) {
+// Why something cannot be kept where a face is no triangle.
+std::optional<Text> why_triangles_are_needed(const Mesh& mesh, const Text& consequence) {
   for (const Face f : live_faces(mesh))
     if (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f))
       return Text{
-          name_of(mesh, f) + " is no triangle, so that its distance cannot be kept; with triangulate it is cut first",
-          name_of(mesh, f) + " が三角形でないため、距離を保てません（triangulate を指定すると先に三角形に分割します）"};
+          name_of(mesh, f) + " is no triangle, so that " + consequence.en + "; with triangulate it is cut first",
+          name_of(mesh, f) + " が三角形でないため、" + consequence.ja +
+              "（triangulate を指定すると先に三角形に分割します）"};
   return std::nullopt;
 }
+
+const Text distance_is_not_kept{"its distance cannot be kept", "距離を保てません"};
+const Text faces_are_not_kept_apart{"faces cannot be kept from meeting", "面の交差を防げません"};
 
 // The mesh is the one before the cut.
 Text why_cut_is_too_far(const Mesh& mesh, double distance) {
@@ -115,16 +120,6 @@ Text why_cut_is_too_far(const Mesh& mesh, double distance) {
   const std::string far = to_three_digits(1.005 * distance);  // not rounded down
   return {"polygons cut into triangles lie up to " + far + " from what they were; give a max_distance above that",
           "多角形を三角形に分割すると面が最大 " + far + " ずれます（max_distance をそれより大きくしてください）"};
-}
-
-std::optional<Text> why_faces_cannot_be_kept_apart(const Mesh& mesh) {
-  for (const Face f : live_faces(mesh))
-    if (!is_triangle(mesh, mesh.halfedge(f)) || mesh.has_rings(f))
-      return Text{name_of(mesh, f) +
-                      " is no triangle, so that faces cannot be kept from meeting; with triangulate it is cut first",
-                  name_of(mesh, f) +
-                      " が三角形でないため、面の交差を防げません（triangulate を指定すると先に三角形に分割します）"};
-  return std::nullopt;
 }
 
 constexpr std::size_t most_crossings = 100'000;  // that are counted
@@ -186,13 +181,13 @@ Prepared prepare(const Mesh& mesh, const ParameterValues& values, Progress& prog
   batch.commit();
   if (prepared.is_triangulated) triangulate(prepared, descent);
   if (values.has("max_distance")) {
-    prepared.refused = why_distance_cannot_be_kept(prepared.work);
+    prepared.refused = why_triangles_are_needed(prepared.work, distance_is_not_kept);
     if (prepared.is_triangulated) prepared.distance_of_cut = distance_between(mesh, prepared.work, progress);
     if (prepared.distance_of_cut > limit_of(mesh, values, "max_distance"))
       prepared.refused = why_cut_is_too_far(mesh, prepared.distance_of_cut);
   }
   if (prepared.refused || !values.flag("no_self_intersections")) return prepared;
-  prepared.refused = why_faces_cannot_be_kept_apart(prepared.work);
+  prepared.refused = why_triangles_are_needed(prepared.work, faces_are_not_kept_apart);
   if (!prepared.refused) prepared.crossings = count_crossings(prepared.work, progress).value_or(0);  // cancelled
   return prepared;
 }

@@ -29,4 +29,10 @@ inline glm::dvec3 unit_vector(const glm::dvec3& vector) {
   return glm::normalize(times_power_of_two(vector, -exponent_of(vector)));
 }
 
+// The same of vectors whose squares neither overflow nor underflow; 0 of one whose length is 0.
+inline glm::dvec3 unit_or_zero(const glm::dvec3& vector) {
+  const double length = glm::length(vector);
+  return length > 0 ? vector / length : glm::dvec3(0.0);
+}
+
 }  // namespace ryosen

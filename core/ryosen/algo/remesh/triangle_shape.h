@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/triangle_corners.h"
 
@@ -13,10 +14,6 @@ namespace ryosen::remesh {
 using Corners = TriangleCorners;
 
 // Of length 1, or 0 where there is no area.
-inline glm::dvec3 unit_or_zero(const glm::dvec3& n) {
-  const double length = glm::length(n);
-  return length > 0 ? n / length : glm::dvec3(0);
-}
 inline glm::dvec3 unit_normal(const Mesh& mesh, Halfedge h) { return unit_or_zero(area_normal(corners_of(mesh, h))); }
 
 constexpr double tiny = 1e-200;  // below, squares of squares are rounded

@@ -5,14 +5,14 @@
 #include <limits>
 #include <utility>
 
-#include "ryosen/geometry/closest.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 
 namespace {
 
 constexpr double nowhere_near = std::numeric_limits<double>::infinity();
-// What lies so near to a line lies on it: cuts along the same side of two targets leave nothing between them.
+// A place so near to a line lies on it: cuts along the same side of two targets leave nothing between them.
 constexpr double line_width = 1e-13;
 constexpr std::size_t most_parts = 256, most_halvings = 64;
 
@@ -23,8 +23,7 @@ double NearOverlay::bound(const TriangleCorners& triangle, std::span<const NearT
   Part whole;
   for (const glm::dvec3& corner : triangle) whole.add(corner);
   parts_.assign(1, whole);
-  glm::dvec3 normal = area_normal(triangle);
-  if (const double length = glm::length(normal); length > 0) normal /= length;
+  const glm::dvec3 normal = unit_or_zero(area_normal(triangle));
   const Box box = target_of(triangle, 0).box;
   for (const NearTarget& target : targets) {
     if (are_apart(box, target.box, most)) continue;
@@ -41,13 +40,12 @@ NearOverlay::Halves NearOverlay::halves_before(const NearTarget& target, const g
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec3 side = target.corners[(k + 1) % 3] - target.corners[k];
     const glm::dvec3 inward = area > 0 ? glm::cross(normal, side) : glm::cross(side, normal);
-    const double width = glm::length(inward);
-    halves[k] = {width > 0 && area != 0 ? inward / width : glm::dvec3(0.0), target.corners[k]};
+    halves[k] = {area != 0 ? unit_or_zero(inward) : glm::dvec3(0.0), target.corners[k]};
   }
   return halves;
 }
 
-// What lies before no target, or before one that is not near enough: parts are halved until each is near one.
+// These parts lie before no target, or before one that is not near enough: they are halved until each is near one.
 bool NearOverlay::prove_rest(std::span<const NearTarget> targets, double most) {
   for (std::size_t halvings = 0; !parts_.empty();) {
     const Part part = parts_.back();
@@ -55,8 +53,7 @@ bool NearOverlay::prove_rest(std::span<const NearTarget> targets, double most) {
     std::array<double, most_corners> least;
     least.fill(nowhere_near);
     double far = nowhere_near;
-    Box box;
-    for (std::size_t i = 0; i < part.count; ++i) box.add(part.corners[i]);
+    const Box box = part.box();
     for (const NearTarget& target : targets) {
       if (are_apart(box, target.box, most)) continue;
       double farthest = 0;
@@ -75,26 +72,10 @@ bool NearOverlay::prove_rest(std::span<const NearTarget> targets, double most) {
     const bool is_far = std::any_of(least.begin(), least.begin() + static_cast<std::ptrdiff_t>(part.count),
                                     [&](double corner) { return corner > most; });
     if (is_far || ++halvings > most_halvings) return false;
-    halve(part);
+    const auto [first, second] = part.halves();
+    parts_.insert(parts_.end(), {first, second});
   }
   return true;
-}
-
-void NearOverlay::halve(const Part& part) {
-  const std::size_t n = part.count;
-  const auto length = [&](std::size_t i) { return glm::length(part.corners[(i + 1) % n] - part.corners[i]); };
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < n; ++i)
-    if (length(i) > length(longest)) longest = i;
-  const glm::dvec3 middle = 0.5 * part.corners[longest] + 0.5 * part.corners[(longest + 1) % n];
-  const std::size_t across = longest + 1 + n / 2;
-  Part first, second;
-  first.add(middle);
-  second.add(middle);
-  for (std::size_t i = longest + 1; i <= across; ++i) first.add(part.corners[i % n]);
-  for (std::size_t i = across; i <= longest + n; ++i) second.add(part.corners[i % n]);
-  parts_.push_back(first);
-  parts_.push_back(second);
 }
 
 // Whether one side of a target tells that nothing of a part lies before it.
@@ -175,8 +156,7 @@ double NearOverlay::farthest_corner(const Part& part, const NearTarget& target, 
 
 double NearOverlay::distance(const glm::dvec3& p, const NearTarget& target) {
   ++looks_;
-  const auto& [a, b, c] = target.corners;
-  return glm::length(way_from_triangle(a, b, c, p)) + target.bound;
+  return distance_to_triangle(target, p) + target.bound;
 }
 
 }  // namespace ryosen

@@ -1,9 +1,9 @@
 // Bounds of how far a triangle lies from a surface, by laying the surface over it.
 //
-//      +-----------------+     Seen along its normal, each part of the triangle lies before one triangle of the
-//      surface.
-//      |\   .'|    _.-'  |     A distance from one triangle is convex: no point of a part is farther from it than the
-//      | \.'  | _-'      |     farthest corner of that part.
+//      +-----------------+     Seen along its normal, each part of the triangle lies
+//      |\   .'|    _.-'  |     before one triangle of the surface. A distance from one
+//      | \.'  | _-'      |     triangle is convex: no point of a part is farther from it
+//      +-----------------+     than the farthest corner of that part.
 #pragma once
 
 #include <array>
@@ -27,12 +27,7 @@ class NearOverlay {
 
  private:
   static constexpr std::size_t most_corners = 12;
-  struct Part {
-    std::array<glm::dvec3, most_corners> corners;
-    std::size_t count = 0;
-
-    void add(const glm::dvec3& corner) { corners[count++] = corner; }
-  };
+  using Part = NearPolygon<most_corners>;
   // The half of space on one side of a target's side, seen along the normal: where dot(inward, p - from) is not less
   // than 0, of length 1.
   struct Half {
@@ -48,7 +43,6 @@ class NearOverlay {
   bool take_out(const NearTarget& target, const Halves& halves, double most);
   // Whether all parts that are left are near what counts.
   bool prove_rest(std::span<const NearTarget> targets, double most);
-  void halve(const Part& part);
   double distance(const glm::dvec3& p, const NearTarget& target);
   // Or something that is more than what is enough.
   double farthest_corner(const Part& part, const NearTarget& target, double enough);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ryosen/geometry/closest.h"
+#include "ryosen/geometry/unit_vector.h"
 
 namespace ryosen {
 
@@ -37,15 +38,9 @@ NearTarget target_of(const TriangleCorners& corners, double bound) {
   return target;
 }
 
-double NearProof::Polygon::side_length(std::size_t i) const {
-  return glm::length(corners[(i + 1) % count] - corners[i]);
-}
-
-std::size_t NearProof::Polygon::longest_side() const {
-  std::size_t longest = 0;
-  for (std::size_t i = 1; i < count; ++i)
-    if (side_length(i) > side_length(longest)) longest = i;
-  return longest;
+double distance_to_triangle(const NearTarget& target, const glm::dvec3& p) {
+  const auto& [a, b, c] = target.corners;
+  return glm::length(way_from_triangle(a, b, c, p));
 }
 
 bool NearProof::prove(const TriangleCorners& triangle, std::span<const NearTarget> targets,
@@ -57,9 +52,7 @@ bool NearProof::prove(const TriangleCorners& triangle, std::span<const NearTarge
   active_.clear();
   used_.clear();
   inner_.assign(inner.begin(), inner.end());
-  const glm::dvec3 normal = area_normal(triangle);
-  const double length = glm::length(normal);
-  normal_ = length > 0 ? normal / length : glm::dvec3(0.0);
+  normal_ = unit_or_zero(area_normal(triangle));
   for (std::uint32_t i = 0; i < targets.size(); ++i) active_.push_back(i);
   Polygon polygon;
   for (const glm::dvec3& corner : triangle) polygon.add(corner);
@@ -69,8 +62,7 @@ bool NearProof::prove(const TriangleCorners& triangle, std::span<const NearTarge
 bool NearProof::prove(const Polygon& polygon, Active among, const Origin& origin) {
   if (depth_ == most_depth) return false;
   deepest_ = std::max(deepest_, ++depth_);
-  Box box;
-  for (std::size_t i = 0; i < polygon.count; ++i) box.add(polygon.corners[i]);
+  const Box box = polygon.box();
   const std::size_t begin = active_.size();
   for (std::size_t i = among.begin; i < among.end; ++i)
     if (!are_apart(box, targets_[active_[i]].box, limits_.most)) active_.push_back(active_[i]);
@@ -139,18 +131,10 @@ bool NearProof::prove_around(const Polygon& polygon, const glm::dvec3& middle, A
   return true;
 }
 
-// Parts it from the middle of the longest side to the corner across. Gives up where that side is one of rounding.
+// Gives up where no side is longer than rounding.
 bool NearProof::prove_halves(const Polygon& polygon, Active active) {
-  const std::size_t n = polygon.count;
-  const std::size_t longest = polygon.longest_side();
-  if (!(polygon.side_length(longest) > smallest_bound)) return false;
-  const glm::dvec3 middle = 0.5 * polygon.corners[longest] + 0.5 * polygon.corners[(longest + 1) % n];
-  const std::size_t across = longest + 1 + n / 2;
-  Polygon first, second;
-  first.add(middle);
-  for (std::size_t i = longest + 1; i <= across; ++i) first.add(polygon.corners[i % n]);
-  second.add(middle);
-  for (std::size_t i = across; i <= longest + n; ++i) second.add(polygon.corners[i % n]);
+  if (!(polygon.side_length(polygon.longest_side()) > smallest_bound)) return false;
+  const auto [first, second] = polygon.halves();
   return prove(first, active, {}) && prove(second, active, {});
 }
 
@@ -238,16 +222,14 @@ double NearProof::distance(const glm::dvec3& p, std::span<const NearTarget> targ
     if (least <= most) break;
     if (are_apart({p, p}, target.box, most)) continue;
     ++looks_;
-    const auto& [a, b, c] = target.corners;
-    least = std::min(least, glm::length(way_from_triangle(a, b, c, p)) + target.bound);
+    least = std::min(least, distance_to_triangle(target, p) + target.bound);
   }
   return least;
 }
 
 double NearProof::distance(const glm::dvec3& p, std::uint32_t target) {
   ++looks_;
-  const auto& [a, b, c] = targets_[target].corners;
-  return glm::length(way_from_triangle(a, b, c, p));
+  return distance_to_triangle(targets_[target], p);
 }
 
 // Goes back from b by Newton's steps. What is convex is never less than its tangent, so that they do not go too far.

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "ryosen/algo/simplify/near_polygon.h"
 #include "ryosen/geometry/box.h"
 #include "ryosen/mesh/triangle_corners.h"
 
@@ -25,6 +26,8 @@ struct NearTarget {
 };
 
 NearTarget target_of(const TriangleCorners& corners, double bound);
+// Without its bound.
+double distance_to_triangle(const NearTarget& target, const glm::dvec3& p);
 // Whether two boxes are farther apart than that along an axis.
 bool are_apart(const Box& a, const Box& b, double gap);
 
@@ -60,15 +63,7 @@ class NearProof {
 
  private:
   static constexpr std::size_t most_corners = 8;
-  struct Polygon {
-    std::array<glm::dvec3, most_corners> corners;
-    std::size_t count = 0;
-
-    void add(const glm::dvec3& corner) { corners[count++] = corner; }
-    // From corner i to the next one.
-    double side_length(std::size_t i) const;
-    std::size_t longest_side() const;
-  };
+  using Polygon = NearPolygon<most_corners>;
   // How far the corners of a polygon are from one target.
   using Distances = std::array<double, most_corners>;
   struct Best {
@@ -81,7 +76,7 @@ class NearProof {
   struct Active {
     std::size_t begin, end, inner_begin, inner_end;
   };
-  // What a polygon is: what remains of another one after cuts, the last one by this target.
+  // A polygon is the rest of another one after so many cuts, the last one by this target.
   struct Origin {
     unsigned cuts = 0;
     std::uint32_t cut_by = no_index;

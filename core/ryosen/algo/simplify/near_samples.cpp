@@ -9,6 +9,7 @@
 
 #include "ryosen/base/parallel.h"
 #include "ryosen/geometry/closest.h"
+#include "ryosen/geometry/unit_vector.h"
 #include "ryosen/mesh/circulate.h"
 #include "ryosen/mesh/live_elements.h"
 
@@ -106,12 +107,12 @@ class NearSamples::Search {
       if (!triangle) continue;
       const auto& [a, b, c] = triangle->places;
       const glm::dvec3 normal = glm::cross(b - a, c - a);
-      around_.push_back({*triangle, unit(glm::cross(b - a, normal)), unit(glm::cross(normal, c - a))});
+      around_.push_back({*triangle, unit_or_zero(glm::cross(b - a, normal)), unit_or_zero(glm::cross(normal, c - a))});
     }
     bounds_.resize(around_.size());
   }
 
-  // None where there is no triangle.
+  // Returns none where there is no triangle.
   std::uint32_t nearest_face(const glm::dvec3& place) {
     if (by_tree_) return tree_.is_empty() ? no_index : tree_.owner(tree_.nearest(place).triangle);
     if (around_.empty()) return no_index;
@@ -124,7 +125,7 @@ class NearSamples::Search {
       nearest = t.corner;
       return true;
     };
-    // That one first in whose sector the place lies.
+    // The one in whose sector the place lies comes first.
     const glm::dvec3 from_vertex = place - around_[0].triangle.places[0];
     std::size_t first = 0;
     for (std::size_t i = 0; i < around_.size(); ++i) {
@@ -182,10 +183,6 @@ class NearSamples::Search {
     Triangle triangle;
     glm::dvec3 beside_b, beside_c;
   };
-  static glm::dvec3 unit(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0.0);
-  }
 
   const Mesh& mesh_;
   std::span<const glm::dvec3> places_;

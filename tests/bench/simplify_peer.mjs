@@ -1,4 +1,4 @@
-// What meshoptimizer makes of a mesh with colours, for tests/bench/quality_of_values.sh: its JavaScript package, since
+// Simplifies a mesh with colours by meshoptimizer, for tests/bench/quality_of_values.sh: its JavaScript package, since
 // Debian's library is too old for attributes.
 //   node simplify_peer.mjs PACKAGE_FOLDER attributes|update INPUT.off OUTPUT.off FACES WEIGHT
 // Prints the seconds that it took without reading and writing.

@@ -30,7 +30,7 @@ std::vector<SlowTriangle> triangles_to_sample(const Mesh& mesh) {
   return triangles;
 }
 
-// Of so few triangles that it costs some thousandths of a second at most, densely.
+// Samples so few triangles that it costs some thousandths of a second at most, densely.
 double farthest_sampled(const std::vector<SlowTriangle>& from, const std::vector<SlowTriangle>& to) {
   constexpr std::size_t most_pairs = 12'000;
   std::vector<SlowTriangle> some;

@@ -65,7 +65,7 @@ class AttributeError {
     std::array<double, ValueSums::most_channels> lowest{}, highest{};
     double factor = 1;
   };
-  // What a vertex stands for in one chart of the texture, which is known by the value of its corners there.
+  // A vertex stands for these sums in one chart of the texture, which is known by the value of its corners there.
   struct Wedge {
     std::uint32_t chart = no_index, next = no_index;
     ValueSums sums;

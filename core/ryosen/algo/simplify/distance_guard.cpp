@@ -20,8 +20,8 @@ bool are_finite(const TriangleCorners& corners) {
   return is_finite(corners[0]) && is_finite(corners[1]) && is_finite(corners[2]);
 }
 
-// What surface_distance() may say is a millionth more than the distance, or 2e-10 of the largest coordinate, whichever
-// is more.
+// The bound of surface_distance() is up to a millionth more than the distance, or 2e-10 of the largest coordinate,
+// whichever is more.
 double provable(double most, double reach) { return std::min(most / (1 + 1.1e-6), most - 2.5e-10 * (reach + most)); }
 
 double reach_of(const Mesh& mesh) {

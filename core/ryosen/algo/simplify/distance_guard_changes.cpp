@@ -62,7 +62,7 @@ bool DistanceGuard::collapse_may_exceed(Halfedge h, const glm::dvec3& position) 
     if (const Face f = mesh_.face(side)) mark_changing(f);
   new_inner_ = {scale_.scaled(position)};
   move_together(ends);
-  // What went may be near what lies beside it.
+  // Both faces that go may be near those beside them.
   for (const Halfedge side : {h, twin(h)}) {
     if (mesh_.is_outside(side)) continue;
     for (const Halfedge beside : {twin(mesh_.next(side)), twin(mesh_.prev(side))})

@@ -77,8 +77,8 @@ class Mover {
   }
   glm::dvec3 middle_of(Halfedge h) const { return (surface_.place(mesh_.from(h)) + surface_.place(mesh_.to(h))) / 2.0; }
 
-  // What pulls the corners of a face whose numbers are in the range: its samples, by what they share in their place on
-  // it, and the middles of its sides.
+  // Pulls the corners of a face whose numbers are in the range: by its samples, as they share in their place on it, and
+  // by the middles of its sides.
   void pull_corners(Face f, std::uint32_t begin, std::uint32_t end) {
     const Halfedge h = mesh_.halfedge(f);
     const std::array<Halfedge, 3> sides{h, mesh_.next(h), mesh_.prev(h)};
@@ -94,7 +94,7 @@ class Mover {
     const glm::dvec3 normal = glm::cross(places[corners[1]] - a, places[corners[2]] - a);
     const double twice_area = glm::length(normal);
     if (!(twice_area > 0)) return;
-    // By the weights of the corners, along a way that is not 0.
+    // Each corner is pulled by its weight, along a way that is not 0.
     const auto pull = [&](const glm::dvec3& direction, const glm::dvec3& way, const glm::dvec3& weights) {
       for (int k = 0; k < 3; ++k)
         if (pulls[k] && weights[k] > 0) pulls[k]->add_plane(direction, way, weights[k]);

@@ -89,11 +89,13 @@ class Fit {
     const Halfedge h = mesh_.halfedge(f);
     const std::array<Halfedge, 3> corners{h, mesh_.next(h), mesh_.prev(h)};
     const auto at = [&](std::size_t i) { return mesh_.from(corners[i]).index; };
+    std::array<glm::dvec3, 3> places{};
+    for (std::size_t i = 0; i < 3; ++i) places[i] = surface_.place(mesh_.from(corners[i]));
     samples.for_each(f, [&](std::uint32_t s) {
       const auto [place, area] = samples.sample(s);
       glm::dvec4 difference{0.0};
       for (const Vertex v : samples.corners(s)) difference += attribute_value<glm::dvec4>(before, v.index) / 3.0;
-      const glm::dvec3 shares = samples.nearest(Primitive::triangle(at(0), at(1), at(2), 0), place).barycentric;
+      const glm::dvec3 shares = nearest_on_triangle(places, place).barycentric;
       for (std::size_t i = 0; i < 3; ++i)
         difference -= shares[static_cast<int>(i)] * attribute_value<glm::dvec4>(colours_, at(i));
       if (is_at_boundary(corners, shares)) return;

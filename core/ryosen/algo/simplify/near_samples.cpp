@@ -22,6 +22,12 @@ bool is_plain_triangle(const Mesh& mesh, Face f) {
   return !mesh.has_rings(f) && mesh.next(mesh.next(h)) == mesh.prev(h);
 }
 
+TriangleTree tree_of(const CollapseSurface& surface) {
+  std::vector<glm::dvec3> places(surface.mesh().vertex_slots());
+  for (const Vertex v : live_vertices(surface.mesh())) places[v.index] = surface.place(v);
+  return TriangleTree(places, plain_triangles(surface.mesh(), places), 1);
+}
+
 std::vector<glm::dvec3> places_of_input(const Mesh& input, const CollapseSurface& surface) {
   std::vector<glm::dvec3> places(input.vertex_slots());
   for (const Vertex v : live_vertices(input)) places[v.index] = surface.scale().scaled(input.position(v));
@@ -53,8 +59,7 @@ TriangleTree tree_of_input(const Mesh& input, const CollapseSurface& surface) {
 }
 
 NearSamples::NearSamples(const Mesh& input, const CollapseSurface& surface)
-    : input_(input), surface_(surface), places_(surface.mesh().vertex_slots()), vertex_areas_(input.vertex_slots()) {
-  for (const Vertex v : live_vertices(surface.mesh())) places_[v.index] = surface.place(v);
+    : input_(input), surface_(surface), vertex_areas_(input.vertex_slots()) {
   for (const Face f : live_faces(input_)) {
     if (!is_sampled(f)) continue;
     const auto area = static_cast<float>(middle_of(f).area / 9);  // a twelfth of the triangle
@@ -88,8 +93,8 @@ std::array<Vertex, 3> NearSamples::corners(std::uint32_t i) const {
 class NearSamples::Search {
  public:
   // `tree`: of all triangles, asked in place of the faces around a hub, and of all where it is to be exact.
-  Search(const Mesh& mesh, std::span<const glm::dvec3> places, const TriangleTree& tree, bool is_exact)
-      : mesh_(mesh), places_(places), tree_(tree), is_exact_(is_exact) {}
+  Search(const CollapseSurface& surface, const TriangleTree& tree, bool is_exact)
+      : mesh_(surface.mesh()), surface_(surface), tree_(tree), is_exact_(is_exact) {}
 
   static bool is_hub(const Mesh& mesh, Vertex v) {
     std::size_t valence = 0;
@@ -142,7 +147,7 @@ class NearSamples::Search {
       const std::optional<Triangle> triangle = triangle_at(corner);
       return triangle && is_nearer(*triangle);
     };
-    const double length2 = squared(places_[mesh_.to(nearest).index] - places_[mesh_.from(nearest).index]);
+    const double length2 = squared(surface_.place(mesh_.to(nearest)) - surface_.place(mesh_.from(nearest)));
     bool comes_nearer = ask(twin(mesh_.next(nearest)));  // the first corner is the vertex
     if (least > far_share * length2) comes_nearer = true;
     for (int step = 0; comes_nearer && step < most_steps; ++step) {
@@ -173,8 +178,8 @@ class NearSamples::Search {
     if (!mesh_.face(h)) return std::nullopt;
     const Halfedge next = mesh_.next(h), prev = mesh_.prev(h);
     if (mesh_.next(next) != prev) return std::nullopt;
-    return Triangle{{places_[mesh_.from(h).index], places_[mesh_.from(next).index], places_[mesh_.from(prev).index]},
-                    h};
+    return Triangle{
+        {surface_.place(mesh_.from(h)), surface_.place(mesh_.from(next)), surface_.place(mesh_.from(prev))}, h};
   }
 
   // Its first corner is the vertex. The other vectors point away from it in its plane, across the sides there, so that
@@ -185,7 +190,7 @@ class NearSamples::Search {
   };
 
   const Mesh& mesh_;
-  std::span<const glm::dvec3> places_;
+  const CollapseSurface& surface_;
   const TriangleTree& tree_;
   bool is_exact_, by_tree_ = false;
   std::vector<Sector> around_;
@@ -210,7 +215,7 @@ std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> mer
     else if (is_sampled(Face(i)))
       slot = vertex_of(input_.from(input_.halfedge(Face(i))));
   });
-  std::vector<std::uint32_t> begins(places_.size() + 1);
+  std::vector<std::uint32_t> begins(surface_.mesh().vertex_slots() + 1);
   for (const std::uint32_t v : slots)
     if (v != no_index) ++begins[v];
   std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), 0u);
@@ -234,19 +239,19 @@ std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> mer
 
 bool NearSamples::assign(std::span<const Vertex> merged, bool is_exact, Progress& progress) {
   const Mesh& mesh = surface_.mesh();
-  const auto vertices = static_cast<std::uint32_t>(places_.size());
+  const std::uint32_t vertices = mesh.vertex_slots();
   const std::vector<std::uint32_t> begins = take_samples(merged);
   bool needs_tree = is_exact;
   for (std::uint32_t v = 0; v < vertices && !needs_tree; ++v)
     needs_tree = begins[v] < begins[v + 1] && Search::is_hub(mesh, Vertex(v));
-  const TriangleTree tree = needs_tree ? TriangleTree(places_, plain_triangles(mesh, places_), 1) : TriangleTree();
+  const TriangleTree tree = needs_tree ? tree_of(surface_) : TriangleTree();
   next_.assign(sample_places_.size(), no_index);  // first the faces
   constexpr std::uint32_t piece = 1 << 16;        // between two looks at whether it is cancelled
   for (std::uint32_t first = 0; first < vertices; first += piece) {
     if (!progress.go_on()) return false;
     for_each_part(std::min(piece, vertices - first), threads_for(next_.size()),
                   [&](unsigned, std::uint32_t begin, std::uint32_t end) {
-                    Search search(mesh, places_, tree, is_exact);
+                    Search search(surface_, tree, is_exact);
                     for (std::uint32_t v = first + begin; v < first + end; ++v) {
                       if (begins[v] == begins[v + 1]) continue;
                       search.start_at(Vertex(v));

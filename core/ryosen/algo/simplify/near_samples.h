@@ -2,6 +2,7 @@
 // both lie from each other.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -45,13 +46,6 @@ class NearSamples {
     first_[f.index] = i;
   }
 
-  // Where the corners of triangles are, scaled, by vertex of the surface of now; put() tells of one that moves.
-  std::span<const glm::dvec3> places() const { return places_; }
-  void put(Vertex v, const glm::dvec3& place) { places_[v.index] = place; }
-  NearestPlace nearest(const Primitive& triangle, const glm::dvec3& place) const {
-    return nearest_place(places_, triangle, place);
-  }
-
  private:
   class Search;
   // The samples of now by the vertices that theirs have become: those of vertex v begin at begins[v].
@@ -61,7 +55,6 @@ class NearSamples {
 
   const Mesh& input_;
   const CollapseSurface& surface_;
-  std::vector<glm::dvec3> places_;
   std::vector<float> vertex_areas_;        // by vertex of the input
   std::vector<glm::dvec3> sample_places_;  // near ones are near in memory too
   std::vector<float> sample_areas_;
@@ -70,6 +63,9 @@ class NearSamples {
   std::vector<std::uint32_t> next_;     // by sample, the next one of its face
 };
 
+inline NearestPlace nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& place) {
+  return nearest_place(corners, Primitive::triangle(0, 1, 2, 0), place);
+}
 // A plain triangle, its owner the face.
 Primitive triangle_primitive(const Mesh& mesh, Face f);
 // The triangles of a mesh without rings whose corners have finite places.

@@ -83,15 +83,15 @@ class Mover {
     const Halfedge h = mesh_.halfedge(f);
     const std::array<Halfedge, 3> sides{h, mesh_.next(h), mesh_.prev(h)};
     if (mesh_.next(sides[1]) != sides[2]) return;
-    const std::array<std::uint32_t, 3> corners{mesh_.from(sides[0]).index, mesh_.from(sides[1]).index,
-                                               mesh_.from(sides[2]).index};
+    std::array<glm::dvec3, 3> corners{};
     std::array<Quadric*, 3> pulls{};
-    for (int k = 0; k < 3; ++k)
-      if (const std::uint32_t i = number_[corners[k]]; begin <= i && i < end) pulls[k] = &pulls_[i];
+    for (int k = 0; k < 3; ++k) {
+      const Vertex corner = mesh_.from(sides[k]);
+      corners[k] = surface_.place(corner);
+      if (const std::uint32_t i = number_[corner.index]; begin <= i && i < end) pulls[k] = &pulls_[i];
+    }
     if (!pulls[0] && !pulls[1] && !pulls[2]) return;
-    const std::span<const glm::dvec3> places = samples_.places();
-    const glm::dvec3& a = places[corners[0]];
-    const glm::dvec3 normal = glm::cross(places[corners[1]] - a, places[corners[2]] - a);
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double twice_area = glm::length(normal);
     if (!(twice_area > 0)) return;
     // Each corner is pulled by its weight, along a way that is not 0.
@@ -99,10 +99,9 @@ class Mover {
       for (int k = 0; k < 3; ++k)
         if (pulls[k] && weights[k] > 0) pulls[k]->add_plane(direction, way, weights[k]);
     };
-    const Primitive triangle = Primitive::triangle(corners[0], corners[1], corners[2], f.index);
     samples_.for_each(f, [&](std::uint32_t i) {
       const auto [place, area] = samples_.sample(i);
-      const NearestPlace near = samples_.nearest(triangle, place);
+      const NearestPlace near = nearest_on_triangle(corners, place);
       if (near.distance > rounding)
         pull((place - near.place) / near.distance, place - near.place, area * near.barycentric);
       else
@@ -128,22 +127,20 @@ class Mover {
     return glm::dot(step, step) > least_square * lengths ? step : glm::dvec3(0.0);
   }
 
-  // The squared distances of the samples at the faces around a vertex, and of the middles of its edges, by their areas.
-  double squares_around(Vertex v) const {
+  // The squared distances of the samples at the faces around a vertex at a place, and of the middles of its edges, by
+  // their areas.
+  double squares_around(Vertex v, const glm::dvec3& p) const {
     double sum = 0;
-    const std::span<const glm::dvec3> places = samples_.places();
     for (const Halfedge corner : outgoing(mesh_, v)) {
       const Halfedge next = mesh_.next(corner), prev = mesh_.prev(corner);
       if (mesh_.next(next) != prev) continue;
-      const Primitive triangle = Primitive::triangle(v.index, mesh_.from(next).index, mesh_.from(prev).index, 0);
+      const glm::dvec3 &x = surface_.place(mesh_.from(next)), &y = surface_.place(mesh_.from(prev));
       samples_.for_each(mesh_.face(corner), [&](std::uint32_t i) {
         const auto [place, area] = samples_.sample(i);
-        const double distance = samples_.nearest(triangle, place).distance;
-        sum += area * distance * distance;
+        sum += area * squared(way_from_triangle(p, x, y, place));
       });
-      const glm::dvec3 &p = surface_.place(v), &x = places[mesh_.from(next).index], &y = places[mesh_.from(prev).index];
       const double share = glm::length(glm::cross(x - p, y - p)) / 6 * middles_share;
-      for (const glm::dvec3& middle : {(places[v.index] + x) / 2.0, (places[v.index] + y) / 2.0})
+      for (const glm::dvec3& middle : {(p + x) / 2.0, (p + y) / 2.0})
         if (is_finite(middle)) {
           const double distance = input_->nearest(middle).distance;
           sum += share * distance * distance;
@@ -160,16 +157,12 @@ class Mover {
         surface_.move_tilts_face(v, position))
       return;
     if (guard_ && guard_->move_may_exceed(v, position)) return;
-    if (input_) {
-      const double was = squares_around(v);
-      samples_.put(v, surface_.scale().scaled(position));
-      if (!(squares_around(v) < was)) return samples_.put(v, surface_.place(v));
-    }
+    if (input_ && !(squares_around(v, surface_.scale().scaled(position)) < squares_around(v, surface_.place(v))))
+      return;
     if (guard_) guard_->follow();
     edit_.set_position(v, position);
     surface_.move(v, position);
     if (const AttributeError* const fit = surface_.values()) fit->write_colours(edit_, v, surface_.place(v));
-    samples_.put(v, surface_.place(v));
     ++moves_.moves;
     moves_.error_max = std::max(moves_.error_max, error);
   }

@@ -57,11 +57,13 @@ class NearerSwaps {
     Vertex a, b, c, d;
   };
 
-  double square(const Primitive& triangle, const glm::dvec3& place) const {
-    const double distance = samples_.nearest(triangle, place).distance;
-    return distance * distance;
+  using Triangle = std::array<glm::dvec3, 3>;
+  static double square(const Triangle& triangle, const glm::dvec3& place) {
+    return squared(way_from_triangle(triangle[0], triangle[1], triangle[2], place));
   }
-  Primitive triangle(Vertex a, Vertex b, Vertex c) const { return Primitive::triangle(a.index, b.index, c.index, 0); }
+  Triangle triangle(Vertex a, Vertex b, Vertex c) const {
+    return {surface_.place(a), surface_.place(b), surface_.place(c)};
+  }
   double area(Vertex a, Vertex b, Vertex c) const {
     const glm::dvec3& p = surface_.place(a);
     return glm::length(glm::cross(surface_.place(b) - p, surface_.place(c) - p)) / 2;
@@ -81,8 +83,8 @@ class NearerSwaps {
   // Whether the edge of two faces, swapped, makes both surfaces come nearer to each other.
   bool comes_nearer(Halfedge h, const Quad& quad) {
     const auto [a, b, c, d] = quad;
-    const Primitive was_left = triangle(a, b, c), was_right = triangle(b, a, d);
-    const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
+    const Triangle was_left = triangle(a, b, c), was_right = triangle(b, a, d);
+    const Triangle new_a = triangle(c, a, d), new_b = triangle(d, b, c);
     double was = 0, is = 0;
     for (Halfedge side : {h, twin(h)})
       samples_.for_each(mesh_.face(side), [&](std::uint32_t s) {
@@ -107,7 +109,7 @@ class NearerSwaps {
     square_at_middle_[edge(h).index] = unknown;
     const bool is_first = mesh_.from(mesh_.prev(h)) == a;
     const Face with_a = mesh_.face(is_first ? h : twin(h)), with_b = mesh_.face(is_first ? twin(h) : h);
-    const Primitive new_a = triangle(c, a, d), new_b = triangle(d, b, c);
+    const Triangle new_a = triangle(c, a, d), new_b = triangle(d, b, c);
     for (const std::uint32_t s : samples) {
       const glm::dvec3 place = samples_.sample(s).place;
       samples_.give(square(new_a, place) <= square(new_b, place) ? with_a : with_b, s);

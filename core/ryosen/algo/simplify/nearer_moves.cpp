@@ -25,15 +25,14 @@ constexpr double middles_share = 0.3;
 // The square of a step that is less than this share of the squares of its edges is rounding.
 constexpr double least_square = 1e-12;
 
-class Mover {
+class Moves {
  public:
-  Mover(Edit& edit, CollapseSurface& surface, NearSamples& samples, const TriangleTree* input, DistanceGuard* guard)
-      : edit_(edit),
-        mesh_(edit.mesh()),
+  Moves(Edit& edit, CollapseSurface& surface, NearSamples& samples, const TriangleTree* input, DistanceGuard* guard)
+      : mesh_(edit.mesh()),
         surface_(surface),
         samples_(samples),
         input_(input && !input->is_empty() ? input : nullptr),
-        guard_(guard),
+        mover_(edit, surface, guard),
         held_share_(surface.values() ? std::clamp(surface.values()->weight() * held_share_of_values, held_share,
                                                   held_share_of_values)
                                      : held_share),
@@ -68,7 +67,7 @@ class Mover {
     for (std::uint32_t i = 0; i < count; ++i) take(movable_[i], steps_[i]);
   }
 
-  const NearerMoves& moves() const { return moves_; }
+  const NearerMoves& moves() const { return mover_.moves(); }
 
  private:
   glm::dvec3 target_of(Edge e) const {
@@ -152,36 +151,24 @@ class Mover {
   void take(Vertex v, const glm::dvec3& step) {
     if (step == glm::dvec3(0.0)) return;
     const glm::dvec3 position = surface_.scale().restored(surface_.place(v) + step);
-    const double error = surface_.error_of_move(v, position);
-    if (!(error <= surface_.error_limit()) || surface_.move_spoils_face(v, position, Face()) ||
-        surface_.move_tilts_face(v, position))
-      return;
-    if (guard_ && guard_->move_may_exceed(v, position)) return;
-    if (input_ && !(squares_around(v, surface_.scale().scaled(position)) < squares_around(v, surface_.place(v))))
-      return;
-    if (guard_) guard_->follow();
-    edit_.set_position(v, position);
-    surface_.move(v, position);
-    if (const AttributeError* const fit = surface_.values()) fit->write_colours(edit_, v, surface_.place(v));
-    ++moves_.moves;
-    moves_.error_max = std::max(moves_.error_max, error);
+    if (!mover_.may_move(v, position)) return;
+    if (!input_ || squares_around(v, surface_.scale().scaled(position)) < squares_around(v, surface_.place(v)))
+      mover_.move(v, position);
   }
 
   static constexpr double rounding = 1e-12;
 
-  Edit& edit_;
   const Mesh& mesh_;
-  CollapseSurface& surface_;
+  const CollapseSurface& surface_;
   NearSamples& samples_;
   const TriangleTree* input_;
-  DistanceGuard* guard_;
+  VertexMover mover_;
   double held_share_;
   std::vector<Vertex> movable_;
   std::vector<std::uint32_t> number_;  // by vertex, in movable_; none of one that is not to move
   std::vector<Quadric> pulls_;         // by number
   std::vector<glm::dvec3> steps_;      // by number
   std::vector<glm::dvec3> targets_;    // by edge, of its middle; none without a tree
-  NearerMoves moves_;
 };
 
 }  // namespace
@@ -189,13 +176,13 @@ class Mover {
 NearerMoves move_nearer(Edit& edit, CollapseSurface& surface, NearSamples& samples, std::span<const Vertex> merged,
                         const TriangleTree* input, DistanceGuard* guard, Progress& progress) {
   const int rounds = input ? 4 : 1, steps = input ? 3 : 2;
-  Mover mover(edit, surface, samples, input, guard);
+  Moves moves(edit, surface, samples, input, guard);
   for (int round = 0; round < rounds; ++round) {
     if (!samples.assign(merged, input != nullptr, progress)) break;
-    mover.aim();
-    for (int step = 0; step < steps; ++step) mover.step();
+    moves.aim();
+    for (int step = 0; step < steps; ++step) moves.step();
   }
-  return mover.moves();
+  return moves.moves();
 }
 
 }  // namespace ryosen

@@ -88,6 +88,14 @@ std::array<Vertex, 3> NearSamples::corners(std::uint32_t i) const {
   return {Vertex(a), Vertex(b), Vertex(c)};
 }
 
+Halfedge NearSamples::corner_of_input(std::uint32_t i) const {
+  const std::uint32_t number = numbers_[i], faces = input_.face_slots();
+  if (number < faces) return input_.halfedge(Face(number));
+  for (const Halfedge h : outgoing(input_, Vertex(number - faces)))
+    if (input_.face(h) && is_sampled(input_.face(h))) return h;
+  return Halfedge();
+}
+
 // Looks for the nearest face: among those around the vertex that a sample's has become, and from one that lies across
 // on among those around its corners, as long as that comes nearer.
 class NearSamples::Search {
@@ -178,8 +186,8 @@ class NearSamples::Search {
     if (!mesh_.face(h)) return std::nullopt;
     const Halfedge next = mesh_.next(h), prev = mesh_.prev(h);
     if (mesh_.next(next) != prev) return std::nullopt;
-    return Triangle{
-        {surface_.place(mesh_.from(h)), surface_.place(mesh_.from(next)), surface_.place(mesh_.from(prev))}, h};
+    return Triangle{{surface_.place(mesh_.from(h)), surface_.place(mesh_.from(next)), surface_.place(mesh_.from(prev))},
+                    h};
   }
 
   // Its first corner is the vertex. The other vectors point away from it in its plane, across the sides there, so that
@@ -221,13 +229,13 @@ std::vector<std::uint32_t> NearSamples::take_samples(std::span<const Vertex> mer
   std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), 0u);
   sample_places_.resize(begins.back());
   sample_areas_.resize(begins.back());
-  if (surface_.values()) numbers_.resize(begins.back());
+  numbers_.resize(begins.back());
   std::vector<std::uint32_t> ends = begins;
   for (std::uint32_t& slot : slots)
     if (slot != no_index) slot = ends[slot]++;
   for_each_sample([&](std::uint32_t i, std::uint32_t slot) {
     if (slot == no_index) return;
-    if (!numbers_.empty()) numbers_[slot] = i;
+    numbers_[slot] = i;
     const auto [place, area] =
         i < faces ? middle_of(Face(i))
                   : Sample{surface_.scale().scaled(input_.position(Vertex(i - faces))), vertex_areas_[i - faces]};

@@ -26,9 +26,10 @@ class NearSamples {
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
   };
   Sample sample(std::uint32_t i) const { return {sample_places_[i], sample_areas_[i]}; }
-  // The vertices of the input in whose middle it is: those of a triangle, or three times the same one. Known where
-  // values take part in the error.
+  // The vertices of the input in whose middle it is: those of a triangle, or three times the same one.
   std::array<Vertex, 3> corners(std::uint32_t i) const;
+  // A corner of the input at a triangle that it is on.
+  Halfedge corner_of_input(std::uint32_t i) const;
 
   // Gives each sample to the face that it is nearest to: where it need not be exact, to one to which no other about it
   // is nearer. False where it is cancelled. `merged`: by vertex, the one that it has become, or none where it is there
@@ -58,7 +59,7 @@ class NearSamples {
   std::vector<float> vertex_areas_;        // by vertex of the input
   std::vector<glm::dvec3> sample_places_;  // near ones are near in memory too
   std::vector<float> sample_areas_;
-  std::vector<std::uint32_t> numbers_;  // for corners(): by sample its face in the input, or behind all its vertex
+  std::vector<std::uint32_t> numbers_;  // by sample its face in the input, or behind all its vertex
   std::vector<std::uint32_t> first_;    // by face, its first sample
   std::vector<std::uint32_t> next_;     // by sample, the next one of its face
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ryosen/algo/simplify/fitted_colours.h"
+#include "ryosen/algo/simplify/nearer_farthest.h"
 #include "ryosen/algo/simplify/nearer_moves.h"
 #include "ryosen/algo/simplify/nearer_swaps.h"
 #include "ryosen/algo/simplify/simplifier.h"
@@ -37,10 +38,12 @@ bool Simplifier::come_nearer(Progress& progress) {
   }
   const NearerMoves moves =
       move_nearer(*edit_, surface_, samples, find_merged(), goal_.effort == 2 ? &input : nullptr, guard, progress);
-  moves_ = moves.moves;
   if (progress.is_cancelled()) return false;  // samples may have no faces
+  const NearerMoves further = move_farthest(*edit_, surface_, samples, *input_, guard, progress);
+  if (progress.is_cancelled()) return false;
+  moves_ = moves.moves + further.moves;
   if (values) fit_colours(*edit_, surface_, samples, *input_);
-  error_max_ = std::max(error_max_, moves.error_max);
+  error_max_ = std::max({error_max_, moves.error_max, further.error_max});
   // What a face that turned too far had refused may be possible now.
   if (moves_ > 0 && !is_at_goal() && find_further(progress) && !collapse_all(progress)) return false;
   return progress.go_on();

@@ -89,15 +89,17 @@ class Farthest {
     for (const Halfedge h : outgoing(mesh_, v)) add_samples(h, around);
   }
 
-  // Of a place from the input, looked for from the nearest of these samples.
+  // Of a place from the input, looked for from the nearest of these samples; one whose square is `enough` will do.
   InputSearch::Near from_input(const glm::dvec3& place, const Samples& around, double enough = 0) const {
     double least = unknown;
     std::uint32_t nearest = no_index;
-    for (const std::uint32_t i : around)
-      if (const double square = squared(samples_.sample(i).place - place); square < least) {
-        least = square;
-        nearest = i;
-      }
+    for (const std::uint32_t i : around) {
+      const glm::dvec3 way = place - samples_.sample(i).place;
+      if (!(squared(way) < least)) continue;
+      least = squared(way);
+      nearest = i;
+      if (least <= enough) return {way, least};  // samples are on the input
+    }
     if (nearest == no_index) return {};
     const Halfedge corner = samples_.corner_of_input(nearest);
     return corner ? input_.nearest(place, corner, enough) : InputSearch::Near();

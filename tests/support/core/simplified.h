@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -35,7 +36,16 @@ Mesh sheet(std::uint32_t side, Height height) {
   return from_indexed(source);
 }
 
+inline double bump(std::uint32_t x, std::uint32_t y) { return 3 * std::sin(0.35 * x) * std::cos(0.25 * y); }
 inline double wave(std::uint32_t x, std::uint32_t y) { return 0.25 * ((x * 7 + y * 13) % 5) + 0.02 * x * y; }
+
+inline Mesh triangulated(const char* shape) {
+  Mesh mesh = made_by(shape);
+  Edit edit(mesh, nullptr);
+  Triangulate{}.apply(edit);
+  edit.commit();
+  return mesh;
+}
 
 inline AlgorithmResult simplified(Mesh& mesh, std::string_view values) {
   Journal journal;

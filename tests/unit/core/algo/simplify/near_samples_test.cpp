@@ -39,8 +39,10 @@ struct Collapsed {
   }
 };
 
-double distance_to(const Mesh& mesh, const NearSamples& samples, Face f, const glm::dvec3& place) {
-  return samples.nearest(triangle_primitive(mesh, f), place).distance;
+double distance_to(const CollapseSurface& surface, Face f, const glm::dvec3& place) {
+  const auto& [a, b, c] = triangle_primitive(surface.mesh(), f).vertices;
+  return nearest_on_triangle({surface.place(Vertex(a)), surface.place(Vertex(b)), surface.place(Vertex(c))}, place)
+      .distance;
 }
 
 struct Compared {
@@ -58,9 +60,9 @@ Compared compare(const Collapsed& shape, bool is_exact) {
     samples.for_each(f, [&](std::uint32_t i) {
       const auto [place, area] = samples.sample(i);
       double least = std::numeric_limits<double>::infinity();
-      for (const Face g : live_faces(shape.mesh)) least = std::min(least, distance_to(shape.mesh, samples, g, place));
+      for (const Face g : live_faces(shape.mesh)) least = std::min(least, distance_to(surface, g, place));
       ++compared.samples;
-      compared.at_nearest += distance_to(shape.mesh, samples, f, place) <= least + 1e-9;
+      compared.at_nearest += distance_to(surface, f, place) <= least + 1e-9;
       compared.area += area;
     });
   return compared;
@@ -75,14 +77,6 @@ double scaled_area(const Mesh& mesh) {
     sum += glm::length(glm::cross(surface.place(Vertex(b)) - p, surface.place(Vertex(c)) - p)) / 2;
   }
   return sum;
-}
-
-Mesh triangulated(const char* shape) {
-  Mesh mesh = made_by(shape);
-  Edit edit(mesh, nullptr);
-  Triangulate{}.apply(edit);
-  edit.commit();
-  return mesh;
 }
 
 TEST(near_samples, stand_for_the_area_and_are_at_the_nearest_face) {

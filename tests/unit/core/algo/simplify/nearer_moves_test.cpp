@@ -39,8 +39,6 @@ Made collapsed(const Mesh& input, std::size_t faces, bool knows_input, const Col
   return made;
 }
 
-double bump(std::uint32_t x, std::uint32_t y) { return 3 * std::sin(0.35 * x) * std::cos(0.25 * y); }
-
 TEST(nearer_moves, bring_round_surfaces_nearer) {
   for (const char* const shape : {"sphere", "torus", "ball"})
     for (const std::size_t divisor : {2u, 5u, 10u}) {

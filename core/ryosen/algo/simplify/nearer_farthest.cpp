@@ -17,6 +17,8 @@ namespace ryosen {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
+// The square of a distance that may be that of rounding. Places are about 1 in size.
+constexpr double rounding = 1e-24;
 // Places whose square is at least this share of the largest are looked at, no more of them than these, and each so
 // often at most.
 constexpr double least_share = 0.25;
@@ -50,12 +52,14 @@ class Farthest {
         mover_(edit, surface, guard) {}
 
   void bring_all_nearer(Progress& progress) {
-    double stays = 0;  // the square of a place that does
-    for (const FarPlace& place : find()) {
+    const std::vector<FarPlace> places = find();
+    if (places.empty()) return;
+    double stays = places.back().square;  // that of a place that does
+    for (const FarPlace& place : places) {
       if (place.square <= stays || !progress.go_on()) return;
       double square = place.square;
-      for (int turn = 0; turn < most_turns; ++turn) {
-        const double now = bring_nearer(place);
+      for (int turn = 0; turn < most_turns && square > stays; ++turn) {
+        const double now = bring_nearer(place, stays);
         if (!(now < square)) break;
         square = now;
       }
@@ -113,7 +117,7 @@ class Farthest {
 
     double enough() const { return least_share * largest; }
     void add(const FarPlace& place) {
-      if (!(place.square > enough() && place.square < unknown)) return;
+      if (!(place.square > std::max(enough(), rounding) && place.square < unknown)) return;
       largest = std::max(largest, place.square);
       places.push_back(place);
     }
@@ -202,8 +206,9 @@ class Farthest {
     return sum;
   }
 
-  // Moves the corner by which the place comes nearest: the largest square around it then, or unknown.
-  double bring_nearer(const FarPlace& place) {
+  // Moves the corner by which the place comes nearest: the largest square around it then, or unknown. Where the place
+  // is as near already as `enough`, nothing moves.
+  double bring_nearer(const FarPlace& place, double enough) {
     const Corners corners = corners_at(place.corner);
     glm::dvec3 shares = place.shares, way;
     if (place.sample != no_index) {
@@ -215,6 +220,7 @@ class Farthest {
       find_samples(mesh_.from(place.corner), around_);
       way = -from_input(shares.x * corners[0] + shares.y * corners[1] + shares.z * corners[2], around_).way;
     }
+    if (squared(way) <= enough) return squared(way);
     double least = unknown;
     Vertex best;
     glm::dvec3 to{0.0};

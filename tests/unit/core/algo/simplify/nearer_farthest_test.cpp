@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <array>
+#include <utility>
 
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/analysis/measure/distance.h"
@@ -98,16 +99,16 @@ TEST(nearer_farthest, what_equals_the_input_stays) {
   }
 }
 
-// Without these moves the bunny's lie 1.36 and 1.76 times as far from the input as its samples from them.
-TEST(nearer_farthest, simplified_meshes_do_not_stand_out_beyond_the_input) {
+// Without these moves it was 0.243, 0.630 and 2.195 percent of the diagonal.
+TEST(nearer_farthest, the_largest_distance_of_the_bunny_is_less) {
   const Mesh input = asset_mesh("stanford_bunny.obj");
-  for (const std::size_t faces : {6945u, 347u}) {
+  for (const auto& [faces, percent] : {std::pair{6945u, 0.19}, {1389u, 0.57}, {347u, 2.0}}) {
     Mesh mesh = input;
     Progress unheard;
     Simplifier simplifier(mesh, {}, {.faces = faces}, nullptr, &input);
     ASSERT_TRUE(simplifier.run(unheard));
     const SurfaceDistance distance = distance_between(input, mesh);
-    EXPECT_LT(distance.backward.hausdorff, 1.25 * distance.forward.hausdorff) << faces;
+    EXPECT_LT(100 * distance.hausdorff, percent * distance.diagonal) << faces;
   }
 }
 

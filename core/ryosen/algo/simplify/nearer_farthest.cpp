@@ -165,11 +165,12 @@ class Farthest {
     found.add({from_input(middle, found.around, found.enough()).square, h, {0.5, 0.5, 0}});
   }
   void look_at(Vertex v, Found& found) const {
-    if (!mesh_.is_alive(v) || !surface_.is_amid_surface(v)) return;
-    const Halfedge h = *outgoing(mesh_, v).begin();
-    if (!is_triangle_at(h)) return;
-    find_samples(v, found.around);
-    found.add({from_input(surface_.place(v), found.around, found.enough()).square, h, {1, 0, 0}});
+    if (!mesh_.is_alive(v) || mesh_.is_isolated(v)) return;
+    for (const Halfedge h : outgoing(mesh_, v)) {
+      if (!is_triangle_at(h)) continue;
+      find_samples(v, found.around);
+      return found.add({from_input(surface_.place(v), found.around, found.enough()).square, h, {1, 0, 0}});
+    }
   }
 
   // The largest square around a vertex at a place, or one that is `enough`.

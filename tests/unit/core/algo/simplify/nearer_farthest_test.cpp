@@ -58,7 +58,7 @@ TEST(nearer_farthest, a_spike_goes_back_alone) {
     const double before = distance_between(input, mesh).hausdorff;
     const Moved moved = move(mesh, input);
     EXPECT_EQ(moved.vertices, std::vector{at(7, 9)}) << height;
-    EXPECT_LT(distance_between(input, mesh).hausdorff, 0.1 * before) << height;
+    EXPECT_LT(distance_between(input, mesh).hausdorff, 0.12 * before) << height;
   }
 }
 

@@ -1,10 +1,13 @@
 // How good a simplified mesh is, by means that none of those compared has a part in: random points and a plain grid.
 //   measure_quality INPUT.off OUTPUT.off
 // Prints faces, RMS and largest distance found in percent of the input's diagonal (over the points of both surfaces),
-// edges with three or more faces, and faces turned by 90 degrees or more from the nearest face of the input.
+// edges with three or more faces, faces turned by 90 degrees or more from the nearest face of the input, and in percent
+// of what the input has the length of all loops of its boundary and that of the largest hole: of the loops of a surface
+// the longest is its rim, the next one the largest hole, or the rim where it is the only one.
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "tests/bench/plain_surface.h"
 
@@ -31,22 +34,59 @@ Sampled sample(const Surface& from, const Surface& to, std::size_t points) {
   return result;
 }
 
-std::size_t count_nonmanifold(const plain::Triangles& mesh) {
+struct Edges {
+  std::size_t nonmanifold = 0;
+  double boundary = 0;  // the length of all loops, and of the largest hole
+  double largest_hole = 0;
+};
+
+// Points at one place are one.
+Edges measure_edges(const plain::Triangles& mesh) {
   std::map<Point, std::uint32_t> numbers;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::vector<Point> places;
   const auto number = [&](std::uint32_t corner) {
-    return numbers.try_emplace(mesh.points[corner], static_cast<std::uint32_t>(numbers.size())).first->second;
+    const auto [at, is_new] = numbers.try_emplace(mesh.points[corner], static_cast<std::uint32_t>(numbers.size()));
+    if (is_new) places.push_back(mesh.points[corner]);
+    return at->second;
   };
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& face : mesh.faces)
     for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax({number(face[i]), number(face[(i + 1) % 3])}));
   std::sort(edges.begin(), edges.end());
-  std::size_t found = 0;
+  std::vector<std::uint32_t> parent(places.size());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root_of = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  Edges found;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> boundary;
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     for (end = i; end < edges.size() && edges[end] == edges[i]; ++end) {
     }
-    if (end - i > 2) ++found;
+    if (end - i > 2) ++found.nonmanifold;
+    if (end - i > 1) continue;
+    boundary.push_back(edges[i]);
+    parent[root_of(edges[i].first)] = root_of(edges[i].second);
   }
+  std::map<std::uint32_t, double> loops;
+  for (const auto& [a, b] : boundary) {
+    const Point d = minus(places[a], places[b]);
+    loops[root_of(a)] += std::sqrt(dot(d, d));
+  }
+  std::vector<double> lengths;
+  for (const auto& [root, length] : loops) lengths.push_back(length);
+  std::sort(lengths.rbegin(), lengths.rend());
+  found.boundary = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  if (!lengths.empty()) found.largest_hole = lengths[std::min<std::size_t>(lengths.size() - 1, 1)];
   return found;
+}
+
+void print_share(double is, double was) {
+  if (was > 0)
+    std::printf(" %.1f", 100 * is / was);
+  else
+    std::printf(" -");
 }
 
 std::size_t count_turned(const Surface& input, const Surface& output) {
@@ -68,14 +108,17 @@ int main(int count, char** words) {
   if (count != 3) return 2;
   const Surface input(plain::read_off(words[1])), output(plain::read_off(words[2]));
   if (input.mesh().faces.empty() || output.mesh().faces.empty()) {
-    std::printf("%zu - - - -\n", output.mesh().faces.size());
+    std::printf("%zu - - - - - -\n", output.mesh().faces.size());
     return 0;
   }
   constexpr std::size_t points = 300000;
   const Sampled forward = sample(input, output, points), backward = sample(output, input, points);
   const double percent = 100 / input.diagonal();
-  std::printf("%zu %.5f %.5f %zu %zu\n", output.mesh().faces.size(),
+  const Edges before = measure_edges(input.mesh()), after = measure_edges(output.mesh());
+  std::printf("%zu %.5f %.5f %zu %zu", output.mesh().faces.size(),
               percent * std::sqrt((forward.square_mean + backward.square_mean) / 2),
-              percent * std::max(forward.largest, backward.largest), count_nonmanifold(output.mesh()),
-              count_turned(input, output));
+              percent * std::max(forward.largest, backward.largest), after.nonmanifold, count_turned(input, output));
+  print_share(after.boundary, before.boundary);
+  print_share(after.largest_hole, before.largest_hole);
+  std::printf("\n");
 }

@@ -1,13 +1,15 @@
 #!/bin/sh
 # Simplified meshes beside each other: Ryosen, meshoptimizer and CGAL (Garland and Heckbert; Lindstrom and Turk) to 50,
 # 10, 2 and 0.5 percent of the faces. Each row: seconds, faces, RMS and largest distance in percent of the input's
-# diagonal, non-manifold edges, turned faces, self-intersections (ryosen check). Distances are measured by
-# measure_quality, which has nothing of any of them. Behind the rows: geometric means of what Ryosen has by what each
-# other has, where both have about as many faces; what is below a millionth of the diagonal counts as that.
+# diagonal, non-manifold edges, turned faces, the length of the boundary and that of the largest hole in percent of the
+# input's, self-intersections (ryosen check). All but the last are measured by measure_quality, which has nothing of any
+# of them. Behind the rows: geometric means of what Ryosen has by what each other has, where both have about as many
+# faces; what is below a millionth of the diagonal counts as that. Then the table of quality_of_values.sh.
 #   tests/bench/quality.sh PROGRAM_FOLDER [MESH...]
-# PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers and measure_quality. Without meshes: the bunny, and where they
-# are there the dragon of ../shared/assets and the 20 largest files below ../shared/meshes. METHODS names some of "ryosen
-# ryosen-2 meshoptimizer garland-heckbert lindstrom-turk", of which the second is Ryosen with effort 2.
+# PROGRAM_FOLDER holds ryosen, simplify_ours, simplify_peers, measure_quality and measure_values. Without meshes: the
+# bunny, and where they are there the dragon of ../shared/assets and the 20 largest files below ../shared/meshes. METHODS
+# names some of "ryosen ryosen-2 meshoptimizer garland-heckbert lindstrom-turk", of which the second is Ryosen with
+# effort 2. PACKAGE is the folder of meshoptimizer's JavaScript package, for colours.
 set -eu
 programs=$1
 shift
@@ -43,12 +45,12 @@ row() {
       [ -s "$folder/out.off" ] || { printf '%-28s %3s%%  %-16s failed\n' "$name" $percent "$method"; continue; }
       # shellcheck disable=SC2046
       set -- $("$programs/measure_quality" "$folder/in.off" "$folder/out.off") $(intersections "$folder/out.off")
-      printf '%-28s %3s%%  %-16s %9s %8s %9s %9s %5s %5s %5s\n' "$name" $percent "$method" "$seconds" "$@"
+      printf '%-28s %3s%%  %-16s %9s %8s %9s %9s %5s %5s %7s %7s %5s\n' "$name" $percent "$method" "$seconds" "$@"
     done
   done
 }
 
-printf '%-28s %4s  %-16s %9s %8s %9s %9s %5s %5s %5s\n' mesh to by seconds faces 'rms %' 'max %' nm turned cross
+printf '%-28s %4s  %-16s %9s %8s %9s %9s %5s %5s %7s %7s %5s\n' mesh to by seconds faces 'rms %' 'max %' nm turned 'loops %' 'hole %' cross
 if [ $# = 0 ]; then
   meshes=$root/../shared/meshes
   set -- "$root/assets/stanford_bunny.obj"
@@ -63,19 +65,36 @@ fi
 for mesh in "$@"; do row "$mesh"; done | tee "$folder/rows"
 awk '
   function held(x) { return x > 1e-4 ? x : 1e-4 }
-  $4 ~ /^[0-9.]+$/ { key = $1 " " $2; keys[key] = $2; faces[key, $3] = $5; rms[key, $3] = $6; most[key, $3] = $7 }
+  function ratio(values, a, b) { return log(values[a] / values[b]) }
+  function line(goal, n, with_loops, r, m, t, l) {
+    printf "%-10s by %-16s %5s  RMS %.3f  largest %.3f  time %.2f  loops %.3f  (%d, %d)\n", ours[i], others[j], goal,
+           exp(r / n), exp(m / n), exp(t / n), with_loops > 0 ? exp(l / with_loops) : 1, n, with_loops
+  }
+  $4 ~ /^[0-9.]+$/ {
+    keys[$1 " " $2] = $2
+    key = $1 " " $2 " " $3
+    time[key] = $4 + 1e-4; faces[key] = $5; rms[key] = held($6); most[key] = held($7); loops[key] = $10
+  }
   END {
     split("ryosen ryosen-2", ours); split("lindstrom-turk garland-heckbert meshoptimizer", others)
     split("50% 10% 2% 0.5%", goals)
-    for (i = 1; i in ours; ++i) for (j = 1; j in others; ++j) for (g = 1; g in goals; ++g) {
-      n = r = m = 0
-      for (key in keys) {
-        a = faces[key, ours[i]]; b = faces[key, others[j]]
-        if (keys[key] != goals[g] || a == "" || b == "" || a - b > b / 20 || b - a > b / 20) continue
-        ++n
-        r += log(held(rms[key, ours[i]]) / held(rms[key, others[j]]))
-        m += log(held(most[key, ours[i]]) / held(most[key, others[j]]))
+    for (i = 1; i in ours; ++i) for (j = 1; j in others; ++j) {
+      all = all_with_loops = all_r = all_m = all_t = all_l = 0
+      for (g = 1; g in goals; ++g) {
+        n = with_loops = r = m = t = l = 0
+        for (key in keys) {
+          a = key " " ours[i]; b = key " " others[j]
+          if (keys[key] != goals[g] || !(a in faces) || !(b in faces)) continue
+          if (faces[a] - faces[b] > faces[b] / 20 || faces[b] - faces[a] > faces[b] / 20) continue
+          ++n; r += ratio(rms, a, b); m += ratio(most, a, b); t += ratio(time, a, b)
+          if (loops[a] > 0 && loops[b] > 0) { ++with_loops; l += ratio(loops, a, b) }
+        }
+        if (n == 0) continue
+        line(goals[g], n, with_loops, r, m, t, l)
+        all += n; all_with_loops += with_loops; all_r += r; all_m += m; all_t += t; all_l += l
       }
-      if (n > 0) printf "%-10s by %-16s %5s  RMS %.3f  largest %.3f  (%d)\n", ours[i], others[j], goals[g], exp(r / n), exp(m / n), n
+      if (all > 0) line("all", all, all_with_loops, all_r, all_m, all_t, all_l)
     }
   }' "$folder/rows"
+echo
+"$root/tests/bench/quality_of_values.sh" "$programs" ${PACKAGE+"$PACKAGE"}

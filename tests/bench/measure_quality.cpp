@@ -6,6 +6,7 @@
 // the longest is its rim, the next one the largest hole, or the rim where it is the only one.
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <map>
 #include <numeric>
 
@@ -111,8 +112,9 @@ int main(int count, char** words) {
     std::printf("%zu - - - - - -\n", output.mesh().faces.size());
     return 0;
   }
-  constexpr std::size_t points = 300000;
-  const Sampled forward = sample(input, output, points), backward = sample(output, input, points);
+  constexpr std::size_t points = 100000;
+  auto forward_to_come = std::async(std::launch::async, [&] { return sample(input, output, points); });
+  const Sampled backward = sample(output, input, points), forward = forward_to_come.get();
   const double percent = 100 / input.diagonal();
   const Edges before = measure_edges(input.mesh()), after = measure_edges(output.mesh());
   std::printf("%zu %.5f %.5f %zu %zu", output.mesh().faces.size(),

@@ -17,7 +17,7 @@ std::optional<InputSearch::Near> InputSearch::from_triangle(const glm::dvec3& pl
   const glm::dvec3 way =
       way_from_triangle(place_of(input_.from(corner)), place_of(input_.from(next)), place_of(input_.from(prev)), place);
   if (!is_finite(way)) return std::nullopt;
-  return Near{way, squared(way)};
+  return Near{way, squared(way), 1};
 }
 
 InputSearch::Near InputSearch::nearest(const glm::dvec3& place, Halfedge corner, double enough) const {
@@ -43,6 +43,7 @@ InputSearch::Near InputSearch::nearest(const glm::dvec3& place, Halfedge corner,
       std::push_heap(waiting.begin(), waiting.end(), std::greater<>());
     }
   }
+  nearest.asked = seen.size();
   return nearest;
 }
 

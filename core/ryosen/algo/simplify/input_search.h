@@ -1,6 +1,7 @@
 // How far a place is from the mesh that is simplified, by a search over its triangles from one near by.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
@@ -18,6 +19,7 @@ class InputSearch {
   struct Near {
     glm::dvec3 way{0.0};  // from the input to the place, scaled
     double square = std::numeric_limits<double>::infinity();
+    std::size_t asked = 0;  // triangles
   };
   // Spreads from the triangle at a corner over those across its sides, the nearest first, as far as twice the least
   // distance found, so that it comes around what lies between. Stops where a distance is found whose square is

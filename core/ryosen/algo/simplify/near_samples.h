@@ -25,6 +25,7 @@ class NearSamples {
     glm::dvec3 place{0.0};
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
   };
+  std::size_t size() const { return sample_places_.size(); }
   Sample sample(std::uint32_t i) const { return {sample_places_[i], sample_areas_[i]}; }
   // The vertices of the input in whose middle it is: those of a triangle, or three times the same one.
   std::array<Vertex, 3> corners(std::uint32_t i) const;

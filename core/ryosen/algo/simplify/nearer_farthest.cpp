@@ -24,6 +24,8 @@ constexpr double rounding = 1e-24;
 constexpr double least_share = 0.25;
 constexpr std::size_t most_places = 2000;
 constexpr int most_turns = 8;
+// So many looks at samples and triangles of the input are enough to find moves, by the number of samples.
+constexpr std::size_t looks_per_sample = 4;
 // A move brings the largest square around a vertex to less than this share of what it was, and the sum of the squares
 // of its samples to at most so many times what it was.
 constexpr double most_left = 0.9, most_growth = 2;
@@ -54,9 +56,10 @@ class Farthest {
   void bring_all_nearer(Progress& progress) {
     const std::vector<FarPlace> places = find();
     if (places.empty()) return;
+    most_looks_ = looks_per_sample * samples_.size();
     double stays = places.back().square;  // that of a place that does
     for (const FarPlace& place : places) {
-      if (place.square <= stays || !progress.go_on()) return;
+      if (place.square <= stays || looks_ > most_looks_ || !progress.go_on()) return;
       double square = place.square;
       for (int turn = 0; turn < most_turns && square > stays; ++turn) {
         const double now = bring_nearer(place, stays);
@@ -81,6 +84,10 @@ class Farthest {
     const auto [a, b, c] = vertices_at(h);
     return {surface_.place(a), surface_.place(b), surface_.place(c)};
   }
+  glm::dvec3 point_of(const FarPlace& place) const {
+    const Corners corners = corners_at(place.corner);
+    return place.shares.x * corners[0] + place.shares.y * corners[1] + place.shares.z * corners[2];
+  }
   static double square_from(const Corners& triangle, const glm::dvec3& place) {
     return squared(way_from_triangle(triangle[0], triangle[1], triangle[2], place));
   }
@@ -91,6 +98,13 @@ class Farthest {
   void find_samples(Vertex v, Samples& around) const {
     around.clear();
     for (const Halfedge h : outgoing(mesh_, v)) add_samples(h, around);
+  }
+
+  // About a vertex or the middle of an edge.
+  void find_samples(const FarPlace& place, Samples& around) const {
+    if (place.shares.x == 1) return find_samples(mesh_.from(place.corner), around);
+    around.clear();
+    for (const Halfedge side : {place.corner, twin(place.corner)}) add_samples(side, around);
   }
 
   // Of a place from the input, looked for from the nearest of these samples; one whose square is `enough` will do.
@@ -155,32 +169,40 @@ class Farthest {
         found.add({square, h, nearest_on_triangle(corners, samples_.sample(i).place).barycentric, i});
     });
   }
+  void look_from(FarPlace place, Found& found) const {
+    find_samples(place, found.around);
+    place.square = from_input(point_of(place), found.around, found.enough()).square;
+    found.add(place);
+  }
   void look_at_middle(Edge e, Found& found) const {
     if (!mesh_.is_alive(e) || mesh_.is_wire(e)) return;
     const Halfedge h = is_triangle_at(halfedge(e)) ? halfedge(e) : twin(halfedge(e));
     if (!is_triangle_at(h)) return;
-    found.around.clear();
-    for (const Halfedge side : {h, twin(h)}) add_samples(side, found.around);
-    const glm::dvec3 middle = (surface_.place(mesh_.from(h)) + surface_.place(mesh_.to(h))) / 2.0;
-    found.add({from_input(middle, found.around, found.enough()).square, h, {0.5, 0.5, 0}});
+    look_from(FarPlace{0, h, {0.5, 0.5, 0}}, found);
   }
   void look_at(Vertex v, Found& found) const {
     if (!mesh_.is_alive(v) || mesh_.is_isolated(v)) return;
     for (const Halfedge h : outgoing(mesh_, v)) {
       if (!is_triangle_at(h)) continue;
-      find_samples(v, found.around);
-      return found.add({from_input(surface_.place(v), found.around, found.enough()).square, h, {1, 0, 0}});
+      return look_from(FarPlace{0, h, {1, 0, 0}}, found);
     }
   }
 
   // The largest square around a vertex at a place, or one that is `enough`.
   double largest_around(Vertex v, const glm::dvec3& p, double enough = unknown) {
-    double largest = from_input(p, around_).square;
+    looks_ += around_.size();
+    double largest = 0;
+    const auto look = [&](const glm::dvec3& place) {
+      const InputSearch::Near near = from_input(place, around_, largest);
+      largest = std::max(largest, near.square);
+      looks_ += near.asked;
+    };
+    look(p);
     ring_.clear();
     for (const Halfedge h : outgoing(mesh_, v)) {
       if (largest >= enough) return largest;
       const glm::dvec3& x = surface_.place(mesh_.to(h));
-      largest = std::max(largest, from_input((p + x) / 2.0, around_, largest).square);
+      look((p + x) / 2.0);
       if (is_triangle_at(h)) ring_.push_back({p, x, surface_.place(mesh_.from(mesh_.prev(h)))});
     }
     for (const std::uint32_t i : around_) {
@@ -218,8 +240,8 @@ class Farthest {
       shares = near.barycentric;
       way = sample - near.place;
     } else {
-      find_samples(mesh_.from(place.corner), around_);
-      way = -from_input(shares.x * corners[0] + shares.y * corners[1] + shares.z * corners[2], around_).way;
+      find_samples(place, around_);
+      way = -from_input(point_of(place), around_).way;
     }
     if (squared(way) <= enough) return squared(way);
     double least = unknown;
@@ -228,7 +250,7 @@ class Farthest {
     const std::array<Vertex, 3> vertices = vertices_at(place.corner);
     for (int k = 0; k < 3; ++k) {
       const Vertex v = vertices[k];
-      if (shares[k] < least_corner_share || !surface_.is_amid_surface(v)) continue;
+      if (shares[k] < least_corner_share || !surface_.is_amid_surface(v) || is_hub(mesh_, v)) continue;
       find_samples(v, around_);
       double wanted = std::min(least, most_left * largest_around(v, corners[k]));
       const double most_sum = most_growth * sum_around(v, corners[k]);
@@ -250,8 +272,9 @@ class Farthest {
   const NearSamples& samples_;
   InputSearch input_;
   VertexMover mover_;
-  Samples around_;             // the samples at the faces around a vertex
-  std::vector<Corners> ring_;  // the triangles around it
+  Samples around_;                          // the samples at the faces around a vertex
+  std::vector<Corners> ring_;               // the triangles around it
+  std::size_t looks_ = 0, most_looks_ = 0;  // at samples and triangles of the input, for moves
 };
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace ryosen {
 // Moves vertices amid the surface, one after the other, to where the largest of these distances around each is less:
 // those of the samples of the input at its faces from these, of itself and of the middles of its edges from the input.
 // The mean square of those samples becomes at most twice as large by each move. The farthest place comes first, and
-// nothing goes on below one that stays. What holds collapses holds moves (vertex_mover.h). The samples are assigned,
-// and stay so. The same for any number of threads. Cost: O(n), and for each move what InputSearch takes.
+// nothing goes on below one that stays; hubs do. What holds collapses holds moves (vertex_mover.h). The samples are
+// assigned, and stay so. The same for any number of threads. Cost: O(n), and what InputSearch takes for at most a few
+// places of each sample.
 NearerMoves move_farthest(Edit& edit, CollapseSurface& surface, const NearSamples& samples, const Mesh& input,
                           DistanceGuard* guard, Progress& progress);
 

@@ -44,7 +44,7 @@ row() {
       seconds=$(simplify "$method" "$goal") || seconds=-
       [ -s "$folder/out.off" ] || { printf '%-28s %3s%%  %-16s failed\n' "$name" $percent "$method"; continue; }
       # shellcheck disable=SC2046
-      set -- $("$programs/measure_quality" "$folder/in.off" "$folder/out.off") $(intersections "$folder/out.off")
+      set -- $(timeout 60 "$programs/measure_quality" "$folder/in.off" "$folder/out.off" || echo - - - - - - -) $(intersections "$folder/out.off")
       printf '%-28s %3s%%  %-16s %9s %8s %9s %9s %5s %5s %7s %7s %5s\n' "$name" $percent "$method" "$seconds" "$@"
     done
   done

@@ -10,13 +10,12 @@
 
 namespace ryosen {
 
-// None where there is no triangle at finite places.
+// None where there is no triangle.
 std::optional<InputSearch::Near> InputSearch::from_triangle(const glm::dvec3& place, Halfedge corner) const {
   const Halfedge next = input_.next(corner), prev = input_.prev(corner);
   if (!input_.face(corner) || input_.next(next) != prev) return std::nullopt;
   const glm::dvec3 way =
       way_from_triangle(place_of(input_.from(corner)), place_of(input_.from(next)), place_of(input_.from(prev)), place);
-  if (!is_finite(way)) return std::nullopt;
   return Near{way, squared(way), 1};
 }
 

@@ -13,7 +13,7 @@ namespace ryosen {
 
 class InputSearch {
  public:
-  // Both must outlive it.
+  // The faces of the input are triangles at finite places. Both must outlive it.
   InputSearch(const Mesh& input, const ScaledPlaces& scale) : input_(input), scale_(scale) {}
 
   struct Near {

@@ -61,7 +61,10 @@ TriangleTree tree_of_input(const Mesh& input, const CollapseSurface& surface) {
 NearSamples::NearSamples(const Mesh& input, const CollapseSurface& surface)
     : input_(input), surface_(surface), vertex_areas_(input.vertex_slots()) {
   for (const Face f : live_faces(input_)) {
-    if (!is_sampled(f)) continue;
+    if (!is_sampled(f)) {
+      covers_input_ = false;
+      continue;
+    }
     const auto area = static_cast<float>(middle_of(f).area / 9);  // a twelfth of the triangle
     for (const std::uint32_t v : triangle_primitive(input_, f).vertices) vertex_areas_[v] += area;
   }

@@ -21,6 +21,8 @@ class NearSamples {
   // are sampled at their middles and corners. Both must outlive it. O(n).
   NearSamples(const Mesh& input, const CollapseSurface& surface);
 
+  // Whether every face of the input is sampled.
+  bool cover_input() const { return covers_input_; }
   struct Sample {
     glm::dvec3 place{0.0};
     double area = 0;  // that it stands for: so an integral over a triangle is exact for polynomials of degree two
@@ -57,6 +59,7 @@ class NearSamples {
 
   const Mesh& input_;
   const CollapseSurface& surface_;
+  bool covers_input_ = true;
   std::vector<float> vertex_areas_;        // by vertex of the input
   std::vector<glm::dvec3> sample_places_;  // near ones are near in memory too
   std::vector<float> sample_areas_;

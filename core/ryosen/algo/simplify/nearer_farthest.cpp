@@ -5,11 +5,15 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tuple>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "ryosen/algo/simplify/input_search.h"
 #include "ryosen/base/parallel.h"
+#include "ryosen/geometry/closest.h"
 #include "ryosen/mesh/circulate.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
 
 namespace ryosen {
@@ -17,17 +21,15 @@ namespace ryosen {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-// The square of a distance that may be that of rounding. Places are about 1 in size.
-constexpr double rounding = 1e-24;
-// Places whose square is at least this share of the largest are looked at, no more of them than these, and each so
+// Places whose square is more than this share of the largest are looked at, no more of them than these, and each so
 // often at most.
 constexpr double least_share = 0.25;
 constexpr std::size_t most_places = 2000;
 constexpr int most_turns = 8;
-// So many looks at samples and triangles of the input are enough to find moves, by the number of samples.
-constexpr std::size_t looks_per_sample = 4;
-// A move brings the largest square around a vertex to less than this share of what it was, and the sum of the squares
-// of its samples to at most so many times what it was.
+// So many looks at samples and triangles of the input are enough to find moves: at least, and by the number of samples.
+constexpr std::size_t enough_looks = 500'000, looks_per_sample = 8;
+// A move brings the largest square around a vertex to less than this share of what it was. All moves of a vertex bring
+// the sum of the squares of its samples to at most so many times what it was before them.
 constexpr double most_left = 0.9, most_growth = 2;
 // A corner that shares less in a place would have to move far to move it.
 constexpr double least_corner_share = 0.2;
@@ -39,6 +41,7 @@ struct FarPlace {
   Halfedge corner;  // the first one
   glm::dvec3 shares;
   std::uint32_t sample = no_index;
+  glm::dvec3 way{0.0};  // to the input, where it is known
   friend bool operator<(const FarPlace& a, const FarPlace& b) {
     return std::tuple(-a.square, a.corner.index, a.sample) < std::tuple(-b.square, b.corner.index, b.sample);
   }
@@ -51,26 +54,33 @@ class Farthest {
         surface_(surface),
         samples_(samples),
         input_(input, surface.scale()),
-        mover_(edit, surface, guard) {}
+        mover_(edit, surface, guard),
+        rounding_(std::max(1e-12, 16 * surface.scale().rounding())),
+        most_looks_(std::max(enough_looks, looks_per_sample * samples.size())) {}
 
   void bring_all_nearer(Progress& progress) {
-    const std::vector<FarPlace> places = find();
+    const std::vector<FarPlace> places = find(progress);
     if (places.empty()) return;
-    most_looks_ = looks_per_sample * samples_.size();
-    double stays = places.back().square;  // that of a place that does
+    // The largest square of a place that stays: no other needs to be less. Places that were not found are below.
+    double stays = places.size() == most_places ? places.back().square : least_share * places.front().square;
     for (const FarPlace& place : places) {
-      if (place.square <= stays || looks_ > most_looks_ || !progress.go_on()) return;
-      double square = place.square;
-      for (int turn = 0; turn < most_turns && square > stays; ++turn) {
-        const double now = bring_nearer(place, stays);
-        if (!(now < square)) break;
-        square = now;
+      if (place.square <= stays) return;
+      for (int turn = 0; turn <= most_turns; ++turn) {
+        if (looks_ > most_looks_ || !progress.go_on()) return;
+        const FarPlace now = looked_up(place);
+        if (now.square <= stays) break;
+        if (turn < most_turns && bring_nearer(now)) continue;
+        stays = std::min(place.square, now.square);
+        break;
       }
-      stays = std::max(stays, square);
     }
   }
 
-  const NearerMoves& moves() const { return mover_.moves(); }
+  NearerMoves moves() const {
+    NearerMoves moves = mover_.moves();
+    moves.looks = looks_;
+    return moves;
+  }
 
  private:
   using Corners = std::array<glm::dvec3, 3>;
@@ -125,38 +135,52 @@ class Farthest {
 
   // Far places among those of a part of the elements.
   struct Found {
-    std::vector<FarPlace> places;
     double largest;
-    Samples around;  // to be reused
+    double rounding;  // a square; what is less is none
+    std::vector<FarPlace> places = {};
+    Samples around = {};  // to be reused
 
-    double enough() const { return least_share * largest; }
+    double enough() const { return std::max(least_share * largest, rounding); }
     void add(const FarPlace& place) {
-      if (!(place.square > std::max(enough(), rounding) && place.square < unknown)) return;
+      if (!(place.square > enough() && place.square < unknown)) return;
       largest = std::max(largest, place.square);
       places.push_back(place);
     }
+    // Leaves the farthest ones, as many as are looked at.
+    void drop_lower() {
+      std::erase_if(places, [&](const FarPlace& place) { return !(place.square > enough()); });
+      if (places.size() <= most_places) return;
+      std::nth_element(places.begin(), places.begin() + most_places, places.end());
+      places.resize(most_places);
+    }
   };
-  // Asks look(i, found) for each i below the count, and adds what is found.
+  // Asks look(i, found) for each i below the count, and adds what is found, as far as it is not cancelled.
   template <class Look>
-  void find_among(std::uint32_t count, Found& all, const Look& look) const {
+  void find_among(std::uint32_t count, Found& all, Progress& progress, const Look& look) const {
+    constexpr std::uint32_t piece = 1 << 16;
     const unsigned threads = threads_for(count);
-    std::vector<Found> parts(threads, Found{{}, all.largest, {}});
-    for_each_part(count, threads, [&](unsigned part, std::uint32_t begin, std::uint32_t end) {
-      for (std::uint32_t i = begin; i < end; ++i) look(i, parts[part]);
-    });
-    for (const Found& part : parts)
-      for (const FarPlace& place : part.places) all.add(place);
+    for (std::uint32_t first = 0; first < count && progress.go_on(); first += piece) {
+      std::vector<Found> parts(threads, Found{all.largest, all.rounding});
+      for_each_part(std::min(piece, count - first), threads,
+                    [&](unsigned part, std::uint32_t begin, std::uint32_t end) {
+                      for (std::uint32_t i = begin; i < end; ++i) look(first + i, parts[part]);
+                    });
+      for (const Found& part : parts)
+        for (const FarPlace& place : part.places) all.add(place);
+      all.drop_lower();
+    }
   }
 
-  // The farthest first.
-  std::vector<FarPlace> find() const {
-    Found all{{}, 0, {}};
-    find_among(mesh_.face_slots(), all, [&](std::uint32_t i, Found& found) { look_at_samples(Face(i), found); });
-    find_among(mesh_.edge_slots(), all, [&](std::uint32_t i, Found& found) { look_at_middle(Edge(i), found); });
-    find_among(mesh_.vertex_slots(), all, [&](std::uint32_t i, Found& found) { look_at(Vertex(i), found); });
-    std::erase_if(all.places, [&](const FarPlace& place) { return !(place.square > all.enough()); });
+  // The farthest first; none where it was cancelled.
+  std::vector<FarPlace> find(Progress& progress) const {
+    Found all{0, rounding_ * rounding_};
+    find_among(mesh_.face_slots(), all, progress,
+               [&](std::uint32_t i, Found& found) { look_at_samples(Face(i), found); });
+    find_among(mesh_.edge_slots(), all, progress,
+               [&](std::uint32_t i, Found& found) { look_at_middle(Edge(i), found); });
+    find_among(mesh_.vertex_slots(), all, progress, [&](std::uint32_t i, Found& found) { look_at(Vertex(i), found); });
+    if (progress.is_cancelled()) return {};
     std::sort(all.places.begin(), all.places.end());
-    if (all.places.size() > most_places) all.places.resize(most_places);
     return std::move(all.places);
   }
   void look_at_samples(Face f, Found& found) const {
@@ -188,14 +212,43 @@ class Farthest {
     }
   }
 
+  // A far place as it is now. A sample may have come to be nearest to another triangle about it.
+  FarPlace looked_up(FarPlace place) {
+    if (place.sample == no_index) {
+      find_samples(place, around_);
+      const InputSearch::Near near = from_input(point_of(place), around_);
+      looks_ += around_.size() + near.asked;
+      place.way = -near.way;
+      place.square = near.square;
+      return place;
+    }
+    const glm::dvec3 sample = samples_.sample(place.sample).place;
+    const Halfedge corner = place.corner;
+    place.square = square_from(corners_at(corner), sample);
+    for (const Vertex v : vertices_at(corner)) {
+      if (is_hub(mesh_, v)) continue;
+      for (const Halfedge h : outgoing(mesh_, v)) {
+        if (!is_triangle_at(h)) continue;
+        ++looks_;
+        const double square = square_from(corners_at(h), sample);
+        if (!(square < place.square)) continue;
+        place.square = square;
+        place.corner = h;
+      }
+    }
+    const NearestPlace near = nearest_on_triangle(corners_at(place.corner), sample);
+    place.shares = near.barycentric;
+    place.way = sample - near.place;
+    return place;
+  }
+
   // The largest square around a vertex at a place, or one that is `enough`.
   double largest_around(Vertex v, const glm::dvec3& p, double enough = unknown) {
-    looks_ += around_.size();
     double largest = 0;
     const auto look = [&](const glm::dvec3& place) {
       const InputSearch::Near near = from_input(place, around_, largest);
       largest = std::max(largest, near.square);
-      looks_ += near.asked;
+      looks_ += around_.size() + near.asked;
     };
     look(p);
     ring_.clear();
@@ -206,17 +259,19 @@ class Farthest {
       if (is_triangle_at(h)) ring_.push_back({p, x, surface_.place(mesh_.from(mesh_.prev(h)))});
     }
     for (const std::uint32_t i : around_) {
+      if (largest >= enough) break;
       double least = unknown;
       for (const Corners& corners : ring_) {
+        ++looks_;
         least = std::min(least, square_from(corners, samples_.sample(i).place));
         if (least <= largest) break;
       }
       largest = std::max(largest, least);
-      if (largest >= enough) break;
     }
     return largest;
   }
-  double sum_around(Vertex v, const glm::dvec3& p) const {
+  double sum_around(Vertex v, const glm::dvec3& p) {
+    looks_ += around_.size();
     double sum = 0;
     for (const Halfedge h : outgoing(mesh_, v)) {
       if (!is_triangle_at(h)) continue;
@@ -229,42 +284,33 @@ class Farthest {
     return sum;
   }
 
-  // Moves the corner by which the place comes nearest: the largest square around it then, or unknown. Where the place
-  // is as near already as `enough`, nothing moves.
-  double bring_nearer(const FarPlace& place, double enough) {
-    const Corners corners = corners_at(place.corner);
-    glm::dvec3 shares = place.shares, way;
-    if (place.sample != no_index) {
-      const glm::dvec3 sample = samples_.sample(place.sample).place;
-      const NearestPlace near = nearest_on_triangle(corners, sample);
-      shares = near.barycentric;
-      way = sample - near.place;
-    } else {
-      find_samples(place, around_);
-      way = -from_input(point_of(place), around_).way;
-    }
-    if (squared(way) <= enough) return squared(way);
-    double least = unknown;
-    Vertex best;
-    glm::dvec3 to{0.0};
+  struct Move {
+    double largest;  // around the vertex then
+    Vertex vertex;
+    glm::dvec3 position;
+  };
+  // Moves the corner whose surroundings come nearest by a move along the way of the place; whether there is one.
+  bool bring_nearer(const FarPlace& place) {
+    std::vector<Move> moves;
     const std::array<Vertex, 3> vertices = vertices_at(place.corner);
     for (int k = 0; k < 3; ++k) {
       const Vertex v = vertices[k];
-      if (shares[k] < least_corner_share || !surface_.is_amid_surface(v) || is_hub(mesh_, v)) continue;
+      if (place.shares[k] < least_corner_share || !surface_.is_amid_surface(v) || is_hub(mesh_, v)) continue;
+      const glm::dvec3 here = surface_.place(v);
       find_samples(v, around_);
-      double wanted = std::min(least, most_left * largest_around(v, corners[k]));
-      const double most_sum = most_growth * sum_around(v, corners[k]);
+      const double wanted = most_left * largest_around(v, here);
+      const double most_sum = most_growth * first_sums_.try_emplace(v, sum_around(v, here)).first->second;
       for (const double stride : {1.0, 0.5, 0.25}) {
-        const glm::dvec3 position = surface_.scale().restored(corners[k] + stride / shares[k] * way);
+        const glm::dvec3 position = surface_.scale().restored(here + stride / place.shares[k] * place.way);
         const glm::dvec3 there = surface_.scale().scaled(position);
-        const double largest = largest_around(v, there, wanted);
-        if (!(largest < wanted) || sum_around(v, there) > most_sum || !mover_.may_move(v, position)) continue;
-        wanted = least = largest;
-        best = v;
-        to = position;
+        if (!mover_.may_move(v, position) || sum_around(v, there) > most_sum) continue;
+        if (const double largest = largest_around(v, there, wanted); largest < wanted)
+          moves.push_back({largest, v, position});
       }
     }
-    return best && mover_.move(best, to) ? least : unknown;
+    std::stable_sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) { return a.largest < b.largest; });
+    return std::any_of(moves.begin(), moves.end(),
+                       [&](const Move& move) { return mover_.move(move.vertex, move.position); });
   }
 
   const Mesh& mesh_;
@@ -272,15 +318,18 @@ class Farthest {
   const NearSamples& samples_;
   InputSearch input_;
   VertexMover mover_;
-  Samples around_;                          // the samples at the faces around a vertex
-  std::vector<Corners> ring_;               // the triangles around it
-  std::size_t looks_ = 0, most_looks_ = 0;  // at samples and triangles of the input, for moves
+  double rounding_;            // what may be the distance of equal places
+  Samples around_;             // the samples at the faces around a vertex
+  std::vector<Corners> ring_;  // the triangles around it
+  std::unordered_map<Vertex, double> first_sums_;
+  std::size_t looks_ = 0, most_looks_;  // at samples and triangles, for moves
 };
 
 }  // namespace
 
 NearerMoves move_farthest(Edit& edit, CollapseSurface& surface, const NearSamples& samples, const Mesh& input,
                           DistanceGuard* guard, Progress& progress) {
+  if (!samples.cover_input()) return {};
   Farthest farthest(edit, surface, samples, input, guard);
   farthest.bring_all_nearer(progress);
   return farthest.moves();

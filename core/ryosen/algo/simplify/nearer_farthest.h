@@ -12,10 +12,11 @@ namespace ryosen {
 
 // Moves vertices amid the surface, one after the other, to where the largest of these distances around each is less:
 // those of the samples of the input at its faces from these, of itself and of the middles of its edges from the input.
-// The mean square of those samples becomes at most twice as large by each move. The farthest place comes first, and
-// nothing goes on below one that stays; hubs do. What holds collapses holds moves (vertex_mover.h). The samples are
-// assigned, and stay so. The same for any number of threads. Cost: O(n), and what InputSearch takes for at most a few
-// places of each sample.
+// The mean square of those samples becomes at most twice as large. The farthest place comes first, and where one stays,
+// all that are nearer stay. Vertices of many edges do not move, nor does anything where the input has faces that are
+// not sampled. What holds collapses holds moves (vertex_mover.h). The samples are assigned, and stay so. The same for
+// any number of threads. Cost: O(n) to find the places, of which those that may be far each take an InputSearch, and
+// O(n) looks at samples and triangles to move.
 NearerMoves move_farthest(Edit& edit, CollapseSurface& surface, const NearSamples& samples, const Mesh& input,
                           DistanceGuard* guard, Progress& progress);
 

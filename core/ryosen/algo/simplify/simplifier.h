@@ -148,7 +148,7 @@ class Simplifier {
   std::size_t still_turned() const { return still_turned_; }
   std::size_t asked() const { return asked_; }
   std::uint64_t looked_at() const {
-    return surface_.looked_at() + warmed_ + (sides_ ? sides_->looks() : 0) +
+    return surface_.looked_at() + warmed_ + farthest_looks_ + (sides_ ? sides_->looks() : 0) +
            (crossing_guard_ ? crossing_guard_->looks() : 0) + (distance_guard_ ? distance_guard_->looks() : 0);
   }
   // The largest error of all collapses, in units of the mesh.
@@ -284,7 +284,8 @@ class Simplifier {
   std::size_t collapses_ = 0, asked_ = 0, removed_parts_ = 0, swaps_ = 0, moves_ = 0, turned_ = 0, still_turned_ = 0,
               passed_on_ = 0, closed_handles_ = 0, joined_parts_ = 0;
   bool has_parts_too_far_ = false;
-  std::uint64_t warmed_ = 0;  // edges around the ends of those that were about to collapse
+  std::uint64_t farthest_looks_ = 0;  // for moves of what lies farthest
+  std::uint64_t warmed_ = 0;          // edges around the ends of those that were about to collapse
   double error_max_ = 0;
   CollapseSurface::Minds minds_ = CollapseSurface::Minds::input;  // less where nothing else can collapse
 };

@@ -42,6 +42,7 @@ bool Simplifier::come_nearer(Progress& progress) {
   const NearerMoves further = move_farthest(*edit_, surface_, samples, *input_, guard, progress);
   if (progress.is_cancelled()) return false;
   moves_ = moves.moves + further.moves;
+  farthest_looks_ += further.looks;
   if (values) fit_colours(*edit_, surface_, samples, *input_);
   error_max_ = std::max({error_max_, moves.error_max, further.error_max});
   // What a face that turned too far had refused may be possible now.

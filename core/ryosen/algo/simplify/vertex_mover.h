@@ -12,11 +12,13 @@ namespace ryosen {
 
 struct NearerMoves {
   std::size_t moves = 0;
-  double error_max = 0;  // the largest of CollapseSurface::error_of_move()
+  double error_max = 0;   // the largest of CollapseSurface::error_of_move()
+  std::size_t looks = 0;  // at what was looked at for them, where it is counted
 };
 
 // Nothing goes beyond the error, no face turns too far, loses its area or gets too small an angle, and where there is a
-// guard, nothing is moved whose distance it cannot prove; it follows. Colours that take part in the error go along.
+// guard, nothing is moved whose distance it cannot prove; it follows. Colours that take part in the error go along;
+// other values stay.
 class VertexMover {
  public:
   VertexMover(Edit& edit, CollapseSurface& surface, DistanceGuard* guard)
@@ -27,7 +29,7 @@ class VertexMover {
     return surface_.error_of_move(v, position) <= surface_.error_limit() &&
            !surface_.move_spoils_face(v, position, Face()) && !surface_.move_tilts_face(v, position);
   }
-  // Of a move that may be; whether the guard allows it too.
+  // Moves it, which it may, unless the guard refuses; whether it did.
   bool move(Vertex v, const glm::dvec3& position) {
     if (guard_) {
       if (guard_->move_may_exceed(v, position)) return false;

@@ -8,8 +8,10 @@
 
 #include "ryosen/algo/simplify/simplifier.h"
 #include "ryosen/analysis/measure/distance.h"
+#include "ryosen/mesh/copies.h"
 #include "ryosen/mesh/live_elements.h"
 #include "tests/support/core/asset_mesh.h"
+#include "tests/support/core/open_shapes.h"
 #include "tests/support/core/simplified.h"
 
 namespace ryosen::test {
@@ -69,6 +71,52 @@ TEST(nearer_farthest, every_spike_goes_back_as_far_as_the_farthest_is_left) {
   const Moved moved = move(mesh, input);
   EXPECT_EQ(moved.vertices.size(), 3u);
   EXPECT_LT(distance_between(input, mesh).hausdorff, 0.1);
+}
+
+TEST(nearer_farthest, a_spike_of_a_flat_sheet_goes_back) {
+  const Mesh input = sheet(sheet_side, [](std::uint32_t, std::uint32_t) { return 0.0; });
+  for (const double height : {0.3, 1.6, 3.0, -5.0}) {
+    Mesh mesh = with_spikes(input, std::array{at(7, 9)}, height);
+    EXPECT_EQ(move(mesh, input).vertices, std::vector{at(7, 9)}) << height;
+    EXPECT_LT(distance_between(input, mesh).hausdorff, 1e-9) << height;
+    Mesh two = with_spikes(input, std::array{at(4, 4), at(14, 12)}, height);
+    EXPECT_EQ(move(two, input).vertices.size(), 2u) << height;
+    EXPECT_LT(distance_between(input, two).hausdorff, 1e-9) << height;
+  }
+}
+
+// What the rounding of far coordinates moves is no distance.
+TEST(nearer_farthest, a_flat_sheet_far_away_stays) {
+  for (const double away : {1e3, 1e6, 1e9}) {
+    const Mesh input = sheet(sheet_side, [&](std::uint32_t x, std::uint32_t y) { return away + x / 3.0 + y / 7.0; });
+    for (const std::size_t faces : {400u, 50u}) {
+      Mesh mesh = input;
+      Progress unheard;
+      Simplifier simplifier(mesh, {}, {.faces = faces, .effort = 0}, nullptr, &input);
+      ASSERT_TRUE(simplifier.run(unheard));
+      EXPECT_EQ(move(mesh, input).moves, 0u) << away << " " << faces;
+    }
+  }
+}
+
+// There distances from triangles alone would be false.
+TEST(nearer_farthest, nothing_moves_where_the_input_has_polygons) {
+  const Mesh input = made_by("sphere");
+  Mesh mesh = with_spikes(input, std::array{*live_vertices(input).begin()}, 0.5);
+  EXPECT_EQ(move(mesh, input).moves, 0u);
+}
+
+TEST(nearer_farthest, the_tip_of_a_cone_of_many_edges_stays) {
+  for (const std::uint32_t spokes : {100u, 1000u}) {
+    const Mesh input = from_indexed(wavy_fan(spokes));
+    Vertex hub;
+    for (const Vertex v : live_vertices(input))
+      if (is_hub(input, v)) hub = v;
+    ASSERT_TRUE(hub);
+    Mesh mesh = with_spikes(input, std::array{hub}, 1.0);
+    move(mesh, input);
+    EXPECT_EQ(mesh.position(hub).z, input.position(hub).z + 1.0) << spokes;
+  }
 }
 
 // Where the farthest place cannot come nearer, lower ones stay as well.

@@ -31,7 +31,10 @@ double MeasuredSurface::reach() const {
   return std::max({most.x, most.y, most.z});
 }
 
-double scale_for(double largest) { return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest) - 1) : 1.0; }
+double scale_for(double largest) {
+  constexpr int most = std::numeric_limits<double>::max_exponent - 1;  // a length may be less than its inverse holds
+  return largest > 0 ? std::ldexp(1.0, std::min(-std::ilogb(largest) - 1, most)) : 1.0;
+}
 
 OtherSurface::OtherSurface(const Mesh& mesh) {
   const MeasuredSurface surface(mesh);

@@ -248,6 +248,11 @@ TEST(distance, knows_very_large_and_very_small_coordinates) {
     EXPECT_NEAR(found.rms / factor, 0.125, 1e-12);
     EXPECT_NEAR(found.diagonal / factor, std::sqrt(2), 1e-12);
   }
+  for (const double factor : {1e-306, 1e-309, 1e-312, 1e-318, 5e-324}) {
+    const SurfaceDistance found = measured(moved(a, factor, glm::dvec3(0.0)), moved(b, factor, glm::dvec3(0.0)));
+    EXPECT_NEAR(found.hausdorff, 0.125 * factor, 2e-7 * factor + 2 * std::numeric_limits<double>::denorm_min())
+        << factor;
+  }
   const glm::dvec3 away(1e9, -1e9, 1e9);
   EXPECT_NEAR(measured(moved(a, 1, away), moved(b, 1, away)).hausdorff, 0.125, 1e-6);
   EXPECT_NEAR(measured(a, moved(b, 1, away)).hausdorff, std::sqrt(3) * 1e9, 10);

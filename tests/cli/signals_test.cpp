@@ -131,7 +131,7 @@ TEST(signals, end_every_long_command_soon_and_leave_nothing) {
               1000 * times[times.size() / 2].count(), 1000 * times.back().count());
   const std::size_t late = is_long_run() ? times.size() / 10 : 1;
   EXPECT_LT(times[times.size() - 1 - late], Seconds(0.2));
-  EXPECT_LT(times.back(), Seconds(1)) << "a busy machine may take its time to end a process";
+  EXPECT_LT(times.back(), Seconds(5)) << "a busy machine may take its time to end a process";
 }
 
 TEST(signals, that_are_ignored_stay_ignored) {

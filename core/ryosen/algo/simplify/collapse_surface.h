@@ -45,7 +45,7 @@ class ScaledPlaces {
   // The same without moving the middle to the origin: exact but for what is far smaller than the mesh.
   glm::dvec3 scaled_alone(const glm::dvec3& p) const { return shifted(p, down_, -exponent_); }
   double scaled_length(double length) const { return std::ldexp(length, -exponent_); }
-  // That of positions, scaled.
+  // The rounding of positions, scaled.
   double rounding() const {
     return 0x1p-52 * (1 + std::max({std::abs(middle_.x), std::abs(middle_.y), std::abs(middle_.z)}));
   }

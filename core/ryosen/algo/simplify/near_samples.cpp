@@ -135,7 +135,7 @@ class NearSamples::Search {
     double least = std::numeric_limits<double>::infinity();
     Halfedge nearest;
     const auto is_nearer = [&](const Triangle& t) {
-      const double square = squared(way_from_triangle(t.places[0], t.places[1], t.places[2], place));
+      const double square = square_from_triangle(t.places, place);
       if (!(square < least)) return false;
       least = square;
       nearest = t.corner;

@@ -10,6 +10,7 @@
 
 #include "ryosen/algo/simplify/collapse_surface.h"
 #include "ryosen/base/progress.h"
+#include "ryosen/geometry/closest.h"
 #include "ryosen/geometry/trees/primitive.h"
 #include "ryosen/geometry/trees/triangle_tree.h"
 
@@ -70,6 +71,10 @@ class NearSamples {
 
 inline NearestPlace nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& place) {
   return nearest_place(corners, Primitive::triangle(0, 1, 2, 0), place);
+}
+// The square of the distance.
+inline double square_from_triangle(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& place) {
+  return squared(way_from_triangle(corners[0], corners[1], corners[2], place));
 }
 // A plain triangle, its owner the face.
 Primitive triangle_primitive(const Mesh& mesh, Face f);

@@ -43,7 +43,8 @@ struct FarPlace {
   std::uint32_t sample = no_index;
   glm::dvec3 way{0.0};  // to the input, where it is known
   friend bool operator<(const FarPlace& a, const FarPlace& b) {
-    return std::tuple(-a.square, a.corner.index, a.sample) < std::tuple(-b.square, b.corner.index, b.sample);
+    return std::tuple(-a.square, a.corner.index, a.sample, a.shares.x) <
+           std::tuple(-b.square, b.corner.index, b.sample, b.shares.x);
   }
 };
 
@@ -86,7 +87,7 @@ class Farthest {
   using Corners = std::array<glm::dvec3, 3>;
   using Samples = std::vector<std::uint32_t>;
 
-  bool is_triangle_at(Halfedge h) const { return mesh_.face(h) && mesh_.next(mesh_.next(h)) == mesh_.prev(h); }
+  bool is_triangle_at(Halfedge h) const { return mesh_.face(h) && is_triangle(mesh_, h); }
   std::array<Vertex, 3> vertices_at(Halfedge h) const {
     return {mesh_.from(h), mesh_.to(h), mesh_.from(mesh_.prev(h))};
   }
@@ -98,9 +99,6 @@ class Farthest {
     const Corners corners = corners_at(place.corner);
     return place.shares.x * corners[0] + place.shares.y * corners[1] + place.shares.z * corners[2];
   }
-  static double square_from(const Corners& triangle, const glm::dvec3& place) {
-    return squared(way_from_triangle(triangle[0], triangle[1], triangle[2], place));
-  }
 
   void add_samples(Halfedge h, Samples& around) const {
     if (mesh_.face(h)) samples_.for_each(mesh_.face(h), [&](std::uint32_t i) { around.push_back(i); });
@@ -110,14 +108,15 @@ class Farthest {
     for (const Halfedge h : outgoing(mesh_, v)) add_samples(h, around);
   }
 
-  // About a vertex or the middle of an edge.
+  // The samples about a vertex or the middle of an edge.
   void find_samples(const FarPlace& place, Samples& around) const {
     if (place.shares.x == 1) return find_samples(mesh_.from(place.corner), around);
     around.clear();
     for (const Halfedge side : {place.corner, twin(place.corner)}) add_samples(side, around);
   }
 
-  // Of a place from the input, looked for from the nearest of these samples; one whose square is `enough` will do.
+  // The distance of a place from the input, searched from the nearest of these samples; one whose square is `enough`
+  // will do.
   InputSearch::Near from_input(const glm::dvec3& place, const Samples& around, double enough = 0) const {
     double least = unknown;
     std::uint32_t nearest = no_index;
@@ -188,7 +187,7 @@ class Farthest {
     const Halfedge h = mesh_.halfedge(f);
     const Corners corners = corners_at(h);
     samples_.for_each(f, [&](std::uint32_t i) {
-      const double square = square_from(corners, samples_.sample(i).place);
+      const double square = square_from_triangle(corners, samples_.sample(i).place);
       if (square > found.enough())
         found.add({square, h, nearest_on_triangle(corners, samples_.sample(i).place).barycentric, i});
     });
@@ -224,13 +223,13 @@ class Farthest {
     }
     const glm::dvec3 sample = samples_.sample(place.sample).place;
     const Halfedge corner = place.corner;
-    place.square = square_from(corners_at(corner), sample);
+    place.square = square_from_triangle(corners_at(corner), sample);
     for (const Vertex v : vertices_at(corner)) {
       if (is_hub(mesh_, v)) continue;
       for (const Halfedge h : outgoing(mesh_, v)) {
         if (!is_triangle_at(h)) continue;
         ++looks_;
-        const double square = square_from(corners_at(h), sample);
+        const double square = square_from_triangle(corners_at(h), sample);
         if (!(square < place.square)) continue;
         place.square = square;
         place.corner = h;
@@ -263,7 +262,7 @@ class Farthest {
       double least = unknown;
       for (const Corners& corners : ring_) {
         ++looks_;
-        least = std::min(least, square_from(corners, samples_.sample(i).place));
+        least = std::min(least, square_from_triangle(corners, samples_.sample(i).place));
         if (least <= largest) break;
       }
       largest = std::max(largest, least);
@@ -278,7 +277,7 @@ class Farthest {
       const Corners corners{p, surface_.place(mesh_.to(h)), surface_.place(mesh_.from(mesh_.prev(h)))};
       samples_.for_each(mesh_.face(h), [&](std::uint32_t i) {
         const auto [place, area] = samples_.sample(i);
-        sum += area * square_from(corners, place);
+        sum += area * square_from_triangle(corners, place);
       });
     }
     return sum;

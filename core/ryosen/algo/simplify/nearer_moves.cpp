@@ -136,7 +136,7 @@ class Moves {
       const glm::dvec3 &x = surface_.place(mesh_.from(next)), &y = surface_.place(mesh_.from(prev));
       samples_.for_each(mesh_.face(corner), [&](std::uint32_t i) {
         const auto [place, area] = samples_.sample(i);
-        sum += area * squared(way_from_triangle(p, x, y, place));
+        sum += area * square_from_triangle({p, x, y}, place);
       });
       const double share = glm::length(glm::cross(x - p, y - p)) / 6 * middles_share;
       for (const glm::dvec3& middle : {(p + x) / 2.0, (p + y) / 2.0})

@@ -58,9 +58,6 @@ class NearerSwaps {
   };
 
   using Triangle = std::array<glm::dvec3, 3>;
-  static double square(const Triangle& triangle, const glm::dvec3& place) {
-    return squared(way_from_triangle(triangle[0], triangle[1], triangle[2], place));
-  }
   Triangle triangle(Vertex a, Vertex b, Vertex c) const {
     return {surface_.place(a), surface_.place(b), surface_.place(c)};
   }
@@ -89,8 +86,8 @@ class NearerSwaps {
     for (Halfedge side : {h, twin(h)})
       samples_.for_each(mesh_.face(side), [&](std::uint32_t s) {
         const auto [place, share] = samples_.sample(s);
-        was += share * std::min(square(was_left, place), square(was_right, place));
-        is += share * std::min(square(new_a, place), square(new_b, place));
+        was += share * std::min(square_from_triangle(was_left, place), square_from_triangle(was_right, place));
+        is += share * std::min(square_from_triangle(new_a, place), square_from_triangle(new_b, place));
       });
     const double left = area(a, b, c) / 3, right = area(b, a, d) / 3, at_a = area(c, a, d) / 3,
                  at_b = area(d, b, c) / 3;
@@ -112,7 +109,7 @@ class NearerSwaps {
     const Triangle new_a = triangle(c, a, d), new_b = triangle(d, b, c);
     for (const std::uint32_t s : samples) {
       const glm::dvec3 place = samples_.sample(s).place;
-      samples_.give(square(new_a, place) <= square(new_b, place) ? with_a : with_b, s);
+      samples_.give(square_from_triangle(new_a, place) <= square_from_triangle(new_b, place) ? with_a : with_b, s);
     }
   }
 

@@ -1,4 +1,4 @@
-// What lies farthest from the input comes nearer, and all else stays to the bit.
+// The places that lie farthest from the input come nearer, and all else stays to the bit.
 #include "ryosen/algo/simplify/nearer_farthest.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct Moved {
   std::size_t moves;
   std::vector<Vertex> vertices;
 };
-// Of a mesh whose vertices are those of the input.
+// The mesh has the vertices of the input.
 Moved move(Mesh& mesh, const Mesh& input, const CollapseLimits& limits = {}, DistanceGuard* guard = nullptr) {
   const Mesh before = mesh;
   CollapseSurface surface(mesh, limits);
@@ -85,7 +85,7 @@ TEST(nearer_farthest, a_spike_of_a_flat_sheet_goes_back) {
   }
 }
 
-// What the rounding of far coordinates moves is no distance.
+// The rounding of far coordinates is no distance.
 TEST(nearer_farthest, a_flat_sheet_far_away_stays) {
   for (const double away : {1e3, 1e6, 1e9}) {
     const Mesh input = sheet(sheet_side, [&](std::uint32_t x, std::uint32_t y) { return away + x / 3.0 + y / 7.0; });
